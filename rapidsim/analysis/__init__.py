@@ -1,1 +1,1 @@
-"""A tree becomes a Program or findings: the passes, what they share, what they leave."""
+"""Turns a syntax tree into a Program or findings: the passes, their shared state, their results."""

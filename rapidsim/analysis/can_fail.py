@@ -1,4 +1,4 @@
-"""Whether anything in a program can end in an error when it runs."""
+"""Whether anything in a program can raise an error at run time."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ _FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
 
 
 def can_fail(program: Program) -> bool:
-    """Whether a statement calls, divides, indexes, joins texts or raises.
+    """Whether a statement calls, divides, indexes, concatenates strings or raises.
 
-    What only computes, compares and tells cannot; whoever asks need not run it to know.
+    Pure arithmetic, comparison and output cannot fail, so there is no need to run it to know.
     """
     return any(
         _can_fail(node, program) for module in program.modules for node in descendants(module)

@@ -1,7 +1,7 @@
-"""What the configuration of a cell declares: names that programs use and no module declares.
+"""Names declared by the configuration of a cell: used in programs but declared by no module.
 
-Signals with their kinds, mechanical units, tasks. It is known where the station is; the checker
-takes it in, and a program keeps it, so that whatever is asked of it later knows the same names.
+Signals with their types, mechanical units, tasks. The station provides them; the checker takes them
+in, and a program keeps them, so that later queries know the same names.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class ConfiguredSymbol:
 
 @dataclass(frozen=True, slots=True)
 class CellNames:
-    """The names of a cell."""
+    """The configured names of a cell."""
 
     symbols: Mapping[str, ConfiguredSymbol] = field(default_factory=dict)
     """By folded name."""
@@ -66,7 +66,7 @@ def cell_names(
     Args:
         signals: Names and types of signals.
         units: Names of mechanical units.
-        tasks: Names of tasks; a program knows each as a `taskid`, as in `T_ROB1Id`.
+        tasks: Names of tasks; each is predeclared as a `taskid`, such as `T_ROB1Id`.
         cameras: Names of cameras.
         wired: Names of signals that connections and stimuli mention.
     """

@@ -1,6 +1,6 @@
-"""What the passes of analysis share: the side tables they fill, and where in the task they are.
+"""State shared by the passes of analysis: the side tables they fill, and the current scope.
 
-An `Analysis` lasts for one check; a `Context` is the place in it that a pass is looking at.
+An `Analysis` lasts for one check; a `Context` is the scope that a pass is looking at.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ MOST_COMPARED = 200
 
 @dataclass(frozen=True, slots=True)
 class SymbolTable:
-    """Names that are known together, by folded name, inside the names around them."""
+    """Names of one scope, by folded name, nested inside enclosing scopes."""
 
     names: dict[str, Symbol]
     outer: SymbolTable | None = None
@@ -40,7 +40,7 @@ class SymbolTable:
         return None
 
     def symbols(self) -> Iterator[Symbol]:
-        """All symbols from the inside out, in order of declaration."""
+        """All symbols from the innermost scope out, in order of declaration."""
         scope: SymbolTable | None = self
         while scope is not None:
             yield from scope.names.values()
@@ -49,7 +49,7 @@ class SymbolTable:
 
 @dataclass(slots=True)
 class Analysis:
-    """What one check has found out so far."""
+    """The results of one check so far."""
 
     cell: CellNames = NO_CELL
     """What the configuration of the cell declares."""
@@ -84,9 +84,9 @@ class Analysis:
     """Folded names that were compared with all known ones, to find which was meant."""
 
     def may_compare(self, key: str) -> bool:
-        """Whether to look which known name a folded one is meant to be.
+        """Whether to search for the known name that a folded one is a slip for.
 
-        Comparing each of many wrong names with each of many known ones would take for ever.
+        Comparing many wrong names with many known ones would take too long.
         """
         if key in self.compared or len(self.compared) >= MOST_COMPARED:
             return key in self.compared
@@ -100,13 +100,13 @@ class Analysis:
         )
 
     def unknown_symbol(self, name: str) -> UnknownSymbol:
-        """The symbol of a name that nothing declares."""
+        """The symbol for an undeclared name."""
         return self.unknown.setdefault(name.lower(), UnknownSymbol(name))
 
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """A place in the program: whose names are known here, and where findings go."""
+    """A scope in the program: its visible names, and where findings go."""
 
     analysis: Analysis
     module: tree.Module
@@ -114,22 +114,22 @@ class Context:
     routine: RoutineSymbol | None = None
 
     def inside(self, scope: SymbolTable) -> Context:
-        """The same place with more names."""
+        """The same scope with more names."""
         return replace(self, scope=scope)
 
     def report(self, violation: Violation, node: tree.Node, *related: Related) -> None:
-        """Add a finding at a node of this module."""
+        """Report a finding at a node of this module."""
         self.report_at(violation, self.module.span(node), *related)
 
     def report_at(self, violation: Violation, span: Span, *related: Related) -> None:
-        """Add a finding at a place."""
+        """Report a finding at a source span."""
         routine = self.routine.name if self.routine else None
         self.analysis.diagnostics.append(
             Diagnostic(violation, span, related=related, routine=routine)
         )
 
     def declaration(self, symbol: Symbol | None) -> tuple[Related, ...]:
-        """Where a symbol is declared, as a related place; nowhere for what is predefined."""
+        """The declaration of a symbol as a related location; None for predefined symbols."""
         if symbol is None or symbol not in self.analysis.module_of:
             return ()
         module = self.analysis.module_of[symbol]

@@ -1,4 +1,4 @@
-"""The names every controller knows: installed routines, predefined data and types."""
+"""Names known to every controller: installed routines, predefined data and types."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.library.predefined import DATA, TYPES
 
 @cache
 def installed_symbol(key: str) -> Symbol | None:
-    """The symbol of a predefined name, by folded name; each has one symbol for good."""
+    """The symbol of a predefined name, by folded name; always the same object."""
     datum = DATA.get(key)
     if datum is not None:
         storage = (

@@ -1,4 +1,4 @@
-"""Parameters of user routines and of installed ones, seen alike by the check of calls."""
+"""Parameters of user and installed routines in a common form for checking calls."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Wanted:
-    """The type an expression must have, and who wants it."""
+    """The type an expression must have, and what requires it."""
 
     type: Type
     by: str
@@ -24,7 +24,7 @@ class Wanted:
 
 @dataclass(frozen=True, slots=True)
 class Formal:
-    """One parameter as a call sees it."""
+    """One parameter as seen by a call."""
 
     name: str
     key: str
@@ -43,12 +43,12 @@ class Formal:
 
     @property
     def spelled(self) -> str:
-        r"""As a call writes it: `Speed`, `\WObj`."""
+        r"""As written in a call: `Speed`, `\WObj`."""
         return ("\\" if self.optional else "") + self.name
 
     @property
     def signal(self) -> Type | None:
-        """The kind of signal it takes, if it takes one."""
+        """The kind of signal it takes, if any."""
         for of in self.types:
             target = resolved(of)
             if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
@@ -66,7 +66,7 @@ class Formal:
 
 @dataclass(frozen=True, slots=True)
 class Callee:
-    """What a call calls."""
+    """The target of a call."""
 
     name: str
     parameters: tuple[Formal, ...]

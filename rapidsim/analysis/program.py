@@ -1,7 +1,7 @@
-"""What analysis found out: symbols, and side tables keyed by the nodes of the tree.
+"""The results of analysis: symbols, and side tables keyed by tree nodes.
 
-Nothing is written on the tree. A `Program` is only made from modules without errors, so the
-interpreter need not check again.
+Nothing is written to the tree. A `Program` is only made from error-free modules, so the interpreter
+need not check again.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class Storage(Enum):
 
 
 class Scope(Enum):
-    """Where a name is known."""
+    """Where a name is visible."""
 
     INSTALLED = "installed"
     """Predefined by the system; user names hide it."""
@@ -45,7 +45,7 @@ class Scope(Enum):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class DataSymbol:
-    """Declared data; `node` is None and `value` set for predefined data such as `v100`."""
+    """Declared data; predefined data such as `v100` have `value` set and no `node`."""
 
     name: str
     type: Type
@@ -100,7 +100,7 @@ class LibrarySymbol:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class TypeSymbol:
-    """A record or alias of the user."""
+    """A user-defined record or alias."""
 
     name: str
     type: Type
@@ -110,10 +110,10 @@ class TypeSymbol:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class UnknownSymbol:
-    """A name that nothing declares, reported as a warning and skipped at run time.
+    """An undeclared name, reported as a warning and skipped at run time.
 
     Programs call routines of add-ins and use signals of their cell that no module declares; a run
-    reports them and goes on.
+    reports them and continues.
     """
 
     name: str
@@ -132,13 +132,13 @@ Symbol: TypeAlias = (
 
 
 def does(symbol: Symbol | None) -> Does:
-    """What a call of an installed routine does; of others their text tells."""
+    """The effects of a call of an installed routine; those of others follow from their text."""
     return symbol.routine.does if isinstance(symbol, LibrarySymbol) else NOTHING
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Program:
-    """A task's modules with all names and types known."""
+    """A task's modules with all names and types resolved."""
 
     modules: tuple[tree.Module, ...]
     symbol_of: Mapping[tree.Node, Symbol]

@@ -1,4 +1,4 @@
-"""What the rules look at: the files of a task, cut into parts, with what analysis knows of them.
+"""The view of a program that rules use: files cut into parts, with the facts of analysis.
 
 A part is one routine, or what a module declares outside its routines. Its nodes are listed once, so
 that thirty rules do not walk the tree thirty times.
@@ -33,7 +33,7 @@ class Part:
     nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
 
     def all(self, kind: type[N]) -> Sequence[N]:
-        """The nodes of one class, in the order of the text."""
+        """The nodes of one class, in source order."""
         return self.nodes.get(kind, ())  # type: ignore[return-value]
 
     def finding(
@@ -45,12 +45,12 @@ class Part:
     def finding_at(
         self, violation: Violation, span: Span, *related: Related, fix: Fix | None = None
     ) -> Diagnostic:
-        """A finding at a place of this part."""
+        """A finding at a source span of this part."""
         routine = None if self.routine is None else self.routine.name.text
         return Diagnostic(violation, span, related=related, fix=fix, routine=routine)
 
     def place(self, node: tree.Node, message: str) -> Related:
-        """Another place of this part that explains a finding."""
+        """A related location in this part that explains a finding."""
         return Related(self.module.span(node), message)
 
     @property
@@ -60,7 +60,7 @@ class Part:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """Folded names that are used here: data, routines, traps. Parameters' names are not."""
+        """Folded names used here: data, routines, traps; not the names of parameters."""
         return frozenset(self._names())
 
     def _names(self) -> Iterator[str]:
@@ -82,7 +82,7 @@ class Facts:
 
     @cached_property
     def parts(self) -> tuple[Part, ...]:
-        """All parts, module by module; of each the declarations, then the routines."""
+        """All parts, module by module: the declarations, then the routines."""
         return tuple(
             part
             for file in self.files
@@ -118,7 +118,7 @@ class Facts:
 
     @cached_property
     def callees_first(self) -> tuple[Part, ...]:
-        """The routines, each behind those it calls as far as that can be."""
+        """The routines in bottom-up call order, as far as there is one."""
         ordered: dict[Part, None] = {}
         seen: set[Part] = set()
         for first in self.routine_parts:
@@ -135,12 +135,12 @@ class Facts:
 
     @cached_property
     def bit_of(self) -> Mapping[Part, int]:
-        """A bit for each routine: sets of routines are numbers, which join at once."""
+        """A bit for each routine: sets of routines are integers, which are quick to join."""
         return {part: 1 << number for number, part in enumerate(self.callees_first)}
 
     @cached_property
     def reached_from(self) -> Mapping[Part, int]:
-        """The bits of all routines that may run because of each routine, its own among them."""
+        """The bits of all routines that each routine may cause to run, itself included."""
         reached = dict(self.bit_of)
         changed = True
         while changed:
@@ -155,19 +155,19 @@ class Facts:
 
     @cached_property
     def names(self) -> frozenset[str]:
-        """Folded names that are used anywhere in the task."""
+        """Folded names used anywhere in the task."""
         return frozenset().union(*(part.names for part in self.parts))
 
     @cached_property
     def strings(self) -> frozenset[str]:
-        """Folded texts of all strings: routines and data can be reached by a name in a string."""
+        """Folded texts of all strings: routines and data can be accessed by a name in a string."""
         return frozenset(
             node.value.lower() for part in self.parts for node in part.all(tree.String)
         )
 
     @cached_property
     def entry(self) -> Part | None:
-        """The routine `main`; a task without one is not looked at as a whole."""
+        """The routine `main`; without one, rules about the whole task do not apply."""
         for part in self.routine_parts:
             routine = part.routine
             if isinstance(routine, tree.Proc) and routine.name.key == ENTRY:
@@ -176,7 +176,7 @@ class Facts:
 
     @cached_property
     def is_whole(self) -> bool:
-        """Whether all modules of the task seem to be here: there is a main, no call leads away."""
+        """Whether all modules of the task seem to be here: main exists, and every call resolves."""
         analysis = self.analysis
         leads_away = bool(analysis.unknown) or analysis.loads_modules
         return self.entry is not None and not leads_away and self.is_read
@@ -187,20 +187,20 @@ class Facts:
         return not self.analysis.unread_text
 
     def symbol(self, node: tree.Node | None) -> Symbol | None:
-        """What a node refers to or declares, if that is known."""
+        """The symbol that a node refers to or declares, if known."""
         return None if node is None else self.analysis.symbol_of.get(node)
 
     def installed(self, call: tree.Node) -> LibraryRoutine | None:
-        """The installed routine that a call leads to."""
+        """The installed routine that a call invokes."""
         symbol = self.symbol(call)
         return symbol.routine if isinstance(symbol, LibrarySymbol) else None
 
     def does(self, call: tree.Node) -> Does:
-        """What a call of an installed routine does."""
+        """The effects of a call of an installed routine."""
         return does(self.symbol(call))
 
     def routine_called(self, node: tree.Node) -> tree.Routine | None:
-        """The user's routine that a call leads to."""
+        """The user routine that a call invokes."""
         symbol = self.symbol(node)
         return symbol.node if isinstance(symbol, RoutineSymbol) else None
 

@@ -11,9 +11,9 @@ from rapidsim.syntax import tree
 
 
 def rebuilt(part: Any, instead: Mapping[int, tree.Node]) -> Any:
-    """A part of a tree with some of its nodes replaced, by the identity of the old ones.
+    """A subtree with some of its nodes replaced, matched by identity.
 
-    What holds none of them is the same object.
+    Subtrees that contain none of them remain the same objects.
     """
     if isinstance(part, tuple):
         parts = tuple(rebuilt(one, instead) for one in part)

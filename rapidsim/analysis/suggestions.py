@@ -1,8 +1,8 @@
-"""Which known name somebody may have meant by one that is not known.
+"""The known name that somebody may have meant by an unknown one.
 
 Names compare without case. Distance is the number of letters inserted, deleted, replaced or swapped
-with their neighbour. What is nearest is a suggestion and no more: programs name things in series
-and families, `Pick1` and `Pick2`, `MoveL` and `MoveC`, so an unknown name stays one.
+with their neighbour. The nearest name is only a suggestion: programs name things in series and
+families, `Pick1` and `Pick2`, `MoveL` and `MoveC`, so an unknown name stays unknown.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ from rapidsim.syntax.stored_table import rapid_table
 
 
 def reserved_words() -> Collection[str]:
-    """Words of the language, which are never names."""
+    """Reserved words of the language, which are never names."""
     return rapid_table().words
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate nearest to a name; None if none is near. Ties go to the first."""
+    """The candidate closest to a name; None if none is close. Ties go to the first."""
     folded = name.lower()
     best: str | None = None
     limit = _most_slips(folded)

@@ -1,7 +1,8 @@
-r"""Comments that suppress findings: `! rapidsim: ignore[K601] reason`, and those that do nothing.
+r"""Comments that suppress findings: `! rapidsim: ignore[K601] reason`, and useless ones.
 
-A comment behind a statement is for its line; one on a line of its own is for the next line that is
-no comment. `ignore-file[...]` is for the whole file, and without brackets all rules are meant.
+A comment after a statement applies to its line; one on a line of its own applies to the next line
+that is not a comment. `ignore-file[...]` applies to the whole file; without brackets, all rules are
+meant.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ class Suppression:
     """The line it is for; None for the whole file."""
 
     def covers(self, diagnostic: Diagnostic) -> bool:
-        """Whether it suppresses a finding."""
+        """Whether it covers a finding."""
         span = diagnostic.span
         if span is None or span.source is not self.span.source:
             return False
@@ -67,10 +68,10 @@ def without_suppressed(
     """The findings that no comment suppresses, and one for each comment that suppresses none.
 
     Args:
-        diagnostics: What was found.
+        diagnostics: The findings.
         files: The files with their comments.
-        is_looked_for: Whether rules were looked for that a code in a comment means. A comment for
-            what nobody looked for is not useless.
+        is_looked_for: Whether the rules that a code in a comment stands for were checked. A comment
+            for rules that were not checked is not useless.
     """
     all_comments = tuple(suppressions(files))
     if not all_comments:

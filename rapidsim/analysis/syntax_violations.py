@@ -1,4 +1,4 @@
-"""Rules E1 that need the tree: what the parser reads and RAPID does not allow."""
+"""Rules E1 that need the tree: constructs that the parser accepts and RAPID does not."""
 
 from __future__ import annotations
 

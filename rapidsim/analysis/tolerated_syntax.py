@@ -1,4 +1,4 @@
-"""What the parser read although RAPID does not have it: one finding for each mark on the tree."""
+"""Non-RAPID syntax that the parser accepts: one finding for each mark on the tree."""
 
 from __future__ import annotations
 

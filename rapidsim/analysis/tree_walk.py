@@ -1,4 +1,4 @@
-"""Ways through a tree for passes that look for a few kinds of nodes only."""
+"""Tree traversal for passes that look only for a few kinds of nodes."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
 
 
 def statements(*bodies: tree.Body) -> Iterator[tree.Statement]:
-    """The statements of some lists and of the blocks in them, in the order of the text."""
+    """The statements of some lists and of their nested blocks, in source order."""
     stack = [statement for body in reversed(bodies) for statement in reversed(body)]
     while stack:
         statement = stack.pop()
@@ -72,7 +72,7 @@ def statements(*bodies: tree.Body) -> Iterator[tree.Statement]:
 
 
 def data_of(module: tree.Module) -> Iterator[tree.Data]:
-    """Every data declaration of a module, those of its routines included."""
+    """Every data declaration of a module, including those in its routines."""
     for item in module.items:
         if isinstance(item, tree.Data):
             yield item
@@ -83,7 +83,7 @@ def data_of(module: tree.Module) -> Iterator[tree.Data]:
 
 
 def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
-    """The nodes under some nodes and these themselves, in the order of the text; names left out."""
+    """Nodes and their descendants in source order, without names."""
     stack = list(reversed(roots))
     while stack:
         node = stack.pop()
@@ -97,7 +97,7 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
 
 
 def children(node: tree.Node) -> list[tree.Node]:
-    """The nodes directly under a node, in the order of the fields; names left out."""
+    """The direct children of a node, in the order of the fields, without names."""
     found: list[tree.Node] = []
     for name in _FIELDS_WITH_NODES[type(node)]:
         value = getattr(node, name)

@@ -1,1 +1,1 @@
-"""What the bodies of a cell touch: shapes, distances, contacts along a motion."""
+"""Collision detection for the bodies of a cell: shapes, distances, contacts along a motion."""

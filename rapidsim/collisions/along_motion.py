@@ -1,9 +1,9 @@
-"""Contacts and clearances along a motion, so that nothing slips through between two instants.
+"""Contacts and clearances along a motion, checked continuously between sampling instants.
 
-The gaps at both ends of a stretch and the way between tell the least gap within (`travel.py`). The
-first stretches are many steps long; where one leaves a contact possible, or a gap that would be
-news, its ends are measured, and then it is cut in two. What remains open after the shortest step is
-no contact.
+The gaps at both ends of a stretch and the distance travelled in between bound the smallest gap
+within (`travel.py`). The first stretches are many steps long; where one leaves a contact possible,
+or a gap smaller than any so far, its ends are measured, and then it is bisected. What is still
+undecided after the shortest step is no contact.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Found:
     Args:
         scene: What moves.
         end_s: When [s] the run ends.
-        bodies: Those of the scene, where several motions are looked at.
+        bodies: The bodies of the scene, to share them between several motions.
     """
     if not scene.pairs:
         return Found((), ())
@@ -109,7 +109,7 @@ class _Best:
 
     @property
     def wanted(self) -> float:
-        """A stretch that comes no closer than this need not be checked."""
+        """Stretches that come no closer than this need not be checked."""
         return self.gap - max(_NEARER_M, _NEARER * self.gap)
 
 
@@ -141,7 +141,7 @@ class _Search:
         self._decided = True
 
     def look(self, times: Array) -> None:
-        """Look along one block of instants (k,)."""
+        """Check one block of instants (k,)."""
         self._poses = self._scene.poses(times)
         self._steps = len(times)
         more = int(self._poses.moves.max()) + 1 - self._wanted.shape[1]
@@ -170,7 +170,7 @@ class _Search:
             )
 
     def look_inside(self) -> None:
-        """See which bodies begin inside a hollow one, whose surface they need not touch."""
+        """Find bodies that start inside a hollow one, whose surface they need not touch."""
         poses, centre = self._scene.poses(np.zeros(1)), self._bodies.bounds.centre
         for number, pair in enumerate(self._scene.pairs):
             for one, other in ((pair.first, pair.second), (pair.second, pair.first)):

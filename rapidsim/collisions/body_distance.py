@@ -1,7 +1,8 @@
-"""How far bodies of many parts are from each other, for many poses at once.
+"""Distances between bodies of many parts, for many poses at once.
 
-Bounds of parts say which parts matter; only for those the exact distance is found. Bodies of very
-many parts, such as the triangles of a casting, have bounds around groups of them as well.
+Bounding volumes of parts show which parts matter; the exact distance is computed only for those.
+Bodies with very many parts, such as the triangles of a casting, have bounds around groups of parts
+as well.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ _EXACT_M, _EXACT = 2.0 * _CLOSE_M, 2.0 * _CLOSE
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Gaps:
-    """What is known of pairs of bodies (k,)."""
+    """Gaps between pairs of bodies (k,)."""
 
     least: Array
     """[m]: the bodies are at least this far apart."""
@@ -43,7 +44,7 @@ class Gaps:
 
 
 class Bodies:
-    """Bodies, asked in pairs."""
+    """Bodies, queried in pairs."""
 
     def __init__(self, bodies: Sequence[Sequence[ConvexPart]]) -> None:
         """Lay out the parts of all bodies, those that are near each other together."""
@@ -69,10 +70,10 @@ class Bodies:
         """Gaps of pairs of bodies.
 
         Args:
-            first: Which body (k,).
-            second: Which other (k,); places and directions are in its frame.
-            second_from_first: Where the first ones are (k,).
-            enough: From which gap (k,) [m] on a lower bound will do.
+            first: Indices of the first bodies (k,).
+            second: Indices of the second ones (k,); points and directions are in their frames.
+            second_from_first: Poses of the first ones (k,).
+            enough: Above this gap (k,) [m] a lower bound suffices.
         """
         count = len(first)
         gaps = Gaps(np.full(count, np.inf), np.full(count, np.inf), np.zeros((count, 3)))
@@ -90,13 +91,13 @@ class Bodies:
     def depths(
         self, first: Index, second: Index, second_from_first: Transform, *, exact: bool
     ) -> Array:
-        """How far (k,) [m] pairs of bodies overlap: the deepest of their parts; 0 where none do.
+        """Penetration depths (k,) [m] of pairs: those of their deepest parts; 0 if disjoint.
 
         Args:
-            first: Which body (k,).
-            second: Which other (k,).
-            second_from_first: Where the first ones are (k,).
-            exact: Whether to look for the shortest way out of the deepest parts, not for any.
+            first: Indices of the first bodies (k,).
+            second: Indices of the second ones (k,).
+            second_from_first: Poses of the first ones (k,).
+            exact: Whether to find the shortest way out for the deepest parts, not just any.
         """
         found = np.zeros(len(first))
         pairs, row = _all_pairs(self._groups_of, first, second, np.arange(len(first)))

@@ -1,6 +1,6 @@
-"""How near bodies can be at most, by the spheres and the boxes around them: cheap, often enough.
+"""Cheap lower bounds of distances between bodies, from their bounding spheres and boxes.
 
-Each body is in a box along the axes of its own frame, and in a sphere around the box's middle.
+Each body has a box along the axes of its own frame, and a sphere around the centre of the box.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array, Transform
 
 
 class Bounds:
-    """Boxes and spheres around some things, each in a frame of its own."""
+    """Bounding boxes and spheres, each in a frame of its own."""
 
     def __init__(self, low: Array, high: Array, bound: Array) -> None:
         """Keep boxes by their corners (n, 3) [m], and radii (n,) [m] of spheres."""
@@ -22,12 +22,12 @@ class Bounds:
         self.bound: Array = np.minimum(bound, np.linalg.norm(self._half, axis=1))
 
     def gaps(self, first: Index, second: Index, second_from_first: Transform) -> Array:
-        """Of pairs (k,) the distances [m] that they have at least; below 0 where nothing is known.
+        """Lower bounds of the distances [m] of pairs (k,); negative where nothing is known.
 
         Args:
-            first: Which of them (k,).
-            second: Which others (k,).
-            second_from_first: Where the first ones are (k,).
+            first: Indices of the first ones (k,).
+            second: Indices of the second ones (k,).
+            second_from_first: Poses of the first ones (k,).
         """
         turn = second_from_first.rotation
         half_a, half_b = self._half[first], self._half[second]

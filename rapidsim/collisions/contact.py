@@ -1,4 +1,4 @@
-"""What a search along a motion finds: contacts, and how near bodies came."""
+"""The results of a search along a motion: contacts and clearances."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ FARTHEST_M = 0.5
 
 @dataclass(frozen=True, slots=True)
 class BodyName:
-    """What a message calls a body."""
+    """The name of a body in messages."""
 
     name: str
     robot: int | None = None
@@ -40,7 +40,7 @@ class Contact:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Clearance:
-    """The nearest that two bodies came during one move."""
+    """The closest that two bodies came during one move."""
 
     distance_m: float
     time_s: float
@@ -54,7 +54,7 @@ class Clearance:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """All that was found along a motion."""
+    """All results along a motion."""
 
     contacts: tuple[Contact, ...]
     """In order of time."""

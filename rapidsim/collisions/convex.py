@@ -1,8 +1,8 @@
-"""Convex parts: what distances are measured between.
+"""Convex parts, between which distances are computed.
 
-A part is the hull of some points, or a disc swept along an axis, rounded by a radius; so a sphere
-is one point, a capsule two, a box eight. Nothing needs faces: all that is asked of a part is its
-farthest point in a direction.
+A part is the hull of some points, or a disc swept along an axis, plus a rounding radius; so a
+sphere is one point, a capsule two, a box eight. Faces are not needed: a part is only queried for
+its farthest point in a direction (support mapping).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _FEW = 8
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ConvexPart:
-    """A convex body [m] in the frame of what it belongs to."""
+    """A convex body [m] in the frame of the body it belongs to."""
 
     points: Array
     """Shape (k, 3); of a disc swept along an axis, the middles of its two ends."""
@@ -37,7 +37,7 @@ class ConvexPart:
 
     @property
     def centre(self) -> Array:
-        """The middle (3,) of a sphere that holds the part."""
+        """The centre (3,) of a bounding sphere."""
         middle: Array = 0.5 * (self.points.min(axis=0) + self.points.max(axis=0))
         return middle
 
@@ -49,7 +49,7 @@ class ConvexPart:
 
 
 class Parts:
-    """Many parts, asked together for their farthest points."""
+    """Many parts, queried together for their farthest points."""
 
     def __init__(self, parts: Sequence[ConvexPart]) -> None:
         """Lay the parts out in arrays."""
@@ -92,7 +92,7 @@ class Parts:
         )
 
     def normals(self, part: Index) -> tuple[Array, npt.NDArray[np.bool_]]:
-        """The normals (k, m, 3) of parts (k,) and which of them are there (k, m)."""
+        """The normals (k, m, 3) of parts (k,), and which of them are valid (k, m)."""
         count, end = self._normal_counts[part], self._normal_ends[part]
         number = np.arange(count.max(initial=0))
         there = number < count[:, None]
@@ -102,7 +102,7 @@ class Parts:
         return self._normals[row], there
 
     def farthest(self, part: Index, direction: Array) -> Array:
-        """Points (k, 3) of the hulls of parts (k,) that are farthest in directions (k, 3).
+        """The farthest points (k, 3) of parts (k,) in directions (k, 3).
 
         The radius of a part is left out: it is the same in all directions.
         """

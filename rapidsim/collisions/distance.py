@@ -1,8 +1,8 @@
-"""How far convex parts are from each other, for many pairs at once.
+"""Distances between convex parts, for many pairs at once.
 
-The difference of two convex bodies is convex, and its point nearest to the origin is the shortest
-way from one to the other. It is approached by simplices of points of the difference; each step also
-tells how near the bodies can be at most, so a search may stop where that is all one wants to know.
+The Minkowski difference of two convex bodies is convex, and its point nearest to the origin is the
+shortest vector from one to the other. It is approached by simplices of points of the difference;
+each step also gives a lower bound of the distance, so the search may stop early if that suffices.
 
 Source:
     Gilbert, Johnson, Keerthi (1988), A fast procedure for computing the distance between complex
@@ -35,7 +35,7 @@ _ONE, _OTHER = np.array([0, 0, 1]), np.array([1, 2, 2])
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Distances:
-    """Of pairs (k,)."""
+    """Distances of pairs (k,)."""
 
     least: Array
     """[m]: the bodies are no nearer; -inf where their hulls overlap."""
@@ -64,12 +64,12 @@ def distances(
 
     Args:
         parts: All parts.
-        first: Which of them (k,).
-        second: Which of them (k,); all that is found is in its frame.
-        second_from_first: Where the first ones are (k,).
-        enough: From which distance [m] on the exact one does not matter.
-        close: How exact [m] it is.
-        share: Or how exact as a share of it, where that is more.
+        first: Indices of the first parts (k,).
+        second: Indices of the second parts (k,); all results are in their frames.
+        second_from_first: Poses of the first ones (k,).
+        enough: Above this distance [m] the exact one does not matter.
+        close: Absolute tolerance [m].
+        share: Relative tolerance; the larger of the two counts.
     """
     count = len(first)
     enough = np.broadcast_to(np.asarray(enough, dtype=np.float64), (count,))
@@ -172,7 +172,7 @@ class _Open:
     """How many of its corners are there."""
 
     def rows(self, at: npt.NDArray[np.bool_]) -> _Open:
-        """Some of them."""
+        """A subset."""
         return _Open(*(getattr(self, name)[at] for name in _NAMES))
 
 

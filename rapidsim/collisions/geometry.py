@@ -1,6 +1,6 @@
-"""What stands in a cell: objects, what carries them, which pairs nobody wants judged.
+"""The bodies of a cell: objects, what carries them, which pairs are not checked.
 
-Plain values, made by the station file.
+Plain values, made from the station file.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class ParentKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Parent:
-    """One frame of the cell."""
+    """A frame of the cell to which objects are fixed."""
 
     kind: ParentKind = ParentKind.WORLD
     name: str = ""
@@ -70,7 +70,7 @@ class IgnoredPair:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CellGeometry:
-    """All that a station says of bodies."""
+    """Everything a station says about bodies."""
 
     objects: tuple[CellObject, ...] = ()
     attachments: tuple[Attachment, ...] = ()

@@ -1,8 +1,8 @@
-"""The bodies of an arm's links, from its description or from files that the user has.
+"""The bodies of an arm's links, from its description or from the user's files.
 
-Collision shapes where the description has them, else those that are drawn. Of a mesh each piece
-counts as its hull. A link that no joint of the arm moves (a rod, the finger of a gripper) is left
-out, and so is a shape in a format that is not read: both are told.
+Collision shapes if the description has them, else visual shapes. Each piece of a mesh is replaced
+by its convex hull. Links that no joint of the arm moves (a rod, the finger of a gripper) and shapes
+in unsupported formats are left out and reported.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _LEAST_LINK_M, _MOST_LINK_M = 0.005, 10.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LinkShape:
-    """What is fixed to one link."""
+    """A shape fixed to one link."""
 
     number: int
     """How many joints of the arm move it."""
@@ -126,7 +126,7 @@ def _at_zero(robot: Robot) -> tuple[tuple[float, ...], ...]:
 
 
 def shapes_of_meshes(robot: Robot, meshes: LinkMeshes) -> Robot:
-    """An arm with shapes from files, which are read.
+    """An arm with shapes from files, which are read here.
 
     Raises:
         InputError: If one cannot be read, or cannot be a link.
@@ -199,7 +199,7 @@ def _geometry(geometry: ElementTree.Element | None, file: Path) -> Shape | None:
         case "mesh":
             name = tag.get("filename", "")
             if "://" in name and not name.startswith("file://"):
-                raise InputError(f"where `{name}` is, only its ROS workspace knows")
+                raise InputError(f"`{name}` can only be resolved in its ROS workspace")
             # ROS lays descriptions and meshes in two folders of one package.
             room = file.absolute().parent.parent
             mesh = read_mesh(file.parent / name.removeprefix("file://"), room)

@@ -1,8 +1,8 @@
-"""How deep bodies are in each other: the shortest way that would part them.
+"""Penetration depth of bodies: the shortest translation that separates them.
 
-The way is looked for among directions: those of faces that others lie flat on, and some all around,
-the best of which is turned until it gets no better. It is therefore never shorter than the true
-one, and equal to it where a face says the way.
+The translation is searched for among directions: the normals of faces on which others lie flat, and
+some all around, the best of which is refined until it stops improving. The result is therefore
+never shorter than the true one, and equal to it where a face normal gives it.
 """
 
 from __future__ import annotations
@@ -35,15 +35,15 @@ _AROUND = _around()
 def flat_overlaps(
     parts: Parts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
-    """How far [m] parts overlap square to the faces others lie flat on, and the ways out (k, 3).
+    """Overlaps [m] of parts along the normals of faces they lie flat on, and directions (k, 3).
 
-    Infinite where they have no such faces.
+    Infinite for parts without such faces.
 
     Args:
         parts: All parts.
-        first: Some of them (k,).
-        second: Others (k,).
-        second_from_first: Where the first ones are (k,).
+        first: Indices of the first parts (k,).
+        second: Indices of the second parts (k,).
+        second_from_first: Poses of the first ones (k,).
     """
     own, of_own = parts.normals(first)
     own = np.einsum("kij,knj->kni", second_from_first.rotation, own)
@@ -58,7 +58,7 @@ def flat_overlaps(
 def depths(
     parts: Parts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
-    """How far [m] the first parts must go at most to be out of the second, and which way (k, 3).
+    """How far [m] at most the first parts must move to leave the second, and directions (k, 3).
 
     The arguments are those of `flat_overlaps`.
     """
@@ -81,7 +81,7 @@ def depths(
 
 
 def shortest(parts: Parts, first: Index, second: Index, second_from_first: Transform) -> Array:
-    """The same with ways (k,) that are turned until they get no shorter."""
+    """The same, with directions (k, 3) refined until the distances stop shrinking."""
     least, best = depths(parts, first, second, second_from_first)
     width = np.full(len(first), 0.35)
     for _ in range(_ROUNDS if len(first) else 0):

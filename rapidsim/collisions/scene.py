@@ -1,4 +1,4 @@
-"""Bodies that move: where each is at any time of a run, and which pairs of them are checked."""
+"""Moving bodies: the pose of each at any time of a run, and which pairs are checked."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _ALL = slice(None)
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A frame that moves with a robot, or the world."""
+    """A frame that moves with a robot, or the world frame."""
 
     robot: int | None = None
     """None for the world."""
@@ -44,7 +44,7 @@ WORLD = Frame()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Carried:
-    """From an instant on a body is fixed to a frame."""
+    """From an instant on, a body is fixed to a frame."""
 
     from_s: float
     frame: Frame
@@ -81,7 +81,7 @@ class Pair:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Arm:
-    """A robot in its motion."""
+    """A robot with its motion."""
 
     robot: Robot
     world_from_base: Transform
@@ -96,7 +96,7 @@ class Arm:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Poses:
-    """All bodies at some instants."""
+    """The poses of all bodies at some instants."""
 
     times: Array
     """Shape (k,)"""
@@ -108,17 +108,17 @@ class Poses:
     """Shape (k, r): the move of each robot."""
 
     def of(self, body: int) -> Transform:
-        """One body in the world (k,)."""
+        """The poses of one body in the world (k,)."""
         return Transform(self.rotation[:, body], self.translation[:, body])
 
     def seen(self, first: Bodily, second: Bodily, at: Bodily | slice = _ALL) -> Transform:
-        """second_from_first of two bodies, or of some at some instants (k,)."""
+        """second_from_first of two bodies, or of pairs at some instants (k,)."""
         back = np.swapaxes(self.rotation[at, second], 1, 2)
         apart = self.translation[at, first] - self.translation[at, second]
         return Transform(back @ self.rotation[at, first], np.einsum("kij,kj->ki", back, apart))
 
     def and_also(self, other: Poses) -> Poses:
-        """These and others behind them."""
+        """These followed by others."""
         return Poses(
             np.concatenate([self.times, other.times]),
             np.concatenate([self.rotation, other.rotation]),
@@ -136,11 +136,11 @@ class Scene:
     pairs: tuple[Pair, ...]
 
     def shapes(self) -> Bodies:
-        """The bodies laid out for measuring."""
+        """The bodies prepared for distance computation."""
         return Bodies([body.shape.parts for body in self.bodies])
 
     def poses(self, times: Array) -> Poses:
-        """Where all bodies are at instants (k,) [s]."""
+        """The poses of all bodies at instants (k,) [s]."""
         count = len(times)
         rotation = np.empty((count, len(self.bodies), 3, 3))
         translation = np.empty((count, len(self.bodies), 3))
@@ -169,9 +169,9 @@ class Scene:
 def arm_frames(
     number: int, arm: Arm, postures: Postures, used: Iterable[Frame]
 ) -> Mapping[Frame, Transform]:
-    """world_from_link (k,) of the base, each link and the flange of an arm, and of its positioners.
+    """world_from_link (k,) of the base, each link and the flange of an arm, and its positioners.
 
-    Of these, as many as are used.
+    Only those that are used.
     """
     joints = postures.joints
     count = len(joints)
@@ -196,7 +196,7 @@ def arm_frames(
 
 
 def last_link_from_flange(robot: Robot) -> Transform:
-    """Where the flange sits on the last link; the same in every pose."""
+    """The pose of the flange on the last link; the same in every pose."""
     zero = np.zeros(len(robot.joints))
     base_from_links = robot.kinematics.link_frames(zero)
     return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)

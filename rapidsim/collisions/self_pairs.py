@@ -1,11 +1,10 @@
 """Which links of an arm are checked against each other.
 
-Neighbours share a joint and touch always. Of the others those are left out that touch in almost
-every posture (the shapes overlap by their making) or in none at all. Random postures tell; and of
-links that came near each other without touching, it is shown where it can be that none within
-limits lets them touch: all postures are near some that were looked at, nearer than the links are to
-each other there. Arms of the catalogue have the answer beside them in `self_pairs.toml`, with how
-it was found.
+Adjacent links share a joint and always touch. Of the others, those are left out that touch in
+almost every posture (their shapes overlap by construction) or never. This is determined from random
+postures; for links that came close without touching, it is proved where possible that they touch in
+no posture within limits: every posture is near a sampled one, nearer than the distance of the links
+there. For arms of the catalogue the result, and how it was found, is stored in `self_pairs.toml`.
 """
 
 from __future__ import annotations
@@ -43,7 +42,7 @@ _SEEN_RAD = 0.1
 
 @dataclass(frozen=True, slots=True)
 class SelfPair:
-    """Two links that are not neighbours, by their numbers."""
+    """Two links that are not adjacent, by their numbers."""
 
     first: int
     second: int
@@ -56,7 +55,7 @@ class SelfPair:
 
     @property
     def left_out(self) -> str | None:
-        """Why they are not checked; None if they are."""
+        """Why the pair is not checked; None if it is."""
         if self.touching >= _ALWAYS:
             return "their shapes overlap"
         if not self.touching and self.nearest_m > _NEVER_M:
@@ -83,13 +82,13 @@ def _by_postures(robot: Robot, links: tuple[LinkShape, ...]) -> tuple[tuple[int,
 def self_pairs(
     robot: Robot, links: Sequence[LinkShape], postures: int, looks: int = _LOOKS
 ) -> tuple[SelfPair, ...]:
-    """How links that are no neighbours stand to each other in random postures within limits.
+    """How often and how closely non-adjacent links meet in random postures within limits.
 
     Args:
         robot: The arm.
         links: Its bodies.
-        postures: How many.
-        looks: So many further ones are looked at before it stays open whether a pair may touch.
+        postures: How many postures to sample.
+        looks: How many further ones to sample before it stays undecided whether a pair may touch.
     """
     bodies = Bodies([link.shape.parts for link in links])
     joints = random_postures(robot, postures)
@@ -184,7 +183,7 @@ def _seen(base_from_link: Transform, first: int, second: int) -> Transform:
 
 
 def random_postures(robot: Robot, count: int, seed: int = SEED) -> Array:
-    """Joints (count, n) [rad] within limits, those without limits within a turn."""
+    """Joints (count, n) [rad] within limits; unlimited ones within one turn."""
     lower, upper = _limits(robot)
     # Plain numbers of a fixed seed: the same postures on every machine.
     share = np.random.default_rng(seed).random((count, len(lower)))
@@ -200,7 +199,7 @@ def _limits(robot: Robot) -> tuple[Array, Array]:
 
 
 def link_frame(base_from_link: Transform, number: int) -> Transform:
-    """base_from_link (k,) of a link by its number; that of the base stands still."""
+    """base_from_link (k,) of a link by its number; that of the base is fixed."""
     if number:
         return base_from_link[:, number - 1]
     count = len(base_from_link)

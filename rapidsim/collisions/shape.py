@@ -1,7 +1,7 @@
-"""Shapes of a cell: convex parts, and what is drawn of them.
+"""Shapes of a cell: convex parts for checking, and what is drawn.
 
-What is not convex is judged by its triangles, each a part, or by the hull of each of its pieces;
-`hollow_m` says by how much such a hull may stand out of the body.
+A non-convex shape is checked by its triangles, each a part, or by the convex hull of each piece;
+`hollow_m` bounds how far such a hull may extend beyond the body.
 """
 
 from __future__ import annotations
@@ -99,13 +99,13 @@ def together(shapes: Sequence[Shape]) -> Shape:
 
 
 def box(size: Array) -> Shape:
-    """A box (3,) around the origin."""
+    """A box of size (3,) around the origin."""
     corners = _CORNERS * (0.5 * np.asarray(size))
     return Shape((ConvexPart(corners, normals=np.eye(3)),), corners, _BOX_FACES)
 
 
 def half_space() -> Shape:
-    """All below z = 0, as far as a cell goes."""
+    """The half-space below z = 0, as far as a cell extends."""
     size = np.array([2.0 * _HALF_SPACE_M, 2.0 * _HALF_SPACE_M, _DEEP_M])
     return box(size).moved(Transform(np.eye(3), np.array([0.0, 0.0, -0.5 * _DEEP_M])))
 
@@ -118,7 +118,7 @@ def sphere(radius: float) -> Shape:
 
 
 def cylinder(radius: float, length: float) -> Shape:
-    """A cylinder along z, its middle in the origin."""
+    """A cylinder along z, centred at the origin."""
     ends = _ends(0.5 * length)
     half = 0.5 * length
     surface = _turned(np.array([[0.0, -half], [radius, -half], [radius, half], [0.0, half]]))
@@ -127,7 +127,7 @@ def cylinder(radius: float, length: float) -> Shape:
 
 
 def capsule(radius: float, length: float) -> Shape:
-    """A cylinder along z of a length with half a sphere at either end, its middle in the origin."""
+    """A cylinder along z with a hemisphere at either end, centred at the origin."""
     bow = np.linspace(0.0, 0.5 * np.pi, _AROUND // 4 + 1)
     cap = radius * np.column_stack([np.cos(bow), np.sin(bow)])
     upper = cap + np.array([0.0, 0.5 * length])
@@ -136,9 +136,9 @@ def capsule(radius: float, length: float) -> Shape:
 
 
 def is_inside(solid: Triangles, point: Array) -> bool:
-    """Whether a point (3,) is inside a closed surface: a ray out of it passes it an odd time.
+    """Whether a point (3,) is inside a closed surface, by the parity of a ray's crossings.
 
-    The ray is askew, so that it meets no edge of a drawing.
+    The ray is skew, so that it does not meet edges of typical drawings.
     """
     a, b, c = (solid.vertices[solid.faces[:, i]] for i in range(3))
     edge, other = b - a, c - a
@@ -156,9 +156,9 @@ def is_inside(solid: Triangles, point: Array) -> bool:
 
 
 def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
-    """The body that a mesh shows.
+    """The body that a mesh represents.
 
-    A piece that is convex is one part; of another each triangle is.
+    A convex piece is one part; of other pieces each triangle is one.
     """
     if filling is Filling.HULL:
         return _hulls(mesh, [mesh.faces])
@@ -180,7 +180,7 @@ def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
 
 
 def hull_of_each_piece(mesh: Triangles) -> Shape:
-    """The hulls of the pieces of a mesh, without those that lie in another: for arms."""
+    """The convex hulls of the pieces of a mesh, without those inside another: for arms."""
     return _hulls(mesh, components(mesh.faces, len(mesh.vertices)))
 
 

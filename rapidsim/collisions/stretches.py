@@ -1,4 +1,4 @@
-"""Pairs of bodies between two instants, and what is known of their gaps there."""
+"""Pairs of bodies between two instants, and bounds on their gaps there."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ class Stretches:
         return both
 
     def rows(self, at: Index | Mask) -> Stretches:
-        """Some of them."""
+        """A subset."""
         return Stretches(*(getattr(self, name)[at] for name in _NAMES))
 
     def and_also(self, *others: Stretches) -> Stretches:
-        """These and others."""
+        """These followed by others."""
         every = (self, *others)
         return Stretches(*(np.concatenate([getattr(one, n) for one in every]) for n in _NAMES))
 

@@ -1,9 +1,9 @@
-"""How far the bodies of pairs move, seen from each other, between the instants of a motion.
+"""How far bodies of pairs move relative to each other between the instants of a motion.
 
-Between two instants a body is never farther from where it was than it shifted and turned, and from
-the straight way between by no more than its acceleration lets it. Over many instants ways add up.
+Between two instants a body moves no farther than it shifts and turns, and deviates from the
+straight path by no more than its acceleration allows. Over many instants distances add up.
 
-Accelerations are those that the instants show, twofold, the largest of some neighbours.
+Accelerations are estimated from the instants, doubled, taking the largest of some neighbours.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LONGEST = 2 ** (_LEVELS - 1)
 
 
 class Travel:
-    """The ways of all pairs over the steps of a block."""
+    """The relative distances travelled by all pairs over the steps of a block."""
 
     def __init__(self, scene: Scene, bounds: Bounds, poses: Poses) -> None:
         """Sum up the ways of pairs; those whose second body stands share that of the first."""
@@ -63,7 +63,7 @@ class Travel:
             np.maximum(here[:-half], below[half:], out=here[:-half])
 
     def between(self, pair: Index, start: Index, end: Index) -> tuple[Array, Array]:
-        """Ways (k,) [m] of pairs between instants, and how far they stray from them."""
+        """Distances (k,) [m] that pairs move between instants, and how far off straight lines."""
         column = self._column[pair]
         level = np.log2(end - start + 0.5).astype(np.int64)
         slack = np.maximum(
@@ -72,20 +72,20 @@ class Travel:
         return self._way[end, column] - self._way[start, column], slack
 
     def bend(self, pair: Index, step: Index) -> Array:
-        """Accelerations (k,) [m/s2] of one body seen from the other."""
+        """Accelerations (k,) [m/s2] of one body relative to the other."""
         found: Array = self._bend[step, self._column[pair]]
         return found
 
 
 def turned(one: Array, other: Array) -> Array:
-    """How far a point at distance 1 may be moved by turning from one rotation to another (...)."""
+    """How far at most a point at distance 1 moves between two rotations (...)."""
     apart = one - other
     moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
     return moved
 
 
 def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
-    """How far (k,) [m] points of bodies move on the straight path between two poses."""
+    """How far (k,) [m] at most points of bodies move on the straight path between two poses."""
     centre = bounds.centre[first]
     shift = np.linalg.norm(
         np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)

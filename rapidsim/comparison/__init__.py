@@ -1,1 +1,1 @@
-"""What changed between two programs, and between their runs."""
+"""Compares two programs, and their runs."""

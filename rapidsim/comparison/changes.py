@@ -1,4 +1,4 @@
-"""What a comparison finds: changes of the program, of times, of outputs, of findings."""
+"""The results of a comparison: changes of the program, of times, of outputs, of findings."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class At:
-    """A place in a file."""
+    """A position in a file."""
 
     file: str
     line: int
@@ -33,7 +33,7 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class TimeChange:
-    """A line, or a routine, that takes another time."""
+    """A line or routine whose time changed."""
 
     task: str
     routine: str
@@ -46,13 +46,13 @@ class TimeChange:
 
     @property
     def delta_s(self) -> float:
-        """How much longer it takes."""
+        """By how much its time grew."""
         return (self.after_s or 0.0) - (self.before_s or 0.0)
 
 
 @dataclass(frozen=True, slots=True)
 class OutputChange:
-    """A signal that is set otherwise."""
+    """A change in when or how a signal is set."""
 
     signal: str
     message: str
@@ -60,7 +60,7 @@ class OutputChange:
 
 @dataclass(frozen=True, slots=True)
 class FindingChange:
-    """A finding that is new, or gone."""
+    """A finding that is new or gone."""
 
     is_new: bool
     code: str
@@ -72,7 +72,7 @@ class FindingChange:
 
 @dataclass(frozen=True, slots=True)
 class RunChange:
-    """What two runs differ in."""
+    """The differences between two runs."""
 
     before_s: float
     after_s: float
@@ -90,7 +90,7 @@ class RunChange:
 
     @property
     def other_model(self) -> str:
-        """That times differ because the motion models do; "" where they do not."""
+        """The note that times differ because the motion models do; "" otherwise."""
         before, after = (model or "1" for model in self.motion_models)
         if before == after:
             return ""
@@ -98,7 +98,7 @@ class RunChange:
 
     @property
     def is_same(self) -> bool:
-        """Whether they are the same but for rounding."""
+        """Whether the runs are the same except for rounding."""
         return (
             not (self.routines or self.lines or self.outputs)
             and self.ends[0] == self.ends[1]
@@ -108,7 +108,7 @@ class RunChange:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """All that differs between two sides."""
+    """All differences between two sides."""
 
     names: tuple[str, str]
     changes: tuple[Change, ...]

@@ -1,4 +1,4 @@
-"""Compare two programs with their cells, or two saved runs."""
+"""Compares two programs with their cells, or two saved runs."""
 
 from __future__ import annotations
 
@@ -48,16 +48,16 @@ class _Side:
 
 
 def compare(old: Asked, new: Asked, *, run: bool = True, answers: str | None = None) -> Comparison:
-    """Compare what two paths name.
+    """Compare what two paths refer to.
 
     Args:
         old: Files, a folder, a backup, or the JSON of a run.
-        new: The other.
-        run: Whether programs are run.
-        answers: A file of what the operator answers in both runs.
+        new: Likewise.
+        run: Whether to run the programs.
+        answers: A file of the operator's answers in both runs.
 
     Raises:
-        InputError: If something is missing, unreadable, or no RAPID.
+        InputError: If something is missing, unreadable, or not RAPID.
     """
     a, b = _side(old, run, answers), _side(new, run, answers)
     if bool(a.parts) != bool(b.parts) and (a.run is None or b.run is None):

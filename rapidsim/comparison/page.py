@@ -1,4 +1,4 @@
-"""A comparison as one HTML file: what changed, and both paths over each other."""
+"""A comparison as one HTML file: what changed, with both paths overlaid."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
 
 
 def comparison_page(comparison: Comparison) -> str:
-    """The page as text; it needs no network."""
+    """The page as text; it works offline."""
     old, new = map(escape, comparison.names)
     parts = map(_section, blocks(comparison))
     return (

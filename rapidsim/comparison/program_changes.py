@@ -1,7 +1,7 @@
-"""What changed between two programs: data, routines and statements, told by name.
+"""Changes between two programs: data, routines and statements, matched by name.
 
-Layout, comments, the order of routines and the file in which something stands are no change.
-Something that is called otherwise, and is the same otherwise, is renamed.
+Layout, comments, the order of routines and moves between files are no changes. Something that has
+another name, but is otherwise the same, is renamed.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _WORD = re.compile(r"\w+")
 
 
 def program_changes(old: Parts, new: Parts) -> tuple[Change, ...]:
-    """All changes, in the order of what is new, then of what is gone."""
+    """All changes: for each kind, what is new, then what is gone."""
     renamed = _renamed(old, new)
     return (
         *_module_changes(old, new),

@@ -1,4 +1,4 @@
-"""A program taken apart for comparing: data, routines and types by name, without their layout."""
+"""A program taken apart for comparison: data, routines and types by name, without layout."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _TOKEN = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """A line of a routine, in the layout of our own."""
+    """A line of a routine, in normalised layout."""
 
     text: str
     folded: str
@@ -54,7 +54,7 @@ class Declaration:
 
 @dataclass(slots=True)
 class Parts:
-    """The parts of a program by folded name; with its module before it, where it is LOCAL."""
+    """The parts of a program by folded name, prefixed with the module if LOCAL."""
 
     data: dict[str, Declaration] = field(default_factory=dict)
     routines: dict[str, Routine] = field(default_factory=dict)
@@ -64,7 +64,7 @@ class Parts:
 
 
 def parts_of(modules: Sequence[tree.Module]) -> Parts:
-    """Take the modules of a task apart."""
+    """Take apart the modules of a task."""
     parts = Parts()
     for module in modules:
         at = _at(module, module)
@@ -89,7 +89,7 @@ def parts_of(modules: Sequence[tree.Module]) -> Parts:
 
 
 def folded(text: str, renamed: Mapping[str, str] | None = None) -> str:
-    """A text without what RAPID does not look at, and with names as they are called now.
+    """A text without what RAPID ignores, and with current names.
 
     Args:
         text: RAPID.
@@ -105,7 +105,7 @@ def folded(text: str, renamed: Mapping[str, str] | None = None) -> str:
 
 
 def literal(expression: tree.Expression | None) -> object:
-    """The value of an expression of literals; None of any other."""
+    """The value of a literal expression; None for any other."""
     match expression:
         case tree.Number(value=value) | tree.Bool(value=value) | tree.String(value=value):
             return value

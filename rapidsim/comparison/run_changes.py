@@ -1,4 +1,4 @@
-"""What two runs differ in, from the objects that `rapidsim run --format json` prints."""
+"""The differences between two runs, from the objects printed by `rapidsim run --format json`."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _OUTSIDE = "cell"
 
 @dataclass(frozen=True, slots=True)
 class RanProgram:
-    """A run, and where its TCP was, if anybody knows."""
+    """A run, and the path of its TCP, if known."""
 
     report: RunJson
     position_mm: Callable[[float], Sequence[float]] | None = None
@@ -39,7 +39,7 @@ class _Step:
 
     @property
     def key(self) -> tuple[str, str, str]:
-        """What it is called, as RAPID compares names."""
+        """Its name, in the form in which RAPID compares names."""
         return self.task.lower(), self.routine.lower(), self.what.lower()
 
 

@@ -24,7 +24,7 @@ SAME = "No difference."
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """What is told of one subject; times come before lines."""
+    """The report about one subject; times come before lines."""
 
     title: str
     lines: tuple[str, ...] = ()
@@ -32,7 +32,7 @@ class Block:
 
 
 def as_text(comparison: Comparison) -> str:
-    """A block of lines a subject."""
+    """One block of lines per subject."""
     told = []
     for block in blocks(comparison):
         lines = (*map(_time_line, block.times), *block.lines)
@@ -58,7 +58,7 @@ def as_markdown(comparison: Comparison) -> str:
 
 
 def as_json(comparison: Comparison) -> dict[str, object]:
-    """All of it but the paths."""
+    """Everything except the paths."""
     run = comparison.run
     return {
         "schema": 1,
@@ -91,7 +91,7 @@ def _change_line(change: Change) -> str:
 
 
 def time_cells(change: TimeChange) -> tuple[str, str, str, str]:
-    """One change of a time: of what, before, after, by how much."""
+    """A change of time as cells: what, before, after, by how much."""
     before = "not run" if change.before_s is None else f"{change.before_s:.3f} s"
     after = "not run" if change.after_s is None else f"{change.after_s:.3f} s"
     what = f"{change.routine}: {change.what}" if change.what else change.routine
@@ -111,7 +111,7 @@ def _finding_line(finding: FindingChange) -> str:
 
 
 def blocks(comparison: Comparison) -> Iterator[Block]:
-    """What is told, a block a subject."""
+    """The report, one block per subject."""
     if comparison.is_same:
         yield Block(SAME)
     run = comparison.run

@@ -1,4 +1,4 @@
-"""How two values differ, in the words of their type: mm, degrees, mm/s."""
+"""How two values differ, in the terms of their type: mm, degrees, mm/s."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def kind_of(type_name: str) -> str:
 
 
 def difference(type_name: str, old: object, new: object) -> str | None:
-    """How a value has changed; None where that takes more than its literals."""
+    """How a value has changed; None if that is not clear from literals."""
     if old is None or new is None:
         return None
     try:
@@ -54,7 +54,7 @@ def difference(type_name: str, old: object, new: object) -> str | None:
 
 
 def shown(value: object) -> str:
-    """A literal as RAPID writes it, cut where it is long."""
+    """A literal as RAPID writes it, truncated if long."""
     match value:
         case bool():
             text = "TRUE" if value else "FALSE"

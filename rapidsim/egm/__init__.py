@@ -1,1 +1,1 @@
-"""Externally guided motion on the wire: messages, datagrams, and who answers them."""
+"""Externally guided motion (EGM) on the wire: messages, datagrams, and the processes involved."""

@@ -1,9 +1,9 @@
-"""Protocol buffers as far as EGM needs them: messages that tables describe, as nested dicts.
+"""The subset of Protocol Buffers that EGM needs: messages described by tables, as nested dicts.
 
-A library for it exists and is kept well, but generated code of clients wants a certain generation
-of it in the same environment, and EGM uses a small, frozen part of the format: numbers, doubles,
-messages in messages. What comes from the network is distrusted: unknown fields are skipped, and
-whatever is no message of its table is a `DecodeError`.
+A well-maintained library exists, but code generated for clients requires a particular generation of
+it in the same environment, and EGM uses a small, frozen part of the format: numbers, doubles,
+nested messages. Input from the network is not trusted: unknown fields are skipped, and anything
+that does not match its table is a `DecodeError`.
 
 Source: Protocol Buffers documentation, "Encoding".
 """
@@ -24,7 +24,7 @@ Fields: TypeAlias = Mapping[str, Any]
 
 
 class Kind(Enum):
-    """What a field holds."""
+    """What a field contains."""
 
     NUMBER = 0
     """A whole number that is not negative, a choice, or whether something is so."""
@@ -44,13 +44,13 @@ class Field:
 
 @dataclass(frozen=True, slots=True)
 class Message:
-    """A message by the numbers of its fields."""
+    """A message type: fields by number."""
 
     fields: Mapping[int, Field]
 
 
 class DecodeError(Exception):
-    """Bytes are no message of a table."""
+    """Bytes that are not a message of the table."""
 
 
 _VARINT: Final = 0
@@ -63,7 +63,7 @@ _DEEPEST: Final = 8
 
 
 def message(**fields: tuple[int, Kind | Message] | tuple[int, Kind | Message, bool]) -> Message:
-    """A message by its fields: number, what it holds, whether it must be there."""
+    """A message type from its fields: number, content, whether required."""
     return Message(
         MappingProxyType({given[0]: Field(name, *given[1:]) for name, given in fields.items()})
     )
@@ -96,18 +96,18 @@ def encode(of: Message, fields: Fields) -> bytes:
 
 
 def decode(of: Message, data: bytes) -> dict[str, Any]:
-    """Read a message.
+    """Decode a message.
 
     Raises:
-        DecodeError: If it is none of this table: cut off, of another shape, with numbers that are
-            not finite, or without a field that must be there.
+        DecodeError: If it does not match the table: truncated, malformed, with non-finite numbers,
+            or without a required field.
     """
     return _decoded(of, data, 0)
 
 
 def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
     if depth > _DEEPEST:
-        raise DecodeError("messages in messages in messages")
+        raise DecodeError("nested too deeply")
     read: dict[str, Any] = {}
     for number, wire, value in _records(data):
         field = of.fields.get(number)

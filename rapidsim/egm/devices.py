@@ -1,4 +1,4 @@
-"""Where sensors are: UDPUC devices of the command line and of the configuration."""
+"""Addresses of sensors: UDPUC devices from the command line and the configuration."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DOMAIN, _TYPE = "SIO", "COM_TRP"
 
 
 class Address(NamedTuple):
-    """Of a sensor."""
+    """The address of a sensor."""
 
     host: str
     port: int
@@ -33,7 +33,7 @@ DEFAULT: Final = Address("127.0.0.1", 6510)
 
 @dataclass(frozen=True, slots=True)
 class SensorDevices:
-    """The devices that are known, by folded name."""
+    """The known devices, by folded name."""
 
     named: Mapping[str, Address] = field(default_factory=dict)
     """On the command line: any address."""
@@ -44,10 +44,10 @@ class SensorDevices:
     hosts: frozenset[str] = frozenset()
 
     def address(self, device: str) -> Address:
-        """Where the sensor of a device is.
+        """The address of a device's sensor.
 
         Raises:
-            NotAllowed: If it is on another computer that nobody has allowed.
+            NotAllowed: If it is on another computer that was not allowed.
         """
         key = device.lower()
         if key in self.named:
@@ -62,7 +62,7 @@ class SensorDevices:
 
     @property
     def shown(self) -> dict[str, str]:
-        """Name and address of each."""
+        """Names and addresses, for display."""
         both = {**self.configured, **self.named}
         return {name: str(both[name.lower()]) for name in self.names}
 
@@ -73,9 +73,9 @@ def sensor_devices(
     """The devices of a controller.
 
     Args:
-        given: On the command line, which counts over the configuration.
+        given: Devices from the command line, which override the configuration.
         configured: The system parameters.
-        hosts: Other computers that programs may talk to.
+        hosts: Other computers that programs may connect to.
     """
     rows = SystemParameters(configured).instances(_DOMAIN, _TYPE) or ()
     found = {
@@ -95,10 +95,10 @@ def sensor_devices(
 
 
 def read_device(text: str) -> tuple[str, Address]:
-    """A device as the command line names it: `UCdevice=127.0.0.1:6510`.
+    """Parse a device given on the command line, such as `UCdevice=127.0.0.1:6510`.
 
     Raises:
-        InputError: If it is none.
+        InputError: If it has another form.
     """
     name, _, address = text.partition("=")
     host, _, port = address.rpartition(":")

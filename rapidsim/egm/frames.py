@@ -1,4 +1,4 @@
-"""What a controller and a sensor say to each other, as datagrams."""
+"""The datagrams that a controller and a sensor exchange."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ _MCI: Final = {
 
 
 def robot_datagram(number: int, feedback: Feedback) -> bytes:
-    """What a sensor is told: a message EgmRobot.
+    """The EgmRobot message sent to a sensor.
 
     Args:
-        number: Of the message; they count up by one.
-        feedback: The robot.
+        number: Sequence number of the message, incremented by one.
+        feedback: The state of the robot.
     """
     x, y, z = feedback.position
     u0, u1, u2, u3 = feedback.orientation
@@ -82,10 +82,10 @@ def robot_datagram(number: int, feedback: Feedback) -> bytes:
 
 
 def sensor_answer(data: bytes) -> SensorAnswer:
-    """What a sensor says in a message EgmSensor or EgmSensorPathCorr.
+    """The content of an EgmSensor or EgmSensorPathCorr message.
 
     Raises:
-        DecodeError: If it is none, or its numbers are beyond all reason.
+        DecodeError: If it is neither, or its numbers are absurdly large.
     """
     kind = decode(HEADED, data).get("header", {}).get("mtype")
     answer = _correction(data) if kind == MessageType.PATH_CORRECTION else _goal(data)
@@ -97,7 +97,7 @@ def sensor_answer(data: bytes) -> SensorAnswer:
         answer.correction,
     )
     if any(abs(value) > _MOST for part in said for value in part):
-        raise DecodeError("a number is beyond all reason")
+        raise DecodeError("a number is implausibly large")
     return answer
 
 

@@ -1,8 +1,8 @@
 """The guide: a process that talks to sensors on time, however busy the controller's own is.
 
-It lets the same guidance go on as the controller does, beside it and ahead of it, so that what a
-sensor is told is never late; what the sensor answered at each sample goes to the controller, which
-lets its robot move by that and by nothing else.
+It runs the same guidance as the controller, beside and ahead of it, so that messages to a sensor
+are never late. The sensor's answer at each sample goes to the controller, which moves its robot by
+these answers alone.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _HOLDS_S: Final = 0.5
 
 @dataclass(frozen=True, slots=True)
 class Opened:
-    """Talk to a sensor from now on."""
+    """Start talking to a sensor."""
 
     address: Address
     began_s: float
@@ -57,7 +57,7 @@ class Begun:
 
 @dataclass(frozen=True, slots=True)
 class Correcting:
-    """A path is corrected from now on: what is streamed is answered."""
+    """A path is corrected from now on: answers to the streamed feedback are reported."""
 
     number: int
     first_s: float
@@ -65,13 +65,13 @@ class Correcting:
     sample_s: float
 
     def sample_at(self, time_s: float) -> int:
-        """The number of the sample at a time [s]; guide and controller count alike."""
+        """The sample number at a time [s]; guide and controller count alike."""
         return round((time_s - self.first_s) / self.sample_s)
 
 
 @dataclass(frozen=True, slots=True)
 class Stopping:
-    """The program ends it."""
+    """The program ends the guidance."""
 
     goes_back: bool
     ramp_out_s: float
@@ -79,21 +79,21 @@ class Stopping:
 
 @dataclass(frozen=True, slots=True)
 class Over:
-    """The guidance is over; a last word."""
+    """The guidance is over; a last message is sent."""
 
     feedback: Feedback
 
 
 @dataclass(frozen=True, slots=True)
 class Streamed:
-    """Where the robot will be."""
+    """The robot's future positions."""
 
     stream: tuple[Feedback, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """Nobody talks to it any more."""
+    """Stop talking to a sensor."""
 
 
 Order: TypeAlias = Opened | Begun | Correcting | Stopping | Over | Streamed | Closed
@@ -101,7 +101,7 @@ Order: TypeAlias = Opened | Begun | Correcting | Stopping | Over | Streamed | Cl
 
 @dataclass(frozen=True, slots=True)
 class Heard:
-    """What a sensor has answered by a sample of a guidance."""
+    """What a sensor has answered by a given sample of a guidance."""
 
     sensor: int
     guidance: int
@@ -139,7 +139,7 @@ class _Talk:
     sample_s: float = math.inf
 
     def due_s(self) -> float:
-        """When it has something to do next, on the wall [s]; infinite if it has not."""
+        """When the next action is due, on the wall clock [s]; infinite if none is."""
         if (guidance := self.guidance) is not None:
             virtual_s = guidance.told.first_s + guidance.cycles * CYCLE_S
             return self._wall_s(virtual_s) + guidance.late_s
@@ -150,7 +150,7 @@ class _Talk:
         return self._wall_s(self.last.time_s + self.sample_s)
 
     def act(self, now_s: float) -> Heard | None:
-        """Do what is due [s]; what the controller is told."""
+        """Do what is due [s]; what to report to the controller."""
         guidance = self.guidance
         if guidance is None:
             return self._tell()
@@ -171,7 +171,7 @@ class _Talk:
         return heard
 
     def follow(self, order: Order) -> None:
-        """Do what the controller wants."""
+        """Carry out an order of the controller."""
         match order:
             case Begun(number, run, told):
                 self.socket.begin()
@@ -229,7 +229,7 @@ class _Talk:
 
 
 def guide(connection: Connection) -> None:
-    """The life of a process; see `talk`."""
+    """The main function of the guide process; see `talk`."""
     # Ctrl-C goes to all processes of a terminal; the guide ends with its controller.
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), signal.SIG_IGN)
@@ -238,7 +238,7 @@ def guide(connection: Connection) -> None:
 
 
 def talk(connection: Connection) -> None:
-    """Talk to sensors until the controller is there no more."""
+    """Talk to sensors until the controller is gone."""
     talks: dict[int, _Talk] = {}
     ports, told = Ports(), SimpleQueue[Heard]()
     # A controller that is busy lets its end of the pipe fill up, for which no sensor waits.

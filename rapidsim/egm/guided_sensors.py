@@ -1,4 +1,4 @@
-"""Sensors that a guide talks to, as the controller sees them: their answers at its own cycles."""
+"""Sensors behind a guide process, as the controller sees them: answers at its own cycles."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class GuidedSensors:
         """See `Sensors`."""
 
     def send(self, number: int, order: Order) -> None:
-        """Tell the guide; one that is there no more tells nobody."""
+        """Send an order to the guide; if it is gone, nothing happens."""
         with suppress(OSError):
             self.connection.send((number, order))
 
@@ -74,7 +74,7 @@ class GuidedSensors:
             return None
 
     def forget(self, number: int) -> None:
-        """Nobody talks to a sensor any more."""
+        """Stop talking to a sensor."""
         self.send(number, Closed())
         self._heard.pop(number, None)
 
@@ -91,34 +91,34 @@ class GuidedSensor:
     _correcting: Correcting | None = None
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
-        """Let the guide begin, too."""
+        """Start the guidance in the guide, too."""
         self._guidance, self._samples = self._guidance + 1, 0
         self._correcting = None
         self.all.send(self.number, Begun(self._guidance, run, told))
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """Let the guide hear what the sensor answers to what it is told."""
+        """Have the guide report the sensor's answers to the streamed feedback."""
         self._guidance += 1
         self._correcting = Correcting(self._guidance, first_s, sample_s)
         self.all.send(self.number, self._correcting)
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """What has been said by this sample; the guide has told the sensor long ago."""
+        """The answer by this sample; the guide has long since sent the feedback."""
         sample, self._samples = self._samples, self._samples + 1
         if (one := self._correcting) is not None:
             sample = one.sample_at(feedback.time_s)
         return self.all.next(self.number, self._guidance, sample)
 
     def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
-        """Let the guide stop, too."""
+        """Stop the guidance in the guide, too."""
         self.all.send(self.number, Stopping(goes_back, ramp_out_s))
 
     def end(self, feedback: Feedback) -> None:
-        """Let the guide say a last word."""
+        """Have the guide send a last message."""
         self.all.send(self.number, Over(feedback))
 
     def tell(self, stream: Sequence[Feedback]) -> None:
-        """Let the guide tell it when it is due."""
+        """Have the guide send each message when it is due."""
         self.all.send(self.number, Streamed(tuple(stream)))
 
     def close(self) -> None:

@@ -1,6 +1,6 @@
-"""EGM's messages: which fields they have, under which numbers.
+"""The fields and field numbers of EGM messages.
 
-Source: what public clients of RobotWare 6 and 7 send and parse; field numbers are those of theirs.
+Source: what public clients of RobotWare 6 and 7 send and parse; the field numbers are theirs.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ _N, _D, _ALL = Kind.NUMBER, Kind.DOUBLE, Kind.DOUBLES
 
 
 class MessageType(IntEnum):
-    """What a message is, in its header."""
+    """The message type in the header."""
 
     COMMAND = 1
     DATA = 2
@@ -23,14 +23,14 @@ class MessageType(IntEnum):
 
 
 class MotorState(IntEnum):
-    """Whether motors are on."""
+    """Whether the motors are on."""
 
     ON = 1
     OFF = 2
 
 
 class MciState(IntEnum):
-    """What the guidance does."""
+    """The state of the guidance."""
 
     UNDEFINED = 0
     ERROR = 1
@@ -39,7 +39,7 @@ class MciState(IntEnum):
 
 
 class ExecutionState(IntEnum):
-    """Whether RAPID executes."""
+    """Whether RAPID is executing."""
 
     STOPPED = 1
     RUNNING = 2

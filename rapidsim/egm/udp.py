@@ -1,6 +1,6 @@
-"""Sensors over UDP: a socket a device, from which the controller speaks first.
+"""Sensors over UDP: one socket per device, on which the controller speaks first.
 
-Nothing that comes in ends anything: what is no message of a sensor is dropped.
+No incoming data can end a run: datagrams that are not sensor messages are dropped.
 """
 
 from __future__ import annotations
@@ -29,15 +29,15 @@ _MOST_AT_ONCE: Final = 100
 
 @dataclass(slots=True, eq=False)
 class Ports:
-    """From which a controller talks to its sensors: one for each, as long as it is on.
+    """The controller's local ports, one per sensor, kept as long as it is on.
 
-    A sensor that has kept words of a program before answers to where they came from.
+    A sensor that remembers the previous program's address still reaches the same port.
     """
 
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
 
     def to(self, address: Address) -> SensorSocket:
-        """Begin to talk to a sensor."""
+        """Start talking to a sensor."""
         if address not in self._streams:
             stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             stream.setblocking(False)
@@ -46,7 +46,7 @@ class Ports:
         return SensorSocket(address, self._streams[address])
 
     def close(self) -> None:
-        """Give them back."""
+        """Close all ports."""
         for stream in self._streams.values():
             stream.close()
         self._streams.clear()
@@ -64,13 +64,13 @@ class SensorSocket:
     _answer: SensorAnswer | None = None
 
     def send(self, feedback: Feedback) -> None:
-        """Tell the sensor where the robot is; whether anybody hears it, nobody knows."""
+        """Send the robot's position to the sensor; delivery is not confirmed."""
         with suppress(OSError):
             self.stream.sendto(robot_datagram(self._number, feedback), self.address)
         self._number += 1
 
     def hear(self) -> int:
-        """Take what has come; how many answers there were."""
+        """Read what has arrived; the number of answers."""
         answers = 0
         for _ in range(_MOST_AT_ONCE):
             try:
@@ -88,19 +88,19 @@ class SensorSocket:
         return answers
 
     def take(self) -> SensorAnswer | None:
-        """The last answer, once."""
+        """The last answer, returned once."""
         answer, self._answer = self._answer, None
         return answer
 
     def begin(self) -> None:
-        """What was said before a guidance is no answer to it."""
+        """Discard what was received before the guidance."""
         self.hear()
         self._answer = None
 
 
 @dataclass(slots=True, eq=False)
 class PacedSensor(SilentSensor):
-    """A sensor whose cycles take their time on the wall; implements `sensors.Sensor`."""
+    """A sensor whose cycles take real time; implements `sensors.Sensor`."""
 
     socket: SensorSocket
     waits_full: bool
@@ -109,18 +109,18 @@ class PacedSensor(SilentSensor):
     _due_s: float = 0.0
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
-        """Count from now."""
+        """Start timing now."""
         del run
         self.correct(told.first_s, told.samples * CYCLE_S)
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """Count from now."""
+        """Start timing now."""
         del first_s
         self._sample_s, self._due_s = sample_s, monotonic()
         self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Say a word and wait for the answer until the next one is due."""
+        """Send a message and wait for the answer until the next one is due."""
         self.socket.send(feedback)
         self._due_s = max(self._due_s + self._sample_s, monotonic() - self._sample_s)
         while (left_s := self._due_s - monotonic()) > 0.0:
@@ -131,18 +131,18 @@ class PacedSensor(SilentSensor):
         return self.socket.take()
 
     def end(self, feedback: Feedback) -> None:
-        """A last word."""
+        """Send a last message."""
         self.socket.send(feedback)
 
     def tell(self, stream: Sequence[Feedback]) -> None:
-        """Tell each at its time on the wall."""
+        """Send each message at its wall-clock time."""
         for feedback in stream:
             self.exchange(feedback)
 
 
 @dataclass(slots=True, eq=False)
 class PacedSensors:
-    """Implements `sensors.Sensors` for runs that take their time with them."""
+    """Implements `sensors.Sensors` for runs in real time."""
 
     devices: SensorDevices
     waits_full: bool = True
@@ -159,7 +159,7 @@ class PacedSensors:
 
 @dataclass(slots=True, eq=False)
 class StepSensor(SilentSensor):
-    """A sensor that is not waited for: time passes by its answers; implements `sensors.Sensor`."""
+    """A sensor that is not waited for: its answers advance time; implements `sensors.Sensor`."""
 
     socket: SensorSocket
     sample_s: float = CYCLE_S
@@ -177,17 +177,17 @@ class StepSensor(SilentSensor):
         self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Say a word; the answer to the last one."""
+        """Send a message; the answer to the previous one."""
         answer = self.socket.take()
         self.socket.send(feedback)
         return answer
 
     def end(self, feedback: Feedback) -> None:
-        """A last word."""
+        """Send a last message."""
         self.socket.send(feedback)
 
     def tell(self, stream: Sequence[Feedback]) -> None:
-        """Tell all of it."""
+        """Send all messages."""
         for feedback in stream:
             self.socket.send(feedback)
 
@@ -216,12 +216,12 @@ class StepSensors:
         self._ports.close()
 
     def heard(self) -> list[socket.socket]:
-        """What may have something to say."""
+        """The sockets on which answers may arrive."""
         self._open = [one for one in self._open if one.is_open]
         return [one.socket.stream for one in self._open]
 
     def came(self, ready: Collection[object]) -> float:
-        """Take what has come; how much time [s] that lets pass."""
+        """Read what has arrived; how much time [s] it lets pass."""
         passed_s = 0.0
         for one in self._open:
             if one.socket.stream in ready and one.socket.hear():

@@ -1,1 +1,1 @@
-"""A run as files other tools read: trace tables, event lines."""
+"""Exports a run to files for other tools: trace tables, event lines."""

@@ -1,4 +1,4 @@
-"""Write the events of a run as JSON lines, one object an event, in order of time."""
+"""Writes the events of a run as JSON lines, one object per event, in order of time."""
 
 from __future__ import annotations
 

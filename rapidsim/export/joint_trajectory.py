@@ -1,9 +1,9 @@
 """The motion of a run as a ROS joint trajectory: the message `JointTrajectory` as JSON.
 
-Names are those of the joints in the robot's description, with the task before them where several
-robots move; external axes are in the other traces.
-Positions are rad, speeds rad/s, accelerations rad/s2 (m for a joint that slides), times seconds and
-nanoseconds from the start, as `trajectory_msgs/JointTrajectory` has them.
+Joint names are those in the robot's description, prefixed with the task if several robots move;
+external axes are only in the other traces.
+Positions are in rad, speeds in rad/s, accelerations in rad/s2 (m for a sliding joint), times in
+seconds and nanoseconds from the start, as in `trajectory_msgs/JointTrajectory`.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
 
     Args:
         simulation: The run.
-        path: Where to write.
-        dt: Time [s] between points; the exact end has one too.
+        path: The file to write.
+        dt: Time [s] between points; there is one at the exact end, too.
 
     Returns:
         The path written.
 
     Raises:
-        InputError: For a `dt` that makes no sense, or a path that cannot be written.
+        InputError: For an invalid `dt`, or a path that cannot be written.
     """
     times = sample_times(simulation, dt)
     robots = simulation.robots

@@ -12,7 +12,7 @@ from rapidsim.export.table import Block
 
 
 def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
-    """Write rows; `move` is a 64-bit integer, `task` a text, everything else a double."""
+    """Write rows; `move` is a 64-bit integer, `task` a string, everything else a double."""
     kinds = {"move": pa.int64(), "task": pa.string()}
     schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])
     with pq.ParquetWriter(path, schema) as writer:

@@ -1,7 +1,7 @@
-"""Write the values that a run left in persistents into the declarations in the program's files.
+"""Writes the final values of persistents into their declarations in the program's files.
 
-As a controller does when a module is saved: only the text of the values changes, and of a record or
-array only the parts that are different. Encoding, line ends and every other byte stay.
+As on a controller when a module is saved: only the text of the values changes, and in a record or
+array only the parts that differ. Encoding, line endings and every other byte stay.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ _NOT_ASCII = re.compile("[\x80-\xff]")
 def write_persistents(
     changes: Sequence[PersistentChange], files: Iterable[SourceFile]
 ) -> tuple[Path, ...]:
-    """Write new initial values; all files are looked at before the first is written.
+    """Write new initial values; all files are checked before the first is written.
 
     Args:
-        changes: What the run left.
+        changes: The values that the run left.
         files: The program as it was read.
 
     Returns:

@@ -1,4 +1,4 @@
-"""A run as a table: one row an instant, columns in RAPID's units."""
+"""A run as a table: one row per sampling time, columns in RAPID's units."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Block:
 
 
 def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
-    """Names of the columns; `move` is the second and the only one of whole numbers."""
+    """Names of the columns; `move` is the second and the only integer column."""
     joints = tuple(f"j{k}" for k in range(1, joint_count + 1))
     external = tuple(f"e{k}" for k in range(1, external_count + 1))
     pose = ("x_mm", "y_mm", "z_mm", "q1", "q2", "q3", "q4")
@@ -46,7 +46,7 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
     """The rows: every `dt` [s] from 0, and the exact end.
 
     Raises:
-        InputError: When `dt` is not positive or gives too many rows.
+        InputError: If `dt` is not positive or gives too many rows.
     """
     times, widths = sample_times(simulation, dt), table_widths(simulation)
     several = len(simulation.robots) > 1
@@ -58,7 +58,7 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
 
 
 def table_widths(simulation: Simulation) -> tuple[int, int]:
-    """How many joints and external axes the columns have room for."""
+    """How many columns there are for joints and external axes."""
     return (
         max(len(one.robot.joints) for one in simulation.robots),
         max(len(one.robot.external) for one in simulation.robots),
@@ -84,10 +84,10 @@ def _block_of(
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:
-    """The instants (k,) [s] of the rows.
+    """The times (k,) [s] of the rows.
 
     Raises:
-        InputError: When `dt` is not positive or gives too many rows.
+        InputError: If `dt` is not positive or gives too many rows.
     """
     end_s = simulation.motion_end_s
     if not dt > 0.0:
@@ -105,7 +105,7 @@ def sample_times(simulation: Simulation, dt: float) -> Array:
 
 
 def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> Block:
-    """The rows of some instants; `external` are the axes beside the arm."""
+    """The rows at some times; `external` are the external axes."""
     pose = samples.base_from_tcp
     return Block(
         samples.move.tolist(),

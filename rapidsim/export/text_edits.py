@@ -1,7 +1,7 @@
-"""Change stretches of text in the program's files and leave every other byte as it is.
+"""Changes spans of text in the program's files and leaves every other byte as it is.
 
-Encoding, byte order mark and line ends stay. All files are looked at before the first is written,
-and each is replaced whole.
+Encoding, byte order mark and line endings stay. All files are checked before the first is written,
+and each is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ def write_edits(
     """Edit files.
 
     Args:
-        edits: What to replace, by the name of the file; stretches do not overlap.
+        edits: What to replace, by the name of the file; spans do not overlap.
         files: The program as it was read.
-        what: What is written, as a plural for messages: "fixes".
+        what: What is written, in the plural, for messages: "fixes".
 
     Returns:
         The files written.
@@ -50,7 +50,7 @@ def write_edits(
 
 
 def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> bytes:
-    """The bytes of a file with new text in them.
+    """The bytes of a file after replacing text.
 
     Raises:
         InputError: See `write_edits`.
@@ -76,7 +76,7 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> b
 
 
 def edited_text(text: str, edits: Iterable[TextEdit]) -> str:
-    """A text with stretches replaced."""
+    """A text after replacing spans."""
     pieces: list[str] = []
     end_before = 0
     for start, end, new in sorted(edits):

@@ -1,9 +1,9 @@
-"""Write the motion of a run as a table: CSV, JSON or Parquet, by the file's suffix.
+"""Writes the motion of a run as a table: CSV, JSON or Parquet, by file suffix.
 
-`.ros.json` gives a joint trajectory as ROS has it instead (`joint_trajectory.py`).
+`.ros.json` writes a ROS joint trajectory instead (`joint_trajectory.py`).
 
-Numbers are written with the digits that give the same double back. Angles are degrees, lengths mm;
-the TCP is in the robot's base frame, quaternions have the scalar first.
+Numbers are written with enough digits to read the same double back. Angles are in degrees, lengths
+in mm; the TCP is in the robot's base frame, quaternions have the scalar first.
 """
 
 from __future__ import annotations
@@ -35,15 +35,14 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
 
     Args:
         simulation: The run.
-        path: Where to write; the suffix decides how.
+        path: The file to write; its suffix decides the format.
         dt: Time [s] between rows.
 
     Returns:
         The path written.
 
     Raises:
-        InputError: For a suffix that is not known, a `dt` that makes no sense, or a path that
-            cannot be written.
+        InputError: For an unknown suffix, an invalid `dt`, or a path that cannot be written.
     """
     if Path(path).name.lower().endswith(JOINT_TRAJECTORY):
         return write_joint_trajectory(simulation, Path(path), dt)
@@ -54,10 +53,10 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
 
 
 def write_samples(samples: Samples, path: str | Path, convention: Convention) -> Path:
-    """Write instants of a motion in the same form, and the turn of the tool as Euler angles.
+    """Write samples of a motion in the same format, with the tool orientation as Euler angles, too.
 
-    Their columns stand behind all others and carry the names of the convention, such as `rz_deg`.
-    See `write_trace`.
+    The extra columns come last and are named after the convention, such as `rz_deg`. See
+    `write_trace`.
     """
     names = (
         *columns(samples.joints.shape[1]),

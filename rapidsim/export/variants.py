@@ -1,4 +1,4 @@
-"""The variants of a sweep as a table: one row a variant, as Parquet or CSV."""
+"""The variants of a sweep as a table: one row per variant, as Parquet or CSV."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ def write_variants(sweep: Sweep, path: Path) -> Path:
 
     Columns: `variant`, one for each key that varies [mm or deg], `moves`, `unreachable`,
     `other_configuration`, `margin_deg`, and of variants that were run `end`, `time_s`, `findings`.
-    What is not known is null, in CSV nothing.
+    Unknown values are null, in CSV empty.
 
     Raises:
-        InputError: When nothing can be written there, or the suffix is neither of the two.
+        InputError: If the file cannot be written, or has another suffix.
     """
     suffix = path.suffix.lower()
     if suffix not in (".parquet", ".csv"):

@@ -17,7 +17,7 @@ class WristCircleFails(Violation, code="K616"):
         """What could be done about the cause, or about an axis at its limit or about to jump."""
         return self.cure or (
             "start the circle in another posture, with that axis nearer to the middle of its "
-            "range, take another pair of wrist axes, or let all axes make it with "
+            "range, take another pair of wrist axes, or use all axes, with "
             r"CirPathMode \PathFrame"
         )
 

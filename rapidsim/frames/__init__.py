@@ -1,1 +1,1 @@
-"""Rotations and rigid transforms, singly in plain floats and in batches; poses that move."""
+"""Rotations and rigid transforms, single in plain floats and in batches; moving frames."""

@@ -1,4 +1,4 @@
-"""Euler angles as people have them: four conventions, each said by name, to and from rotations."""
+"""Euler angles in four named conventions, converted to and from rotations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _LOCKED = 1e-9
 
 
 class Convention(StrEnum):
-    """In which order three angles turn a frame."""
+    """The order in which three angles turn a frame."""
 
     ZYX = "zyx"
     """About z, the new y, the new x: RAPID's OrientZYX, KUKA's A, B, C."""
@@ -29,7 +29,7 @@ class Convention(StrEnum):
 
     @property
     def names(self) -> tuple[str, str, str]:
-        """What the three angles are called."""
+        """The names of the three angles."""
         match self:
             case Convention.ZYX:
                 return "rz", "ry", "rx"
@@ -53,7 +53,7 @@ _AXES: Mapping[Convention, tuple[int, int, int]] = MappingProxyType(
 
 
 def rotation_from_euler(angles: Array, convention: Convention) -> Array:
-    """Matrices (..., 3, 3) of angles (..., 3) [rad]."""
+    """Matrices (..., 3, 3) from angles (..., 3) [rad]."""
     angles = np.asarray(angles, dtype=np.float64)
     first, second, third = (angles[..., k] for k in range(3))
     if convention is Convention.RPY:
@@ -64,10 +64,11 @@ def rotation_from_euler(angles: Array, convention: Convention) -> Array:
 
 
 def euler_from_rotation(rotation: Array, convention: Convention) -> Array:
-    """Angles (..., 3) [rad] of matrices (..., 3, 3).
+    """Angles (..., 3) [rad] from matrices (..., 3, 3).
 
-    The middle angle is within a quarter turn, of `ZYZ` from 0 to a half. Where only the sum of the
-    other two counts (gimbal lock), one of them is 0: the last of the three, of `RPY` the first.
+    The middle angle is within a quarter turn, for `ZYZ` from 0 to half a turn. Where only the sum
+    of the other two matters (gimbal lock), one of them is 0: the last of the three, for `RPY` the
+    first.
     """
     r = np.asarray(rotation, dtype=np.float64)
     if convention is Convention.ZYZ:

@@ -20,7 +20,7 @@ Index = npt.NDArray[np.int64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Twists:
-    """Poses along a path and how they change, all shapes (k, ...): a_from_b.
+    """Poses along a path and their derivatives, all shapes (k, ...): a_from_b.
 
     `velocity` and `acceleration` are the first and second derivatives of the position, `turning`
     is the angular velocity per unit of the parameter, `turning_change` its derivative; all in a.
@@ -43,7 +43,7 @@ class Twists:
         return Twists(*(np.array(part[index]) for part in self._parts))
 
     def put(self, index: Index, motion: Twists) -> None:
-        """Replace some of them."""
+        """Replace some rows."""
         for mine, other in zip(self._parts, motion._parts, strict=True):
             mine[index] = other
 
@@ -97,7 +97,7 @@ class Twists:
         )
 
     def before(self, b_from_c: Transform) -> Twists:
-        """a_from_c where c stands still in b; poses (k,) or one."""
+        """a_from_c, where c is fixed in b; poses (k,) or one."""
         lever = rotate(self.rotation, b_from_c.translation)
         swing = cross(self.turning, lever)
         return Twists(
@@ -122,7 +122,7 @@ class ExternalCourse(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Screw:
-    """How one external axis moves what it carries, seen with all axes at zero, in base.
+    """The motion of whatever one external axis carries, in base, with all axes at zero.
 
     Source: the product of exponentials; Lynch and Park (2017), Modern Robotics, section 4.1.
     """
@@ -156,7 +156,7 @@ class Screw:
 
 
 def standing(a_from_b: Transform, count: int) -> Twists:
-    """A frame that does not move, `count` times."""
+    """A stationary frame, `count` times."""
     still = np.zeros((count, 3))
     position = np.broadcast_to(a_from_b.translation, (count, 3))
     rotation = np.broadcast_to(a_from_b.rotation, (count, 3, 3))
@@ -164,7 +164,7 @@ def standing(a_from_b: Transform, count: int) -> Twists:
 
 
 def carried(screws: Sequence[Screw], course: ExternalCourse) -> Twists:
-    """moved_from_unmoved of what several axes carry, the outermost first."""
+    """moved_from_unmoved for several axes in series, the outermost first."""
     moved = standing(Transform.identity(), len(course.value))
     for screw in screws:
         moved = moved @ screw.motion(course)

@@ -15,7 +15,7 @@ IDENTITY: Quaternion = (1.0, 0.0, 0.0, 0.0)
 
 
 def norm(q: Quaternion) -> float:
-    """Length of a quaternion; 1 for a rotation."""
+    """The length of a quaternion; 1 for a rotation."""
     return math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
 
 
@@ -47,7 +47,7 @@ def multiply(a_from_b: Quaternion, b_from_c: Quaternion) -> Quaternion:
 
 
 def rotate(a_from_b: Quaternion, vector_in_b: Vector) -> Vector:
-    """Turn a vector: its components in a."""
+    """Rotate a vector: its components in a."""
     w, x, y, z = a_from_b
     vx, vy, vz = vector_in_b
     # t = 2 u x v;  v' = v + w t + u x t

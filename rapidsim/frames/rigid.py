@@ -21,7 +21,7 @@ Rigid = tuple[Matrix, Vector]
 
 
 def product(a_from_b: Nine[Number], b_from_c: Nine[Number]) -> Nine[Number]:
-    """Compose two rotations: a_from_c; of floats, or of columns of as many as one likes."""
+    """Compose two rotations: a_from_c; of floats, or of columns of any length."""
     a, b, c, d, e, f, g, h, i = a_from_b
     j, k, m, n, o, p, q, r, s = b_from_c
     return (
@@ -38,7 +38,7 @@ def product(a_from_b: Nine[Number], b_from_c: Nine[Number]) -> Nine[Number]:
 
 
 def moved(a_from_b: Rigid, point_in_b: Vector) -> Vector:
-    """A point [m] in a."""
+    """A point [m], expressed in a."""
     (a, b, c, d, e, f, g, h, i), (u, v, w) = a_from_b
     x, y, z = point_in_b
     return a * x + b * y + c * z + u, d * x + e * y + f * z + v, g * x + h * y + i * z + w
@@ -60,7 +60,7 @@ def inverse(a_from_b: Rigid) -> Rigid:
 
 
 def from_quaternion(quaternion: Quaternion, translation: Vector) -> Rigid:
-    """Build from a quaternion of any length but 0, scalar first, and a translation [m]."""
+    """Build from a quaternion of nonzero length, scalar first, and a translation [m]."""
     w, x, y, z = quaternion
     length = math.sqrt(w * w + x * x + y * y + z * z)
     w, x, y, z = w / length, x / length, y / length, z / length
@@ -79,13 +79,13 @@ def from_quaternion(quaternion: Quaternion, translation: Vector) -> Rigid:
 
 
 def from_transform(transform: Transform) -> Rigid:
-    """The same transform, which must be one, not a batch."""
+    """Convert a transform, which must not be a batch."""
     (a, b, c), (d, e, f), (g, h, i) = transform.rotation.tolist()
     x, y, z = transform.translation.tolist()
     return (a, b, c, d, e, f, g, h, i), (x, y, z)
 
 
 def to_transform(rigid: Rigid) -> Transform:
-    """The same transform in arrays."""
+    """The same transform as arrays."""
     matrix, translation = rigid
     return Transform(np.array(matrix).reshape(3, 3), np.array(translation))

@@ -8,7 +8,7 @@ from rapidsim.frames.transform import Array, quaternion_from_matrix
 
 
 def rotation_from_vector(vector: Array) -> Array:
-    """Rotation matrices (..., 3, 3) of rotation vectors (..., 3) [rad]."""
+    """Rotation matrices (..., 3, 3) from rotation vectors (..., 3) [rad]."""
     angle = np.linalg.norm(vector, axis=-1)[..., None, None]
     # sinc and its kin keep every digit at angle 0, where the axis is undefined.
     sine = np.sinc(angle / np.pi)
@@ -19,7 +19,7 @@ def rotation_from_vector(vector: Array) -> Array:
 
 
 def vector_from_rotation(rotation: Array) -> Array:
-    """Rotation vectors (..., 3) [rad], at most half a turn long, of matrices (..., 3, 3)."""
+    """Rotation vectors (..., 3) [rad], at most half a turn long, from matrices (..., 3, 3)."""
     quaternion = quaternion_from_matrix(rotation)
     axis = quaternion[..., 1:]
     sine = np.linalg.norm(axis, axis=-1)
@@ -31,7 +31,7 @@ def vector_from_rotation(rotation: Array) -> Array:
 
 
 def cross_matrix(vector: Array) -> Array:
-    """Matrices (..., 3, 3) that do `vector x` to what they multiply."""
+    """Skew-symmetric matrices (..., 3, 3): multiplication by them is `vector x`."""
     x, y, z = vector[..., 0], vector[..., 1], vector[..., 2]
     matrix = np.zeros((*vector.shape[:-1], 3, 3))
     matrix[..., 0, 1], matrix[..., 0, 2] = -z, y
@@ -41,7 +41,7 @@ def cross_matrix(vector: Array) -> Array:
 
 
 def rotate(rotation: Array, vector: Array) -> Array:
-    """Vectors (..., 3) turned by matrices (..., 3, 3)."""
+    """Vectors (..., 3) rotated by matrices (..., 3, 3)."""
     turned: Array = np.einsum("...ij,...j->...i", rotation, vector)
     return turned
 

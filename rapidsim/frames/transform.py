@@ -1,4 +1,4 @@
-"""Rigid transforms, one or many at once, named `a_from_b`: they take coordinates in b to a."""
+"""Rigid transforms, single or batched, named `a_from_b`: they map coordinates in b to a."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _ROUNDING = 1e-9
 class Transform:
     """A rigid transform, or a batch of them: leading dimensions broadcast like NumPy's.
 
-    The arrays are not copied; whoever shares them keeps them unchanged.
+    The arrays are not copied; whoever shares them must not change them.
     """
 
     rotation: Array
@@ -51,13 +51,13 @@ class Transform:
         return Transform(rotation, -np.einsum("...ij,...j->...i", rotation, self.translation))
 
     def apply(self, points_in_b: Array) -> Array:
-        """Points (..., 3) [m] in a."""
+        """Points (..., 3) [m], expressed in a."""
         turned: Array = np.einsum("...ij,...j->...i", self.rotation, points_in_b)
         return turned + self.translation
 
     @property
     def quaternion(self) -> Array:
-        """Unit quaternions (..., 4), scalar first, scalar part not negative."""
+        """Unit quaternions (..., 4), scalar first and not negative."""
         return quaternion_from_matrix(self.rotation)
 
     @property
@@ -71,12 +71,12 @@ class Transform:
 
     @staticmethod
     def identity() -> Transform:
-        """The transform that changes nothing."""
+        """The identity transform."""
         return Transform(np.eye(3), np.zeros(3))
 
     @staticmethod
     def stacked(transforms: Sequence[Transform]) -> Transform:
-        """A batch of single transforms."""
+        """A batch from single transforms."""
         return Transform(
             np.array([one.rotation for one in transforms]).reshape(-1, 3, 3),
             np.array([one.translation for one in transforms]).reshape(-1, 3),
@@ -92,7 +92,7 @@ class Transform:
 
 
 def matrix_from_quaternion(quaternion: Array) -> Array:
-    """Rotation matrices (..., 3, 3) of quaternions (..., 4), scalar first, of any length but 0."""
+    """Rotation matrices (..., 3, 3) from quaternions (..., 4) of nonzero length, scalar first."""
     q = quaternion / np.linalg.norm(quaternion, axis=-1, keepdims=True)
     w, x, y, z = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
     matrix = np.empty((*q.shape[:-1], 3, 3))
@@ -109,10 +109,10 @@ def matrix_from_quaternion(quaternion: Array) -> Array:
 
 
 def quaternion_from_matrix(rotation: Array) -> Array:
-    """Quaternions (..., 4), scalar first, of rotation matrices (..., 3, 3).
+    """Quaternions (..., 4), scalar first, from rotation matrices (..., 3, 3).
 
-    The scalar is not negative but for rounding. Each row is found from its largest component,
-    so half turns lose nothing.
+    The scalar is not negative, except for rounding. Each row is computed from its largest
+    component, so half turns lose no precision.
 
     Source:
         Shepperd (1978), Quaternion from rotation matrix.
@@ -139,7 +139,7 @@ def quaternion_from_matrix(rotation: Array) -> Array:
 
 
 def slerp(start: Array, end: Array, fraction: Array) -> Array:
-    """Turn evenly from one orientation to another, the short way.
+    """Interpolate evenly from one orientation to another, the short way.
 
     Args:
         start: Unit quaternion (4,), scalar first.

@@ -1,4 +1,4 @@
-"""Vectors as tuples of three: of floats, or of columns of as many numbers as one likes."""
+"""Vectors as tuples of three: of floats, or of columns of any length."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What a program may not exceed to be executed."""
+"""Turns checked programs into Python functions and runs them."""

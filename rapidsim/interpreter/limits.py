@@ -1,4 +1,4 @@
-"""What a program may not exceed to be turned into Python code, and the finding when it does."""
+"""Limits beyond which a program is not translated to Python, and the finding for exceeding them."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ Never for `compile`, whose recursion does use the C stack."""
 
 @contextmanager
 def recursion_limit(limit: int) -> Iterator[None]:
-    """Allow Python calls to nest so deep below this one, for a while.
+    """Temporarily allow Python calls to nest this much deeper.
 
-    Counted from here, so that a program comes equally deep whoever runs it.
+    Counted from the current depth, so that a program gets equally deep whoever runs it.
     """
     before = sys.getrecursionlimit()
     sys.setrecursionlimit(_calls_so_far() + limit)
@@ -52,7 +52,7 @@ class NotExecutable(Violation, code="E190"):
 
 
 class NotExecutableError(Exception):
-    """Raised by `load` instead of running a program wrongly."""
+    """Raised by `load` instead of running a program incorrectly."""
 
     def __init__(self, what: str, span: Span) -> None:
         """Say what cannot be run, in the words of the program, and where it stands."""

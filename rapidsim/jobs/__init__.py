@@ -1,1 +1,1 @@
-"""From what a user names to what is checked or run: one way for API and command line."""
+"""From what a user names to what is checked or run: shared by API and command line."""

@@ -1,4 +1,4 @@
-"""What an operator answers, written down before the run."""
+"""An operator's answers, given before the run."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def answers_in_order(lines: Iterable[str]) -> Answers:
 
 
 def answers_of_file(file: str) -> Answers:
-    """Answers from a file, one a line; empty lines and lines that begin with `#` are left out.
+    """Answers from a file, one per line; empty lines and lines that begin with `#` are skipped.
 
     Raises:
         InputError: If the file cannot be read.

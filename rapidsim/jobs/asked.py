@@ -1,4 +1,4 @@
-"""What a person asks for: the one thing that a command, or a line of Python, makes up."""
+"""A user's request: built alike by every command and by Python calls."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DEFAULT_ENTRY = "main"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asked:
-    """Files, cell, and how to check or run them; None where nothing is said."""
+    """Files, cell, and how to check or run them; None where not specified."""
 
     paths: tuple[str, ...]
     station: str | None = None

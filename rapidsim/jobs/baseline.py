@@ -1,7 +1,7 @@
-"""Findings that were there before: a file that lists them, so that only new ones count.
+"""Known findings: a file that lists them, so that only new ones count.
 
-A finding is known by its rule, its routine and the text of its statement, not by its line, so that
-work elsewhere in the file does not bring it back. Equal ones are counted.
+A finding is identified by its rule, its routine and the text of its statement, not by its line, so
+changes elsewhere in the file do not make it new. Equal findings are counted.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Key = tuple[str, str, str]
 
 @dataclass(frozen=True, slots=True)
 class Baseline:
-    """Findings that are known."""
+    """Known findings."""
 
     known: Counter[Key]
     """How many there are of each."""
@@ -34,7 +34,7 @@ class Baseline:
     """The version that they were found with."""
 
     def outdated(self, motion_model: str, found: Iterable[Diagnostic]) -> str:
-        """That it was made with another version, where that may count; "" otherwise."""
+        """The warning that it was made with another version, if that may matter; "" otherwise."""
         codes = {code for code, _, _ in self.known} | {one.violation.code for one in found}
         if motion_model == self.motion_model or not any(code[0] in _OF_TIME for code in codes):
             return ""
@@ -45,14 +45,14 @@ class Baseline:
 
 
 def finding_key(diagnostic: Diagnostic) -> Key:
-    """What a finding is known by; blanks and the case of nothing but them do not matter."""
+    """The identity of a finding; differences in whitespace do not matter."""
     span = diagnostic.span
     text = "" if span is None else " ".join(span.source.line(span.line).split())
     return diagnostic.violation.code, diagnostic.routine or "", text
 
 
 def baseline_text(diagnostics: Iterable[Diagnostic], motion_model: str) -> str:
-    """A baseline of findings, as JSON that reads well in a comparison of versions."""
+    """A baseline of findings, as JSON that gives readable diffs."""
     counts = Counter(finding_key(diagnostic) for diagnostic in diagnostics)
     rows = [
         {"code": code, "routine": routine, "statement": statement, "count": count}
@@ -64,7 +64,7 @@ def baseline_text(diagnostics: Iterable[Diagnostic], motion_model: str) -> str:
 
 
 def read_baseline(file: Path) -> Baseline:
-    """Read what `baseline_text` made.
+    """Read the output of `baseline_text`.
 
     Raises:
         InputError: If there is no such file, or it is not a baseline.
@@ -90,9 +90,9 @@ def read_baseline(file: Path) -> Baseline:
 def told_apart(
     diagnostics: Iterable[Diagnostic], known: Counter[Key]
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
-    """Findings that are new, and those that are known.
+    """Split findings into new and known ones.
 
-    Of equal findings the first ones are the known ones.
+    Of equal findings, the first ones are known.
     """
     left = Counter(known)
     new: list[Diagnostic] = []

@@ -1,4 +1,4 @@
-"""`rapidsim.check`: find the mistakes in the files of a job without running it."""
+"""`rapidsim.check`: finds the errors in the files of a job without running it."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ _FAMILIES_OF_MOVES = "DKM"
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
-    """What checking found, and what it did not check."""
+    """The findings, and what was not checked."""
 
     files: tuple[str, ...]
     """The files that were read."""
@@ -64,7 +64,7 @@ class CheckResult:
 
     @property
     def accepted(self) -> bool:
-        """Whether the program could run: there is no error among the findings, known or new."""
+        """Whether the program could run: no finding, known or new, is an error."""
         return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
 
     def against(self, known: Counter[Key]) -> CheckResult:
@@ -82,8 +82,8 @@ class CheckResult:
         """Whether everything that a selector covers was checked.
 
         Args:
-            selector: A code, the beginning of a code, or the name of a rule. What moves do is only
-                known where all of them were checked.
+            selector: A code, the prefix of a code, or the name of a rule. Rules about moves count
+                only if all moves were checked.
         """
         if selector[:1].upper() == FAMILY_OF_RUNS:
             return False
@@ -101,11 +101,11 @@ def check(
     """Check the modules, program files or folders named, as `rapidsim check` does.
 
     Args:
-        paths: What is checked; together it forms one task, unless a backup or the station file says
-            which modules belong to which. The station file is the one near them.
-        robot: An arm, or its name in the catalogue; None takes that of the station or the default.
-        options: What counts more than the station file, and how main is run for the moves that only
-            a run can tell.
+        paths: What to check; together it forms one task, unless a backup or the station file
+            assigns the modules to tasks. The station file is the one nearby.
+        robot: An arm, or its name in the catalogue; None takes that of the station, or the default.
+        options: Settings that override the station file, and how main is run for moves that only a
+            run determines.
         run: Whether main is run at all.
 
     Raises:
@@ -119,7 +119,7 @@ def check(
 
 @seldom_collected()
 def check_job(job: Job) -> CheckResult:
-    """Check what is to be checked, with the rules that are asked for and those of the settings."""
+    """Check a job with the requested rules and those of the settings."""
     asked, station = job.asked, job.station
     selection = choose_selection(station.check, asked.select, asked.extend_select, asked.ignore)
     result = check_tasks(
@@ -162,13 +162,12 @@ def check_tasks(
 
     Args:
         tasks: Their files.
-        rules: What to look for beyond what keeps a program from running; None is what is looked
-            for by default.
+        rules: What to look for beyond what keeps a program from running; None takes the defaults.
         moves: Checks the moves; None leaves them unchecked.
-        even_without_moves: Whether `moves` has something to say of programs that have none, such
-            as how long they take.
-        cell: What the configuration declares beside the modules.
-        together: Runs all tasks; None leaves each for itself.
+        even_without_moves: Whether `moves` also checks programs without moves, for instance their
+            cycle time.
+        cell: What the configuration declares besides the modules.
+        together: Runs all tasks together; None runs none.
     """
     wanted = detectors_of() if rules is None else rules
     checked = [(task, *_checked(task, wanted, moves, even_without_moves, cell)) for task in tasks]

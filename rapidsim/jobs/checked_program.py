@@ -1,4 +1,4 @@
-"""From source files to a checked program: parse every file, check them together."""
+"""From source files to a checked program: parse every file, then check them together."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Loaded:
-    """One task's files, what was found in them, and the program if it can run."""
+    """One task's files, their findings, and the program if it can run."""
 
     files: tuple[tree.File, ...]
     program: Program | None
@@ -37,16 +37,16 @@ def load(
     runs_of: int | None = None,
     keeps_data: bool = False,
 ) -> Loaded:
-    """Parse and check the modules of one task; mistakes in them are findings, never raised.
+    """Parse and check the modules of one task; errors in them are findings, never raised.
 
     Args:
         files: The task's files.
         rules: What to look for beyond what keeps a program from running.
-        cell: What the configuration declares beside the modules.
-        unseen: Modules of the task that nobody can read here.
-        refers_late: Whether its controller loads it with references that nothing declares.
+        cell: What the configuration declares besides the modules.
+        unseen: Modules of the task that cannot be read here.
+        refers_late: Whether its controller allows unresolved references.
         runs_of: See `parse`.
-        keeps_data: Likewise.
+        keeps_data: See `parse`.
     """
     sources = (Source(file.name, file.text) for file in files)
     parsed = [parse(one, runs_of=runs_of, keeps_data=keeps_data) for one in sources]
@@ -70,7 +70,7 @@ def load_task(
     runs_of: int | None = None,
     keeps_data: bool = False,
 ) -> Loaded:
-    """The same for a task, with what is known of its modules; see `load`."""
+    """Parse and check a task, with what is known of its modules; see `load`."""
     return load(
         task.files,
         rules,

@@ -1,4 +1,4 @@
-"""Which station and which robot a job has, and what decided it.
+"""The station and the robot of a job, and what determined them.
 
 A station is looked for here and nowhere else.
 """
@@ -22,7 +22,7 @@ DEFAULT_ROBOT = "irb1600-6-1.2"
 
 @dataclass(frozen=True, slots=True)
 class RobotChoice:
-    """Which robot, and what decided it."""
+    """A robot, and what determined it."""
 
     name: str
     reason: str | None
@@ -32,14 +32,14 @@ class RobotChoice:
 
     @property
     def text(self) -> str:
-        """The arm as a summary names it."""
+        """The arm as named in a summary."""
         return self.name if self.reason is None else f"{self.name} ({self.reason})"
 
 
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
-    """The named station file, else the one next to the program or above it, else the defaults.
+    """The given station file, else the one next to the program or above it, else the defaults.
 
-    Where it says nothing of robots, tasks and signals, a backup does.
+    If it does not define robots, tasks or signals, a backup does.
     """
     backup = _backup(paths)
     found = Path(file) if file is not None else find_station(paths)
@@ -63,7 +63,7 @@ def _backup(paths: Sequence[str]) -> Station:
 def choose_robot(
     robot: Robot | str | None, station: Station, scale: float | None = None
 ) -> RobotChoice:
-    """The named robot, else that of the station file or the backup, else the default."""
+    """The given robot, else that of the station file or the backup, else the default."""
     if robot is not None:
         return RobotChoice(robot if isinstance(robot, str) else robot.name, None, scale)
     if station.robot is not None:

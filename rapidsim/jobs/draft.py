@@ -1,8 +1,8 @@
-"""What is known of the cell of some programs, for a first station file: `rapidsim init`.
+"""A first station file from what is known of the programs' cell: `rapidsim init`.
 
-A backup says most of it by itself. Of modules in a folder each `main` is a task of its own; a
-module without one belongs to the tasks that use what it declares. Configuration files (SYS.cfg,
-EIO.cfg, MOC.cfg) in a folder that is named count as they would on a controller.
+A backup contains most of it. In a folder of modules each `main` is a task of its own; a module
+without one belongs to the tasks that use its declarations. Configuration files (SYS.cfg, EIO.cfg,
+MOC.cfg) in a given folder count as they would on a controller.
 """
 
 from __future__ import annotations
@@ -64,16 +64,16 @@ class _Module:
 
     @property
     def name(self) -> str:
-        """Its name without a suffix, folded."""
+        """Its name without suffix, folded."""
         return Path(self.source.name).stem.lower()
 
 
 def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
-    """What the station file of some programs could say, and where it would lie.
+    """The possible content of a station file for some programs, and its path.
 
     Args:
-        paths: What a command would be given; besides, folders of configuration files.
-        robot: The arm, where somebody names it.
+        paths: As for other commands; also folders of configuration files.
+        robot: The arm, if given.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.

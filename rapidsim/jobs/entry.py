@@ -10,7 +10,7 @@ _NAMED_PROCEDURES = 8
 
 
 def require_entry(program: Program, name: str) -> None:
-    """Refuse a procedure that cannot be started on its own.
+    """Require a procedure that can be started on its own.
 
     Raises:
         InputError: If the program has none of that name, or it takes arguments.

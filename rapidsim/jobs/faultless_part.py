@@ -1,8 +1,7 @@
-"""A program without the statements that have errors, so that the moves of the rest are checked.
+"""A program without its erroneous statements, so that the moves of the rest can be checked.
 
-In place of each stands a call of what nobody knows: what follows may find all data changed. Where
-an error is not within a simple statement, or that statement writes data that only its routine
-sees, nothing is left to look at.
+Each is replaced by a call of an unknown routine: after it, all data may have changed. If an error
+is not within a simple statement, or that statement writes local data, nothing can be checked.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class FaultlessPart:
-    """What is left of a program."""
+    """The rest of a program."""
 
     program: Program
     replaced: tuple[Span, ...]
@@ -30,7 +29,7 @@ class FaultlessPart:
 
 
 def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
-    """The program with its faulty statements replaced; None where that does not make it whole."""
+    """The program with its erroneous statements replaced; None if errors remain."""
     faulty: dict[int, tree.Statement] = {}
     replaced = []
     for one in loaded.diagnostics:

@@ -1,6 +1,6 @@
-"""What Python code gives: paths, an arm, and `RunOptions`, which tell of the run and of the cell.
+"""Requests from Python: paths, an arm, and `RunOptions`, which describe both the run and the cell.
 
-A check of a program without moves comes by here too, so what needs NumPy is imported by need.
+Checking a program without moves goes through here too, so imports that need NumPy are deferred.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def asked_in_python(
     robot: Robot | str | None,
     options: RunOptions | None,
 ) -> Asked:
-    """What a call of `rapidsim.check` or `rapidsim.simulate` asks for."""
+    """The request made by a call of `rapidsim.check` or `rapidsim.simulate`."""
     asked = Asked(paths=tuple(fspath(path) for path in paths), robot=robot, cell=options)
     if options is None:
         return asked
@@ -48,7 +48,7 @@ def asked_in_python(
 
 
 def with_given(station: Station, options: RunOptions) -> Station:
-    """A station, with what options say of the cell otherwise than by default in its place."""
+    """A station, with the non-default settings of the options in place of its own."""
     is_named = options.task != DEFAULT_TASK and not station.tasks
     return replace(
         station,

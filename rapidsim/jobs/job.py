@@ -1,7 +1,7 @@
-"""From what a person asks for to a job: files, station, tasks, robot, and what decided each.
+"""From a user's request to a job: files, station, tasks, robot, and what determined each.
 
-The one way: every command and the Python API go it. A robot is opened when it is needed, so that
-what moves nothing imports no NumPy.
+Every command and the Python API go this way. A robot is loaded on demand, so that programs without
+moves import no NumPy.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ OpenRobot = Callable[[str, float | None], "Robot"]
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """What is to be checked or run."""
+    """What to check or run."""
 
     asked: Asked
     station: Station
@@ -47,7 +47,7 @@ class Job:
 
     @property
     def files(self) -> tuple[SourceFile, ...]:
-        """Those of all tasks."""
+        """The files of all tasks."""
         return tuple(file for task in self.tasks for file in task.files)
 
     @property
@@ -57,7 +57,7 @@ class Job:
 
     @property
     def cell(self) -> CellNames:
-        """What the station declares that programs may use."""
+        """The names that the station declares for programs."""
         real = {os.path.realpath(stub) for stub in self.station.stubs}
         stubs = (file.name for file in self.files if os.path.realpath(file.name) in real)
         return replace(
@@ -68,12 +68,12 @@ class Job:
 
     @property
     def tables(self) -> tuple[Path, ...]:
-        """The files that say what happens to inputs."""
+        """The files that define what happens to inputs."""
         io = () if self.asked.io is None else (Path(self.asked.io),)
         return (*(() if self.station.file is None else (self.station.file,)), *io)
 
     def entry(self, task: str) -> str:
-        """The procedure that a task begins with: the one asked for, else that of the station."""
+        """The procedure that a task begins with: the one requested, else that of the station."""
         own = self.station.entry(task) if self.asked.entry == DEFAULT_ENTRY else None
         return own or self.asked.entry
 
@@ -90,7 +90,7 @@ class Job:
         return self.tasks[0]
 
     def arm(self) -> Robot:
-        """Open the arm of the first robot.
+        """Load the arm of the first robot.
 
         Raises:
             InputError: If it is unknown; `RobotError` where `open_robot` says so.
@@ -109,8 +109,8 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
     """Find the station near the files, read the files of its tasks, choose the robot.
 
     Args:
-        asked: What a person asks for.
-        open_robot: Makes an arm of its name and scale; None takes `rapidsim.load_robot`.
+        asked: The user's request.
+        open_robot: Loads an arm by name and scale; None takes `rapidsim.load_robot`.
 
     Raises:
         InputError: If something is missing, unreadable, not RAPID, or contradicts itself.
@@ -160,7 +160,7 @@ def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
 
 
 def read_again(job: Job) -> Job:
-    """The job with its files as they are now."""
+    """The job with its files read again."""
     return replace(job, tasks=chosen_tasks(job.asked.paths, job.station, job.asked.task))
 
 

@@ -1,4 +1,4 @@
-"""From the files of several tasks to their programs, and what they disagree about."""
+"""From the files of several tasks to their programs, and the conflicts between them."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class LoadedTask:
 
 @dataclass(frozen=True, slots=True)
 class LoadedTasks:
-    """The tasks of a cell, and what was found in their files."""
+    """The tasks of a cell, and the findings in their files."""
 
     tasks: tuple[LoadedTask, ...]
     """Empty where there is an error among the findings."""
@@ -64,11 +64,11 @@ class LoadedTasks:
 def load_tasks(
     tasks: Sequence[TaskFiles], cell: CellNames = NO_CELL, *, in_runs: bool = False
 ) -> LoadedTasks:
-    """Parse and check the modules of tasks; mistakes in them are findings, never raised.
+    """Parse and check the modules of tasks; errors in them are findings, never raised.
 
     Args:
         tasks: Their files.
-        cell: What the configuration declares beside the modules.
+        cell: What the configuration declares besides the modules.
         in_runs: Keep long runs of alike moves as columns; they are executed as one statement.
     """
     loaded = [_in_runs(task, cell) if in_runs else load_task(task, cell) for task in tasks]
@@ -110,7 +110,7 @@ def _is_move(run: tree.Run, program: Program) -> bool:
 
 
 def shared_findings(programs: Sequence[Program]) -> tuple[Diagnostic, ...]:
-    """The persistents that tasks would share if they agreed on their type."""
+    """Findings for persistents that tasks would share if they agreed on their type."""
     return tuple(
         Diagnostic(
             SharedPersistentTypes(one.other.name, one.other.type.name, one.first.type.name),

@@ -1,4 +1,4 @@
-"""Rule I804: signals in [[cross]] and [[stimulus]] that nothing else knows."""
+"""Rule I804: signals in [[cross]] and [[stimulus]] that appear nowhere else."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ class MisspeltSignal(Violation, code="I804"):
 
     @property
     def help(self) -> str:
-        """The nearest signal, or how to declare one."""
+        """The most similar signal, or how to declare one."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
         return "declare it in [signals] if the name is intended"
 
 
 def misspelt_in(job: Job, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Signal names that the files of a job misspell; none if only one of its tasks is checked."""
+    """Misspelt signal names in the files of a job; none if only one of its tasks is checked."""
     if job.asked.task is not None or not job.tables:
         return ()
     return tuple(find_misspelt(job.station.io, job.files, job.tables, found))
@@ -43,13 +43,13 @@ def find_misspelt(
     tables: Sequence[Path],
     found: Iterable[Diagnostic],
 ) -> Iterator[Diagnostic]:
-    """Signals that are wired or driven, and that no declaration, program or other table knows.
+    """Signals in connections or stimuli that no declaration, program or other table mentions.
 
     Args:
         io: Signals and what drives them.
         files: All programs of the cell.
-        tables: The files that say so; what a backup says, its controller has checked.
-        found: What checking the programs found, for the signals that they use undeclared.
+        tables: The files with these tables; a backup's have been checked by its controller.
+        found: The findings of the programs, for the undeclared signals that they use.
     """
     used = frozenset[str]().union(*(words_of(file.text) for file in files))
     if any(Does.LOAD in does(installed_symbol(name)) for name in used):

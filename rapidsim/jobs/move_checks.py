@@ -1,4 +1,4 @@
-"""On which arm a check asks about the moves of a task, and with what main is run for it."""
+"""The arm with which a check examines the moves of a task, and the options for running main."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ class CheckMoves(Protocol):
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
-    """What checks moves on the arms of a job; None where nobody asks about them.
+    """The check of moves on the arms of a job; None if not requested.
 
-    An arm is opened when the first program with moves comes, but one that the user named at once,
-    so that a name that is not known is refused.
+    An arm is loaded for the first program with moves, but immediately if the user named it, so that
+    an unknown name is an error.
     """
     opened = cache(job.arm)
     station = job.station
@@ -52,7 +52,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if robot is not None and robot.unknown and job.asked.robot is None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if robot is not None and robot.carried_by and not station.external_axes:
-            return f"{robot.label} stands on {robot.carried_by}, whose axes are not known"
+            return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
         if number and robot and robot.name:
             arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:
@@ -85,8 +85,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
 
 
 def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings where nobody knows whether the program is for the default arm.
+    """The findings when it is not known whether the program is for the default arm.
 
-    What ends a run does not hang on the arm.
+    Errors that end a run do not depend on the arm.
     """
     return tuple(one if is_of_runs(one) else replace(one, assumed=True) for one in found)

@@ -1,4 +1,4 @@
-"""Findings of a run that point at the target of a move, as those of a check do."""
+"""Findings of a run, pointed at the target of a move like those of a check."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _TARGETS = ("robtarget", "jointtarget")
 def pointed_at_targets(
     diagnostics: Iterable[Diagnostic], programs: Iterable[Program]
 ) -> tuple[Diagnostic, ...]:
-    """The findings; a run knows the instruction, and its text has the target."""
+    """The findings, pointed at targets; a run itself points only at instructions."""
     found = tuple(diagnostics)
     if not any(isinstance(one.violation, _ABOUT_TARGETS) for one in found):
         return found

@@ -1,7 +1,7 @@
-"""Call one routine of a program with values from outside, and bring its results back.
+"""Calls one routine of a program with values from outside, and returns its results.
 
-The call is a module of our own beside the program: data for the arguments and the result, and a
-procedure that calls. So what checks, converts and runs programs does it here, too.
+The call is an internal module added to the program: data for the arguments and the result, and a
+procedure that makes the call. So the usual checks, conversions and execution apply.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _OUT = (Mode.INOUT, Mode.VAR, Mode.PERS)
 
 
 class CallError(Exception):
-    """A routine that was called did not finish; the message says why."""
+    """A called routine did not finish; the message says why."""
 
     def __init__(self, message: str, diagnostics: tuple[Diagnostic, ...], run: Simulation) -> None:
         """Carry what happened."""
@@ -50,7 +50,7 @@ class CallError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Returned:
-    """What a routine left."""
+    """The result of a routine."""
 
     result: Value | None
     """None where it is not a function."""
@@ -75,10 +75,10 @@ def call_routine(
     """Run one routine as `main` would run: with fresh data and the robot at its start.
 
     Args:
-        job: Whose program has it.
-        name: Of the routine, in any case; of the first task that has it.
+        job: The job whose program declares it.
+        name: The routine's name, in any case; the first task that has it is used.
         arguments: The required ones in order.
-        optional: The others by name; True for a switch.
+        optional: The optional ones by name; True for a switch.
 
     Raises:
         InputError: If there is no such routine, or an argument does not fit.

@@ -1,4 +1,4 @@
-"""`rapidsim.simulate`: load the programs of a job, prepare its run, run it."""
+"""`rapidsim.simulate`: loads the programs of a job, prepares its run, runs it."""
 
 from __future__ import annotations
 
@@ -62,17 +62,17 @@ def simulate(
     """Run the modules, program files or folders named, as `rapidsim run` does.
 
     Args:
-        paths: What is run; together it forms one task, unless a backup or the station file says
-            which modules belong to which. The station file is the one near them.
-        robot: An arm, or its name in the catalogue; None takes that of the station or the default.
-        io: A file of signals and what happens to inputs; adds to the station and the options.
-        max_time: Virtual time [s] at which the run ends; replaces that of the options.
-        options: Inputs and limits of the run; what they say of the cell otherwise than by default
-            counts more than the station file.
+        paths: What to run; together it forms one task, unless a backup or the station file assigns
+            the modules to tasks. The station file is the one nearby.
+        robot: An arm, or its name in the catalogue; None takes that of the station, or the default.
+        io: A file of signals and stimuli; adds to the station and the options.
+        max_time: Virtual time [s] at which the run ends; overrides that of the options.
+        options: Inputs and limits of the run; non-default settings of the cell override the station
+            file.
 
     Returns:
-        The run; its diagnostics begin with what checking found. A program that stops with an error
-        while it runs is a result.
+        The run; its diagnostics begin with the findings of the check. A program that stops with a
+        runtime error is a result, too.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -87,7 +87,7 @@ def simulate(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LoadedJob:
-    """A job whose files have been checked and whose robot has been opened."""
+    """A job with its files checked and its robot loaded."""
 
     job: Job
     robot: Robot
@@ -103,7 +103,7 @@ class LoadedJob:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PreparedRun:
-    """A run that has everything it needs."""
+    """A run with everything it needs."""
 
     setups: tuple[TaskSetup, ...]
     options: RunOptions
@@ -133,12 +133,12 @@ def _is_followed() -> bool:
 
 
 def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
-    """Open the robot, parse and check the files; mistakes in them are findings, never raised.
+    """Load the robot, parse and check the files; errors in them are findings, never raised.
 
     Args:
-        job: What is asked for.
-        in_runs: Take long runs of alike moves as runs, unless somebody follows the execution of
-            Python, who would not see each of them on its line.
+        job: The job.
+        in_runs: Execute long runs of alike moves as one loop, unless a tracer follows the execution
+            of Python: it would not see each move on its own line.
     """
     robot = job.arm()
     found = load_tasks(job.tasks, job.cell, in_runs=in_runs and not _is_followed())
@@ -177,10 +177,10 @@ def executed(
 
     Args:
         prepared: The run.
-        watch: Is given what tells how far the run is; see `run_tasks`.
+        watch: Receives the progress of the run; see `run_tasks`.
 
     Raises:
-        ProgramRejectedError: If a program cannot be turned into code that runs.
+        ProgramRejectedError: If a program cannot be translated to executable code.
         InputError: If an arm cannot be timed, or no task moves one.
     """
     try:
@@ -191,7 +191,7 @@ def executed(
 
 
 def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
-    """A run with what checking found, under the names that the user knows."""
+    """A run with the findings of its check, under the names that the user knows."""
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])

@@ -1,4 +1,4 @@
-"""The inputs and limits that a job gives a run, but for what each task has of its own."""
+"""The inputs and limits of a job's run, except those of individual tasks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.simulation.options import RunOptions
 
 
 def run_options(job: Job) -> RunOptions:
-    """What is asked, and where that is silent the station; nothing of files."""
+    """The options requested, else those of the station; nothing about files."""
     asked, station = job.asked, job.station
     return RunOptions(
         program_files=tuple(file.name for file in job.files),

@@ -1,8 +1,8 @@
-"""A program that names data which no file given declares, so that it runs up to them.
+"""A program that uses undeclared data, changed so that it runs up to them.
 
-In place of each statement that names such data, or of the condition, stands a call of what nobody
-knows: a run ends where it comes there. A controller that was told not to check references
-(-BindRef 0) does so too; others have the modules that are missing here.
+Each statement or condition that uses such data is replaced by a call of an unknown routine: the run
+ends where it gets there. A controller that does not check references (-BindRef 0) does so too;
+others have the modules that are missing here.
 """
 
 from __future__ import annotations
@@ -30,14 +30,14 @@ _PATHS = (tree.Reference, tree.Index, tree.Component)
 def runnable_part(
     files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames
 ) -> Program | None:
-    """The program that runs up to the names of its findings.
+    """The program, runnable up to the names in its findings.
 
-    None where one of them stands outside of statements, as the value that a declaration gives.
+    None if one of them is outside statements, for instance in an initial value.
 
     Args:
         files: The task's files.
-        found: What a check of them found.
-        cell: What the configuration declares beside the modules.
+        found: The findings of checking them.
+        cell: What the configuration declares besides the modules.
     """
     instead: dict[int, tree.Node] = {}
     missing: dict[str, str | None] = {}

@@ -1,4 +1,4 @@
-"""Which findings a check shows: what is asked, station file and pyproject.toml say together."""
+"""The findings that a check shows: from the request, the station file and pyproject.toml."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """What is checked and shown."""
+    """What to check and show."""
 
     settings: CheckSettings
     select: tuple[str, ...]
@@ -29,7 +29,7 @@ class Selection:
         return is_selected(rule, self.select, self.ignore, self.also)
 
     def is_looked_for(self, selector: str) -> bool:
-        """Whether something that a selector means is surely looked for in every check."""
+        """Whether something covered by a selector is certainly looked for in every check."""
         # Only the rules that this command has not narrowed or widened are sure to be looked for.
         return not self.select and not any(
             selector.upper().startswith(one.upper()) or one.upper().startswith(selector.upper())
@@ -54,7 +54,7 @@ class Selection:
 
 
 def choose_settings(paths: Sequence[str], station: CheckSettings) -> CheckSettings:
-    """The settings of the station file; where it has none, those of the project."""
+    """The settings of the station file; if it has none, those of the project."""
     if station != CheckSettings(file=station.file):
         return station
     return find_project_settings(paths) or station
@@ -66,10 +66,10 @@ def choose_selection(
     also: Sequence[str],
     ignore: Sequence[str],
 ) -> Selection:
-    """What is asked for, and where that is silent the settings.
+    """The requested selection, completed from the settings.
 
     Raises:
-        InputError: If something names no rule.
+        InputError: If a selector matches no rule.
     """
     selected = tuple(select) or settings.select
     widened = (*also, *settings.extend_select)

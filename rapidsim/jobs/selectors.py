@@ -1,4 +1,4 @@
-"""Names of rules that users give: to select, to ignore, to explain."""
+"""Rule selectors given by users: to select, to ignore, to explain."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from rapidsim.files import InputError, did_you_mean
 
 
 def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
-    """The selectors, each of which stands for a rule at least.
+    """The selectors, each of which must match at least one rule.
 
     Args:
-        selectors: Codes, beginnings of codes, or names of rules.
+        selectors: Codes, prefixes of codes, or names of rules.
 
     Raises:
-        InputError: If one stands for no rule.
+        InputError: If one matches no rule.
     """
     for selector in selectors:
         if not any(rule.matches(selector) for rule in all_rules()):
@@ -24,7 +24,7 @@ def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
 
 
 def unknown_rule(given: str) -> InputError:
-    """The error for what is neither code nor name of a rule."""
+    """The error for a selector that is neither code nor name of a rule."""
     known = [text for rule in all_rules() for text in (rule.code, rule.name)]
     help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
     return InputError(f"there is no rule `{given}`", help)
@@ -36,14 +36,14 @@ def is_selected(
     ignore: Sequence[str] = (),
     also: Sequence[str] = (),
 ) -> bool:
-    """Whether selectors leave a rule.
+    """Whether a rule is selected.
 
     Args:
         rule: The rule.
-        select: Codes, beginnings of codes such as `K6`, or names of rules; none selects those that
+        select: Codes, prefixes of codes such as `K6`, or names of rules; if empty, the rules that
             are on by default.
-        ignore: The same, taken away afterwards.
-        also: The same, added to what is selected.
+        ignore: Likewise; removed afterwards.
+        also: Likewise; added to the selection.
     """
     chosen = any(rule.matches(one) for one in select) if select else rule.on_by_default
     chosen = chosen or any(rule.matches(one) for one in also)

@@ -1,4 +1,4 @@
-"""Whether the statements that stand for runs of alike ones can be held for all of them."""
+"""Whether the statements kept for runs of alike moves may represent all of them."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ _BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
 
 
 def stand_for_all(files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames) -> bool:
-    """Whether no finding speaks of a statement that stands for others, or of these.
+    """Whether no finding is about a statement that represents others, or about one of these.
 
-    Such a statement has alike ones on both sides. So what is not said of it, because of what it is
-    or of what is beside it, is not said of any of those that it stands for.
+    Such a statement has alike ones on both sides. So a finding that does not apply to it, because
+    of what it is or what is next to it, applies to none of those it represents.
     """
     stretches = {
         file.source.file: sorted(

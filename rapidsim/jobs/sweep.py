@@ -1,7 +1,7 @@
-"""`rapidsim sweep`: the same program with the robot in many places, one variant a place.
+"""`rapidsim sweep`: the same program with the robot at many positions, one variant for each.
 
-First all variants are looked at together for reach; then those that reach everything are run, each
-on its own and, where asked, in several processes. Either way the rows are the same, in one order.
+First all variants are checked together for reach; then those that reach everything are run, each on
+its own and, if requested, in several processes. The rows and their order are the same either way.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _AT_ONCE = 8
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One thing that varies, and its values."""
+    """A parameter that varies, and its values."""
 
     key: str
     values: tuple[float, ...]
@@ -52,7 +52,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What became of the run of a variant."""
+    """The outcome of running a variant."""
 
     end: str
     time_s: float
@@ -61,7 +61,7 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sweep:
-    """Variants (k,) and what was found of each."""
+    """Variants (k,) and the results of each."""
 
     axes: tuple[Axis, ...]
     number: Index
@@ -81,16 +81,16 @@ class Sweep:
 
     @property
     def works(self) -> Array:
-        """Which variants (k,) reach every move as it is stored."""
+        """Which variants (k,) reach every move in its stored configuration."""
         works: Array = (self.unreachable == 0) & (self.other_configuration == 0)
         return works
 
 
 def axis_of(text: str) -> Axis:
-    """Read `base.x=-200:200:50`: from, to and step; or one value.
+    """Parse `base.x=-200:200:50`: from, to and step; or a single value.
 
     Raises:
-        InputError: If it says anything else.
+        InputError: If it has another form.
     """
     key, _, said = text.partition("=")
     key = key.strip().lower()
@@ -128,8 +128,8 @@ def sweep(
 
     Args:
         ready: A job of one task with one robot, whose station says where it stands.
-        axes: What varies.
-        shard: Only each n-th variant from the i-th on, counted from 1: `(i, n)`.
+        axes: The parameters that vary.
+        shard: Only every n-th variant starting with the i-th, counted from 1: `(i, n)`.
         run: Whether variants that reach everything are run.
         processes: How many processes run them.
 

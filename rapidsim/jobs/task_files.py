@@ -1,4 +1,4 @@
-"""Which modules a job has, task by task: those named, and those the station file lists."""
+"""The modules of a job, task by task: those named, and those that the station file lists."""
 
 from __future__ import annotations
 
@@ -21,8 +21,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
     """The files of every task, by name.
 
     The tasks of a backup are those of the station file in its order, or T_ROB1, T_ROB2 ... without
-    one. Other files that are named belong to the first task, unless a task of the station file
-    lists them.
+    one. Other files given belong to the first task, unless a task of the station file lists them.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID, or a task has no module.
@@ -82,7 +81,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
 
 
 def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tuple[TaskFiles, ...]:
-    """All tasks, or only the one that is named.
+    """All tasks, or only the one named.
 
     Raises:
         InputError: If there is no such task; see `all_tasks`.
@@ -109,12 +108,12 @@ def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
 
 
 def program_name(paths: Sequence[str]) -> str:
-    """What files that belong to the run are called: the first path without its suffix."""
+    """The base name of files that belong to the run: the first path without its suffix."""
     return "stdin" if paths[0] == "-" else Path(os.path.realpath(paths[0])).stem
 
 
 def program_title(paths: Sequence[str]) -> str:
-    """What people call the run: the file or the folder that was named, the first of several."""
+    """The displayed name of the run: the file or folder given, the first of several."""
     if paths[0] == "-":
         return "standard input"
     more = f" and {len(paths) - 1} more" if len(paths) > 1 else ""
@@ -122,7 +121,7 @@ def program_title(paths: Sequence[str]) -> str:
 
 
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
-    """A line that names the modules beside a lone file, if it uses names nobody declares."""
+    """A line that names modules beside a single file, if it uses undeclared names."""
     beside = neighbours(paths[0]) if len(paths) == 1 else ()
     if not beside or not any(d.violation.code in _UNDECLARED for d in diagnostics):
         return None

@@ -1,4 +1,4 @@
-"""Which task moves which robot, from the programs and the station file."""
+"""Which task moves which robot, according to the programs and the station file."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ def task_setups(
     first: Robot,
     open_robot: Callable[[str, float | None], Robot],
 ) -> tuple[TaskSetup, ...]:
-    """What each task of a run is given.
+    """The setup of each task of a run.
 
-    Where the station file says nothing of a task, it gets the next robot if it has moves, and an
-    arm like the first if the file has no more robots. If no task has moves, the first of which the
-    file says nothing gets the robot: it is the one a controller starts with. A task that runs alone
-    always gets one.
+    If the station file does not assign a robot to a task, a task with moves gets the next one, and
+    an arm like the first if the file has no more robots. If no task has moves, the first unassigned
+    task gets the robot: it is the one a controller starts with. A task that runs alone always gets
+    one.
 
     Args:
         tasks: Their programs.
-        station: What the station file says.
+        station: The content of the station file.
         first: The arm of the first robot, without external axes.
-        open_robot: Makes an arm of its name and scale.
+        open_robot: Loads an arm by name and scale.
 
     Raises:
-        InputError: If a start position has not one value an axis, or one past its limit.
+        InputError: If a start position does not have one value per axis, or has one past its limit.
     """
     known = {task.name.lower(): task for task in station.tasks}
     robots = station.robots or (StationRobot(),)

@@ -1,4 +1,4 @@
-"""The errors that end a run of all tasks of a cell, as a check reports them."""
+"""The errors that end a run of all tasks of a cell, as reported by a check."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from rapidsim.station.tasks import DEFAULT_TASK
 def errors_together(
     job: Job, tasks: Sequence[tuple[TaskFiles, Loaded]]
 ) -> tuple[Diagnostic, ...] | None:
-    """Run all tasks as `rapidsim run` does, for a short time; None where that tells nothing.
+    """Run all tasks as `rapidsim run` does, for a short time; None if that is inconclusive.
 
     Args:
         job: What is checked.
-        tasks: Its tasks with what they were read as.
+        tasks: Its tasks as read and loaded.
     """
     named = [
         LoadedTask(task.name or DEFAULT_TASK, one.program, len(written_moves(one.files)))

@@ -1,4 +1,4 @@
-"""The words of a text, those of strings and comments among them."""
+"""The words of a text, including those in strings and comments."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _CHUNK = 1_000_000
 
 
 def words_of(text: str) -> set[str]:
-    """All that could be names, folded."""
+    """All possible names, folded."""
     found: set[str] = set()
     begin = 0
     while begin < len(text):

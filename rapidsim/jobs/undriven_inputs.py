@@ -22,7 +22,7 @@ class NeverDrivenInput(Violation, code="I803"):
 
 
 def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagnostic]:
-    """Waits for digital, group and analog inputs by their value.
+    """Waits for values of digital, group and analog inputs.
 
     Args:
         files: The program.
@@ -48,7 +48,7 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
 
 
 def not_told(undriven: Iterable[Diagnostic], told: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
-    """The waits that no run has been seen to end at, which says more of the same."""
+    """The waits except those at which a run has ended: that finding says more."""
     ends = [one.span for one in told if isinstance(one.violation, EndlessWait) and one.span]
     for one in undriven:
         span = one.span

@@ -1,1 +1,1 @@
-"""What a controller does that geometry cannot tell: the parameters of the motion model."""
+"""Kinematics, paths, timing and trajectories, and the parameters of the motion model."""

@@ -1,7 +1,7 @@
-"""Loops compiled by numba, where it is installed; the same lines of code, the same results.
+"""Loops compiled by numba if it is installed; the same code, the same results.
 
-Nothing here is needed for a result. numba is imported when the first batch comes that is long
-enough to be worth it, never by what only checks a program. RAPIDSIM_NUMBA=0 switches it off.
+No result depends on it. numba is imported when the first batch comes that is long enough to be
+worth it, never by a mere check. RAPIDSIM_NUMBA=0 switches it off.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ _loaded = False
 
 @contextmanager
 def decided_anew() -> Iterator[None]:
-    """Forget what was worth while before: a run gives the same, to the last digit, after any other.
+    """Reset what was found worth compiling: a run gives the same to the last digit after any other.
 
-    Compiled code rounds as NumPy does, but for the last digit.
+    Compiled code rounds like NumPy, except for the last digit.
     """
     global _loaded
     _loaded = False
@@ -40,13 +40,13 @@ def decided_anew() -> Iterator[None]:
 
 
 def compiled(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | None:
-    """A function of a module, compiled; None where numba is not to be used for so many rows.
+    """A compiled function of a module; None if numba is not to be used for this many rows.
 
     Args:
-        module: Where the function stands; its `COMPILED` lists all it needs, in order, those of
-            other modules too.
-        name: Of the function.
-        rows: How many it is asked for now.
+        module: The module of the function; its `COMPILED` lists all it needs, in order, including
+            functions of other modules.
+        name: The function's name.
+        rows: How many rows it is needed for now.
     """
     global _loaded
     if os.environ.get(_SWITCH) == "0" or (rows < WORTH_COMPILING and not _loaded):

@@ -1,4 +1,4 @@
-"""What long work calls now and then, so that whoever asked for it can end it by raising."""
+"""A callback that long computations call now and then; the caller can end them by raising."""
 
 from __future__ import annotations
 
@@ -8,4 +8,4 @@ Look = Callable[[], None]
 
 
 def undisturbed() -> None:
-    """Nobody wants to end it."""
+    """The callback that never interrupts."""

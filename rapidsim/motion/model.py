@@ -1,7 +1,7 @@
 """The parameters of the motion model: what a controller does that geometry cannot tell.
 
-Source: fits to logs of one virtual controller and of one real arm; what was not measured on an arm
-is scaled from arms that were (`robot/dynamics.py`). Every summary of a run prints these values.
+Source: fits to logs of one virtual controller and of one real arm; for arms that were not measured,
+values are scaled from those that were (`robot/dynamics.py`). Every run summary prints these values.
 """
 
 from __future__ import annotations
@@ -90,21 +90,21 @@ class MotionModel:
 
     @property
     def window(self) -> float:
-        """Width [s] of the smoothing of the command."""
+        """Width [s] of the command's smoothing window."""
         return _FILTER_S if self.filter_time is None else self.filter_time
 
     @property
     def dwell(self) -> float:
-        """Time [s] at a stop point from the end of the command to the start of the next."""
+        """Time [s] at a stop point between the end of a command and the start of the next."""
         dwell = _DWELL_S if self.fine_dwell is None else self.fine_dwell
         return dwell + (REAL_STOP_S if self.controller == "real" else 0.0)
 
     def dwell_after(self, braking_s: float) -> float:
-        """The same after a command that braked for so long [s].
+        """The same after a command that braked for the given time [s].
 
-        The arm comes to rest in that time, but for slow moves, of which next to nothing is left to
-        do then: logs of a controller do not show them at rest either. Smoothed along the path the
-        arm would take speed into the next move, so there it always comes to rest.
+        The arm comes to rest in that time, except in slow moves, where almost nothing remains to be
+        done then: logs of a controller do not show the arm at rest there either. Smoothed along the
+        path the arm would carry speed into the next move, so there it always comes to rest.
         """
         if self.version == "1":
             return self.dwell
@@ -114,14 +114,14 @@ class MotionModel:
 
     @property
     def slows_for_bends(self) -> bool:
-        """Whether the command goes slower where the path bends, for the motion to keep limits.
+        """Whether the command slows down where the path bends, so that the motion keeps limits.
 
         Only smoothing along the path adds to the accelerations there.
         """
         return self.accelerations_kept_by == "motion" and self.smoothing == "path"
 
     def of_arm(self, filter_time: float, fine_dwell: float) -> MotionModel:
-        """With the times [s] of an arm where no others are asked for."""
+        """With the times [s] known for an arm where the model sets none."""
         return replace(
             self,
             filter_time=filter_time if self.filter_time is None else self.filter_time,

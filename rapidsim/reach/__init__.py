@@ -1,1 +1,1 @@
-"""Can the arm make every move of the text? Answered before anything runs."""
+"""Whether the arm can make every move in the program text, decided before anything runs."""

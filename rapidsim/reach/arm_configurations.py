@@ -1,7 +1,7 @@
-"""How the arm stands at the end of each known move: in the stored configuration where that works.
+"""The arm's joints at the end of each known move, in the stored configuration where possible.
 
-Lines and arcs whose configuration is not monitored, or not to be had, arrive as the way takes the
-arm there. Where not even that is known, nothing is said of the next way.
+Lines and arcs whose configuration is not monitored, or not reachable, arrive as the path takes the
+arm there. If even that is not known, nothing is said about the next path.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _MOST = 9999.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ends:
-    """What the arm can do about the end of each move, whatever comes before."""
+    """What the arm can do about the end of each move, regardless of what precedes it."""
 
     looked_at: Mask
     reachable: Mask
@@ -57,7 +57,7 @@ class Ends:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stances:
-    """How the arm stands at the end of each move."""
+    """The arm's joints at the end of each move."""
 
     joints: Array
     """Shape (k, n) [rad]; 0 where that is not known."""
@@ -120,15 +120,15 @@ def stances_of(
     arrivals: Mapping[int, Array],
     lost: AbstractSet[int] = frozenset(),
 ) -> Stances:
-    """Stand the arm at the end of each move.
+    """The arm's joints at the end of each move.
 
     Args:
         posed: The moves.
         ends: What the arm can do about their ends.
         robot: The arm.
-        model: How it moves.
-        arrivals: Joints (n,) [rad] of rows that are known to arrive in another way than stored.
-        lost: Rows whose way fails; where they end without a stored configuration is not known.
+        model: Its motion model.
+        arrivals: Joints (n,) [rad] of rows known not to arrive in the stored configuration.
+        lost: Rows whose path fails; without a stored configuration, their end is not known.
     """
     count = len(posed.moves)
     joints = np.zeros((count, len(robot.joints)))
@@ -163,13 +163,13 @@ def stances_of(
 
 
 def is_monitored(known: KnownMove, robot: Robot) -> bool:
-    """Whether the controller insists on the stored configuration at the end of a move for sure."""
+    """Whether the controller certainly enforces the stored configuration at the end of a move."""
     monitored = _monitoring(known) is True
     return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
 
 
 def is_free(known: KnownMove) -> bool:
-    """Whether the configuration is not monitored for sure: ConfJ or ConfL is off."""
+    """Whether the configuration is certainly not monitored: ConfJ or ConfL is off."""
     return _monitoring(known) is False
 
 
@@ -180,13 +180,13 @@ def _monitoring(known: KnownMove) -> bool | None:
 
 
 def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
-    """cf1, cf4, cf6 and cfx of a move to a pose; numbers far beyond any turn stay countable."""
+    """cf1, cf4, cf6 and cfx of a move to a pose; absurdly large numbers are clamped."""
     cf1, cf4, cf6, cfx = map(round, confdata_columns([known])[0].tolist())
     return cf1, cf4, cf6, cfx
 
 
 def confdata_columns(moves: Sequence[KnownMove]) -> Array:
-    """What the targets of moves to poses store: cf1, cf4, cf6 and cfx, shape (k, 4)."""
+    """The stored cf1, cf4, cf6 and cfx of the targets of moves to poses, shape (k, 4)."""
     written = np.array([_robconf(known) for known in moves], dtype=np.float64).reshape(-1, 4)
     return np.rint(np.clip(written, -_MOST, _MOST))
 

@@ -1,4 +1,4 @@
-"""How many of a program's moves were checked, in which way, and why others were not."""
+"""How many of a program's moves were checked, how, and why others were not."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MOST_MOVES_FOR_ERRORS = 300
 
 @dataclass(frozen=True, slots=True)
 class UncheckedMove:
-    """A move instruction that nothing is known about."""
+    """A move instruction about which nothing is known."""
 
     span: Span
     reason: str
@@ -23,7 +23,7 @@ class UncheckedMove:
 
 @dataclass(frozen=True, slots=True)
 class Coverage:
-    """Move instructions of a text by how they were checked."""
+    """The move instructions of a program by how they were checked."""
 
     by_value: int = 0
     """Their targets, tools and work objects are known before the program runs."""
@@ -35,7 +35,7 @@ class Coverage:
 
     @property
     def checked(self) -> int:
-        """Checked in one way or the other."""
+        """Those checked in either way."""
         return self.by_value + self.by_run
 
     @property
@@ -59,7 +59,7 @@ class Coverage:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ReachReport:
-    """What was found about the moves of one program."""
+    """The findings about the moves of one program."""
 
     diagnostics: tuple[Diagnostic, ...] = ()
     coverage: Coverage = field(default_factory=Coverage)

@@ -1,4 +1,4 @@
-"""What would bring unreachable targets into reach, in words: a shift of the work object, a turn."""
+"""What would make unreachable targets reachable, in words: a shift of the work object, a turn."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MINOR = 0.35
 
 @dataclass(eq=False)
 class Cures:
-    """Searches cures when they are asked for; one for all targets of a work object where it can."""
+    """Searches for cures on demand; where possible, one for all targets of a work object."""
 
     program: Program
     posed: PosedMoves
@@ -35,7 +35,7 @@ class Cures:
     _searched: int = 0
 
     def of(self, row: int) -> str | None:
-        """The cures of a move whose end is not reached; None where none was found."""
+        """The cure for a move with an unreachable end; None if none was found."""
         if not told_apart(self.robot.kinematics):
             return None
         parts = [part for part in (self._shift(row), self._turn(row)) if part is not None]

@@ -1,4 +1,4 @@
-"""Findings about time, where there is a cycle budget: cycles that take too long, needless stops."""
+"""Findings about cycle time, if there is a budget: cycles that take too long, needless stops."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _NOTHING_BETWEEN = re.compile(r"(?:[;\s]|![^\r\n]*)*")
 def budget_findings(
     program: Program, told: RunMoves, budget_s: float, model: str
 ) -> Iterator[Diagnostic]:
-    """D701: a cycle that takes longer than its budget, or whose length the run does not tell."""
+    """D701: a cycle that exceeds its budget, or whose duration the run does not determine."""
     main = program.routines.get(ENTRY)
     if main is None or (told.time_s is not None and told.time_s <= budget_s):
         return

@@ -1,4 +1,4 @@
-"""Known moves as the segments a run would drive, from how the arm stands at both ends."""
+"""Known moves as the path segments of a run, from the joints at both ends."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ def segments_of(
 
     Args:
         posed: The moves.
-        joints: How the arm stands at the end of each move (k, n) [rad].
+        joints: Joints at the end of each move (k, n) [rad].
         robot: The arm.
-        model: What the load in the hand does to accelerations.
+        model: How the load affects accelerations.
         rows: The moves whose segments are wanted.
     """
     ends: dict[int, Waypoint] = {}

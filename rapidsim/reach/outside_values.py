@@ -1,9 +1,9 @@
-"""What a program does with values from outside: inputs, sockets, answers, files, cameras, messages.
+"""Values from outside a program: inputs, sockets, answers, files, cameras, messages.
 
-A run of a check has them as they are when nobody sets them, which may be nothing like the cell: a
-target that depends on them is judged by values that no controller may ever see.
+In the run of a check they are as if nobody sets them, which may be nothing like the cell: a target
+that depends on them would be checked with values that no controller may ever see.
 
-Which data hold such values is told without order and without branches: once is always.
+Which data hold such values is determined regardless of order and branches: once is always.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ def moved_by_outside(program: Program) -> frozenset[tree.Call]:
 
 
 def looks_at_inputs(program: Program) -> bool:
-    """Whether a program names an input."""
+    """Whether a program refers to an input."""
     return any(resolved(one) in _INPUTS for one in program.type_of.values())
 
 
 def asks_outside(program: Program) -> bool:
-    """Whether a program calls what a check cannot give it: files, clients, cameras, modules."""
+    """Whether a program calls what a check cannot provide: files, clients, cameras, modules."""
     installed = (one for one in program.symbol_of.values() if isinstance(one, LibrarySymbol))
     return any(
         one.routine.signature.concern in _NOT_THERE or Does.LOAD in one.routine.does
@@ -47,7 +47,7 @@ def asks_outside(program: Program) -> bool:
 
 
 def is_given_values(program: Program) -> bool:
-    """Whether others give it persistents: it declares some that say no value of their own."""
+    """Whether other programs set its persistents: some are declared without an initial value."""
     return any(
         isinstance(item, tree.Data) and item.storage == "PERS" and item.value is None
         for module in program.modules

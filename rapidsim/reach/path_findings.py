@@ -1,4 +1,4 @@
-"""Findings about the ways between known moves: where they fail, what holds the arm up, zones."""
+"""Findings about the paths between known moves: failures, speed-limiting axes, zones."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ class _Segments(Mapping[int, Segment]):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ways:
-    """Surveyed ways of a program, by row of its moves."""
+    """Surveyed paths of a program, by row of its moves."""
 
     stances: Stances
     segments: Mapping[int, Segment]
@@ -94,7 +94,7 @@ class Ways:
     """Joints (n,) [rad] of rows that arrive elsewhere than their end alone would tell."""
 
     def driven(self, row: int) -> Segment:
-        """The segment of a way as a run drives it: it ends as the way arrives, where it does."""
+        """The segment of a path as a run would drive it, with the joints at its end if known."""
         segment, way = self.segments[row], self.surveyed[row]
         if way.arrival is None:
             return segment
@@ -103,7 +103,7 @@ class Ways:
 
 @dataclass(frozen=True, eq=False)
 class WayFinder:
-    """Surveys the ways between the known moves of one program and tells what is wrong with them."""
+    """Surveys the paths between the known moves of one program and reports problems."""
 
     program: Program
     posed: PosedMoves
@@ -125,9 +125,8 @@ class WayFinder:
     def survey(self) -> Ways:
         """Survey all lines and arcs whose start is known.
 
-        Where a line arrives in another configuration than its end alone tells, what comes after it
-        starts from there, and where it fails, nobody knows where it starts; so the survey is made
-        again.
+        If a line arrives in a configuration other than its end alone suggests, the next path starts
+        from there; if it fails, the start of the next is unknown. So the survey is repeated.
         """
         ways, lost = self._surveyed({}, frozenset()), frozenset[int]()
         for _ in range(_PASSES):
@@ -185,7 +184,7 @@ class WayFinder:
         return bool(self.ends.stored_works[row]) and is_monitored(known, self.robot)
 
     def findings(self, ways: Ways) -> Iterator[Diagnostic]:
-        """All findings about the ways."""
+        """All findings about the paths."""
         for row, fault in ways.circle_faults.items():
             name = target_text(self.program, self.posed.moves[row])
             yield self._finding(row, CircleUncertain(name, fault))

@@ -1,7 +1,7 @@
-"""The moves of a program with the robot in many places: reach and stored configurations, at once.
+"""The moves of a program for many robot positions at once: reach and stored configurations.
 
-For each place the answer is that of a check of the ends of moves; the ways between them are not
-looked at.
+For each position the result is that of checking the ends of moves; the paths between them are not
+examined.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _BATCH = 8192
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedReach:
-    """What the arm can do about the moves of a program from places (k,)."""
+    """What the arm can do about the moves of a program from positions (k,)."""
 
     moves: int
     """How many move instructions were looked at; those that only a run can tell were not."""
@@ -51,13 +51,13 @@ def reach_from(
     external: Sequence[ExternalAxis] = (),
     look: Look = undisturbed,
 ) -> PlacedReach:
-    """Look at all moves that are known without a run, with the robot in places (k,).
+    """Check all moves known without a run, with the robot at positions (k,).
 
     Args:
         program: A checked program.
         robot: The arm.
-        world_from_base: Where it stands, shape (k,).
-        external: Axes beside the arm; moves that they take part in are not looked at.
+        world_from_base: The robot's positions, shape (k,).
+        external: External axes; moves that involve them are skipped.
         look: Called now and then.
     """
     known = walk_program(program).known

@@ -1,4 +1,4 @@
-"""Can the robot make every move of a program? By value where that is known, by a run elsewhere."""
+"""Can the robot make every move of a program? Decided from known values, or else from a run."""
 
 from __future__ import annotations
 
@@ -57,10 +57,10 @@ def check_reach(
     Args:
         program: A checked program.
         robot: The arm.
-        options: How main is run, where it is: where the arm starts, signals, motion model.
-        run: Whether main is run, for the moves that only a run can tell and for its error.
-        cycle_budget_s: How long one cycle of main may take; then needless stops are told, too.
-        by_default: Whether the arm is taken by default, because nothing names one.
+        options: The conditions for running main: the arm's start position, signals, motion model.
+        run: Whether to run main, for the moves that only a run determines and for its error.
+        cycle_budget_s: How long one cycle of main may take; if given, needless stops are reported.
+        by_default: Whether the arm is the default one, because nothing names an arm.
     """
     options = options or RunOptions()
     walked = walk_program(program)
@@ -192,7 +192,7 @@ class _Places:
             self._starts.setdefault(module.source.file, []).append((call.start, call.end))
 
     def distinct(self, diagnostics: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
-        """The first of the findings that say the same of one move."""
+        """Findings without those that repeat an earlier one about the same move."""
         said: set[tuple[str, object]] = set()
         for diagnostic in diagnostics:
             code, move = diagnostic.violation.code, self._move_of(diagnostic.span)

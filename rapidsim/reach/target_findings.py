@@ -47,9 +47,9 @@ LOW_MARGIN = np.radians(5.0)
 def unreachable_findings(
     program: Program, posed: PosedMoves, ends: Ends, robot: Robot, cures: Cures | None
 ) -> Iterator[Diagnostic]:
-    """K601 and K602: ends that no configuration reaches, and axis positions past their limits.
+    """K601 and K602: ends that no configuration reaches, and axis positions past limits.
 
-    No cures: the arm is taken by default, and who names the right one needs none.
+    No cures if the arm is the default one: they may not be needed with the right arm.
     """
     for row in np.flatnonzero(ends.looked_at & ~ends.reachable).tolist():
         known = posed.moves[row]
@@ -100,7 +100,7 @@ def configuration_findings(
 def orientation_findings(
     program: Program, posed: PosedMoves, external: Sequence[ExternalAxis]
 ) -> Iterator[Diagnostic]:
-    """M501: a frame or a target that is no orientation, at the move that asks for it."""
+    """M501: a frame or target with an invalid orientation, at the move that uses it."""
     for row in sorted(posed.left_out):
         known = posed.moves[row]
         if known.move.interpolation is Interpolation.EXTERNAL_AXES:
@@ -151,7 +151,7 @@ def margin_findings(
 def wind_up_findings(
     program: Program, posed: PosedMoves, stances: Stances, robot: Robot
 ) -> Iterator[Diagnostic]:
-    """K608: the same move of the same place arrives with an axis whole turns further."""
+    """K608: the same move to the same target arrives with an axis whole turns further."""
     first_of: dict[object, int] = {}
     rows = np.flatnonzero(stances.sure & ~posed.to_axes).tolist()
     times = Counter(posed.moves[row].call for row in rows)

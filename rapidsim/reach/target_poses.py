@@ -1,4 +1,4 @@
-"""Where known moves put the tool, all at once, in the robot's base."""
+"""Tool poses of known moves, computed together, in the robot's base."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no ori
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PosedMoves:
-    """Known moves with their ends as poses; one row a move."""
+    """Known moves with their ends as poses; one row per move."""
 
     moves: Sequence[KnownMove]
     base_from_tcp: Transform
@@ -45,13 +45,13 @@ def posed(
     base_from_world: Transform,
     external: Sequence[ExternalAxis] = (),
 ) -> PosedMoves:
-    """Place the ends of known moves.
+    """Compute the end poses of known moves.
 
     Args:
-        moves: What is placed.
+        moves: The moves.
         robot: The arm.
-        base_from_world: Where the world is.
-        external: Axes beside the arm; moves that they take part in are left out.
+        base_from_world: The world frame.
+        external: External axes; moves that involve them are left out.
     """
     count = len(moves)
     position, quaternion = np.zeros((count, 3)), np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))

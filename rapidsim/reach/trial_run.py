@@ -1,8 +1,8 @@
-"""The moves that only a run of main can tell, and the error that ends it.
+"""Moves that only a run of main determines, and the error that ends it.
 
-The run is short and has no consequences: files go to a folder that is thrown away, and it is over
-after some virtual time, or at a question to the operator. It ends earlier where the arm cannot go
-on, but not at a stored configuration that cannot be had: the moves after it are worth looking at.
+The run is short and has no side effects: files go to a temporary folder, and it ends after a limit
+of virtual time, or at a question to the operator. It ends earlier if the arm cannot continue, but
+not at an unreachable stored configuration: the moves after it are worth checking.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ _ENDS = {
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RunMoves:
-    """What a run told of moves."""
+    """What a run revealed about moves."""
 
     moves: tuple[KnownMove, ...]
     """The moves it made, in order; `previous` counts from `first_row`."""
@@ -88,9 +88,9 @@ def run_for_moves(
         program: The program.
         robot: The arm.
         options: Inputs of the run.
-        walked: The moves of its text.
-        first_row: The number of the first move of the run among all known moves.
-        longest_s: Virtual time after which the run is over.
+        walked: The moves known from its text.
+        first_row: The row of the run's first move among all known moves.
+        longest_s: Limit of virtual time [s].
     """
     if program.routines.get(options.entry.lower()) is None:
         return _not_run(f"is not possible: there is no `{options.entry}`")
@@ -141,7 +141,7 @@ def run_for_moves(
 
 
 def run_for_error(program: Program, robot: Robot, options: RunOptions) -> tuple[Diagnostic, ...]:
-    """The error that ends a run of main, of a program whose moves are known without one."""
+    """The error that ends a run of main, for a program whose moves are known without one."""
     if program.routines.get(options.entry.lower()) is None:
         return ()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
@@ -157,7 +157,7 @@ def run_for_error(program: Program, robot: Robot, options: RunOptions) -> tuple[
 
 
 def why_left_out(program: Program, walked: WalkedProgram) -> str:
-    """Why main is not run for its errors alone; empty where it is."""
+    """Why main is not run just for its errors; empty if it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
         return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
     if asks_outside(program):
@@ -166,9 +166,9 @@ def why_left_out(program: Program, walked: WalkedProgram) -> str:
 
 
 def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diagnostic, ...] | None:
-    """The errors that end a run of all tasks of a cell; None where a check cannot tell.
+    """The errors that end a run of all tasks of a cell; None if a check cannot tell.
 
-    It cannot where the run would depend on what it does not have, or takes too long.
+    It cannot if the run would depend on what it does not have, or takes too long.
     """
     programs = [setup.program for setup in setups]
     if any(map(asks_outside, programs)):

@@ -1,7 +1,7 @@
-"""What moves would hit that no run of main made: those whose start and end are known.
+"""Collisions of moves that no run of main made, but whose start and end are known.
 
-Each is driven by itself, among the bodies as the run of main has placed them. Where a corner would
-cut its ends off it is not looked at, and parts that are carried at times are nowhere.
+Each is driven by itself, among the bodies as the run of main left them. Parts of a move that a
+corner path would cut off are not checked, nor are bodies that are carried at times.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _LOOK_RAD_S, _LOOK_M_S = 1.0, 1.0
 
 @dataclass(eq=False)
 class UnrunMoves:
-    """Looks for what moves hit."""
+    """Looks for collisions of such moves."""
 
     program: Program
     posed: PosedMoves
@@ -65,7 +65,7 @@ class UnrunMoves:
         self._bodies = self.scene.shapes()
 
     def findings(self, rows: Sequence[int]) -> Iterator[Diagnostic]:
-        """What the moves of some rows hit; each start is known."""
+        """The collisions of some rows' moves; each start is known."""
         joints = self.stances.joints
         segments = segments_of(self.posed, joints, self.robot, self.model, rows)
         for row, segment in zip(rows, segments, strict=True):

@@ -1,4 +1,4 @@
-"""Words and places for findings about moves: targets and data as the program names them."""
+"""Words and source positions for findings about moves: targets and data as named in the program."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TARGETS = ("topoint", "tojointpos")
 
 
 def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression | None:
-    """What a move gives for a parameter, by the first of some folded names that it has."""
+    """The argument of a move for a parameter, by the first of some folded names that it has."""
     return _argument(program, known, known.statement, keys)
 
 
@@ -40,13 +40,13 @@ def target_text(program: Program, known: KnownMove) -> str:
 
 
 def target_span(program: Program, known: KnownMove) -> Span:
-    """The place of the target in a move."""
+    """The source span of the target in a move."""
     written = argument(program, known, *_TARGETS)
     return known.span if written is None else known.module.span(written)
 
 
 def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None:
-    """The module data that an argument of a move names, where it is no more than a name."""
+    """The module data that an argument of a move refers to, if it is just a name."""
     # Only what is in the tree has symbols.
     written = _argument(program, known, in_tree(known.call), keys)
     if not isinstance(written, tree.Reference):
@@ -56,16 +56,16 @@ def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None
 
 
 def declared(symbol: DataSymbol | None, message: str) -> tuple[Related, ...]:
-    """Where data are declared, as a place that explains a finding."""
+    """The declaration of data, as a location that explains a finding."""
     if symbol is None or symbol.node is None or symbol.module is None:
         return ()
     return (Related(symbol.module.span(symbol.node.name), message.format(name=symbol.name)),)
 
 
 def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> Fix | None:
-    """Write another configuration into the declaration of a target; None where it has none.
+    """An edit that puts another configuration into a target's declaration; None if it has none.
 
-    The declaration of a variable is not touched: what it holds when it is used may be another.
+    Declarations of variables are left alone: they may hold another value when used.
     """
     written = argument(program, known, *_TARGETS)
     module = known.module

@@ -1,1 +1,1 @@
-"""The station file: which robot, how it moves, what is around it."""
+"""The station file: the robot, its motion model, and its surroundings."""

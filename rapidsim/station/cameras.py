@@ -1,4 +1,4 @@
-"""The tables [[camera]]: what a camera finds in one picture after the other.
+"""The tables [[camera]]: what a camera finds in successive pictures.
 
 [[camera]]
 name = "cam1"
@@ -20,7 +20,7 @@ _FOUND_KEYS = ("name", "position", "quaternion", *_VALUES, "string1", "string2",
 
 
 def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
-    """Read the list; what is wrong is noted."""
+    """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "camera"):
         reader.known(path, table, _KEYS)

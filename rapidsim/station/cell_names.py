@@ -1,4 +1,4 @@
-"""What a station declares, as names that its programs may use."""
+"""The names that a station declares for its programs."""
 
 from __future__ import annotations
 

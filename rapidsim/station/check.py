@@ -1,4 +1,4 @@
-"""What `rapidsim check` looks for: the table [check] of a station file, or of pyproject.toml."""
+"""The table [check] of a station file, or of pyproject.toml: what `rapidsim check` looks for."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _KEYS = (
 
 @dataclass(frozen=True, slots=True)
 class CheckSettings:
-    """Selectors are codes, beginnings of codes, or names of rules."""
+    """Selectors are codes, prefixes of codes, or names of rules."""
 
     file: Path | None = None
     """Where the settings stand; None for the defaults."""
@@ -42,7 +42,7 @@ class CheckSettings:
 
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:
-    """Read the table; what is wrong is noted."""
+    """Read the table; errors are noted."""
     reader.known(path, check, _KEYS)
     ignores = reader.table(check, "per-file-ignores", f"{path}.per-file-ignores")
     baseline = reader.text(check, path, "baseline")
@@ -62,10 +62,10 @@ def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettin
 
 
 def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
-    """What [tool.rapidsim.check] says in the nearest pyproject.toml that has such a table.
+    """The table [tool.rapidsim.check] of the nearest pyproject.toml that has one.
 
     Raises:
-        InputError: If that table says something that is unknown or of the wrong kind.
+        InputError: If it has unknown keys or values of the wrong kind.
     """
     for path in paths:
         if path == "-" or not (place := Path(path)).exists():

@@ -1,10 +1,10 @@
-"""The table [controller]: what runs the program, and what is installed there.
+"""The table [controller]: the RobotWare version, and stubs of missing libraries.
 
 robotware = "7.13"
 stubs = ["stubs/gripper.mod"]
 
-Stub modules declare the routines of libraries that a repository lacks: all tasks have them, and
-each call says that it did what the stub says.
+Stub modules declare the routines of libraries that a repository lacks: they are loaded into all
+tasks, and each call reports that the stub was executed.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ _KEYS = ("robotware", "stubs")
 
 
 def read_stubs(reader: Reader, controller: Table) -> tuple[Path, ...]:
-    """The stub modules; what is wrong is noted."""
+    """The stub modules; errors are noted."""
     names = reader.texts(controller, "controller", "stubs")
     files = (reader.inside(name, "controller.stubs") for name in names)
     return tuple(file for file in files if file is not None)
 
 
 def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:
-    """The RobotWare; None where the file does not say."""
+    """The RobotWare version; None if the file does not give it."""
     reader.known("controller", controller, _KEYS)
     text = reader.text(controller, "controller", "robotware")
     if text is None:

@@ -1,4 +1,4 @@
-"""The tables [[conveyor]]: when objects come.
+"""The tables [[conveyor]]: when objects arrive.
 
 [[conveyor]]
 unit = "CNV1"
@@ -19,7 +19,7 @@ _KEYS = ("unit", "speed", "at", "every", "length")
 
 
 def read_conveyors(reader: Reader, tables: Table) -> tuple[ConveyorScript, ...]:
-    """Read the list; what is wrong is noted."""
+    """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "conveyor"):
         reader.known(path, table, _KEYS)

@@ -1,4 +1,4 @@
-"""A station file to begin with: what is known of a cell, written as TOML."""
+"""A draft station file: what is known of a cell, as TOML."""
 
 from __future__ import annotations
 

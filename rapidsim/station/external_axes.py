@@ -1,4 +1,4 @@
-"""The tables [[external_axis]]: tracks, positioners and other axes beside the arm."""
+"""The tables [[external_axis]]: tracks, positioners and other axes besides the arm's."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ _FRAME_KEYS = ("position", "quaternion")
 def read_external_axes(
     reader: Reader, station: Table, acceleration_time: float
 ) -> tuple[ExternalAxis, ...]:
-    """Read the tables; what is wrong is noted.
+    """Read the tables; errors are noted.
 
     Args:
-        reader: Of the file.
+        reader: Reads the file.
         station: The whole file.
-        acceleration_time: An axis without `acceleration` takes this [s] to its speed.
+        acceleration_time: How long an axis without `acceleration` takes to reach its speed [s].
 
     Returns:
         The axes in the order of their letters.
@@ -48,7 +48,7 @@ def read_external_axes(
 
 
 def read_frame(reader: Reader, table: Table, path: str) -> Transform:
-    """A frame [mm] as a transform [m]; the identity where nothing is said."""
+    """A frame [mm] as a transform [m]; the identity if it is missing."""
     reader.known(path, table, _FRAME_KEYS)
     position = reader.numbers(table, path, "position", 3) or (0.0, 0.0, 0.0)
     quaternion = reader.numbers(table, path, "quaternion", 4) or (1.0, 0.0, 0.0, 0.0)
@@ -72,7 +72,7 @@ def _read_axis(
     carries = _carries(reader, table, path)
     direction = reader.numbers(table, path, "direction", 3)
     if direction is not None and math.hypot(*direction) < 1e-6:
-        reader.wrong(f"{path}.direction", "a direction is not all zero")
+        reader.wrong(f"{path}.direction", "a direction must not be all zeros")
         direction = None
     world_from_user = read_frame(
         reader, reader.table(table, "frame", f"{path}.frame"), f"{path}.frame"
@@ -87,7 +87,7 @@ def _read_axis(
         reader.wrong(f"{path}.kind", f"`{kind}` is neither `linear` nor `rotational`")
         kind = None
     if limits is not None and limits[0] >= limits[1]:
-        reader.wrong(f"{path}.limits", "the first is below the second")
+        reader.wrong(f"{path}.limits", "the first must be below the second")
         limits = None
     if name is None or letter is None or kind is None or limits is None or speed is None:
         return None

@@ -1,7 +1,7 @@
-"""The key `shapes` of [robot]: the user's own meshes of the links in place of those drawn here.
+"""The key `shapes` of [robot]: the user's own link meshes in place of the built-in shapes.
 
-A folder has a file a link, `base_link` and `link_1` to the last, of any kind of mesh; what else
-lies there is not looked at, but for meshes of other names.
+The folder has one file per link, `base_link` and `link_1` to the last, in any mesh format; other
+files in it are ignored, except meshes with other names.
 """
 
 from __future__ import annotations
@@ -16,16 +16,16 @@ from rapidsim.station.toml_reader import UNITS_M
 
 
 def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool) -> Robot:
-    """An arm with the shapes of a folder; they are read once, so that no run ends at a bad file.
+    """An arm with the shapes of a folder; read once, so that no run fails on a bad file.
 
     Args:
         arm: The arm.
-        folder: Where the files are.
-        unit_m: What they count in [m]; None if they say so themselves.
-        in_base: Whether all are drawn in the base frame, with all axes at zero.
+        folder: The folder with the files.
+        unit_m: Their length unit [m]; None if the format defines it.
+        in_base: Whether all meshes are given in the base frame, with all axes at zero.
 
     Raises:
-        InputError: If there is not one readable file for each link.
+        InputError: If there is not exactly one readable file per link.
     """
     names = ("base_link", *(f"link_{number + 1}" for number in range(len(arm.joints))))
     found: dict[str, Path] = {}

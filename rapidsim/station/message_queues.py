@@ -1,4 +1,4 @@
-"""How a [[task]] describes its message queue: `rmq`."""
+"""The key `rmq` of [[task]]: the task's message queue."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _AS_DELIVERED = QueueSettings()
 
 
 def read_queue(reader: Reader, path: str, task: Table) -> QueueSettings | None:
-    """The queue of a [[task]]; what is wrong is noted. None where it says nothing."""
+    """The queue of a [[task]]; None if it has none. Errors are noted."""
     if "rmq" not in task:
         return None
     path = f"{path}.rmq"

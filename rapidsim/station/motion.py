@@ -44,10 +44,10 @@ _Word = TypeVar("_Word", bound=str)
 def read_motion(
     reader: Reader, motion: Table, dynamics: Table
 ) -> tuple[MotionModel, tuple[str, ...]]:
-    """Read both tables; what is wrong is noted, what is missing stays as it is by default.
+    """Read both tables; errors are noted, missing values keep their defaults.
 
     Returns:
-        The model, and remarks on what no longer counts.
+        The model, and remarks on settings that no longer have an effect.
     """
     reader.known("motion", motion, _KEYS)
     reader.known("dynamics", dynamics, _OF_DYNAMICS)
@@ -108,7 +108,7 @@ def read_motion(
 
 
 def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
-    """`configuration`: whether a stored one that cannot be had gives way to the nearest."""
+    """`configuration`: whether an unreachable stored one is replaced by the nearest."""
     match reader.text(motion, "motion", "configuration") or "stop":
         case "stop":
             return False
@@ -128,7 +128,7 @@ def _neither(words: Sequence[str]) -> str:
 def _above_zero(reader: Reader, motion: Table, key: str, what: str) -> tuple[float, ...] | None:
     numbers = reader.numbers(motion, "motion", key, None)
     if numbers and min(numbers) <= 0.0:
-        reader.wrong(f"motion.{key}", f"{what} are above 0")
+        reader.wrong(f"motion.{key}", f"{what} must be above 0")
     return numbers
 
 
@@ -138,7 +138,7 @@ def _factors(reader: Reader, dynamics: Table) -> tuple[float, float, float] | No
     if numbers is None:
         return None
     if min(numbers) <= 0.0:
-        reader.wrong("dynamics.torque", "factors are above 0")
+        reader.wrong("dynamics.torque", "factors must be above 0")
         return None
     first, second, third = numbers
     return first, second, third

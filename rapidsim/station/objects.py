@@ -1,9 +1,9 @@
-"""The tables [[object]], [[attach]] and [collisions]: what stands in the cell, and what is judged.
+"""The tables [[object]], [[attach]] and [collisions]: the bodies of the cell, and what is checked.
 
 [[object]]
 name = "table"
 box = [800, 600, 40]                       # mm
-pose = { position = [900, 0, -20] }        # of its middle, in its parent
+pose = { position = [900, 0, -20] }        # of its centre, in its parent
 parent = "world"                           # or "wobj:wobjVice", "link:3", "tool"
 
 [[attach]]
@@ -50,13 +50,13 @@ _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 
 
 def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
-    """Read the tables; None if there are none of them. What is wrong is noted."""
+    """Read the tables; None if there are none. Errors are noted."""
     if not {"object", "attach", "collisions"} & station.keys():
         return None
     objects: dict[str, CellObject] = {}
     for number, (path, table) in enumerate(reader.tables(station, "object")):
         if number >= _MOST_OBJECTS:
-            reader.wrong("object", f"more than {_MOST_OBJECTS} are not judged")
+            reader.wrong("object", f"more than {_MOST_OBJECTS} are not supported")
             break
         found = _object(reader, path, table)
         if found is None:
@@ -213,7 +213,9 @@ def _mesh(reader: Reader, path: str, table: Table) -> Shape | None:
     if unit is None and file.suffix.lower() in IN_METRES:
         unit = "m"
     if unit not in UNITS_M:
-        wrong = "the file does not give one" if unit is None else f"`{unit}` is no unit of length"
+        wrong = (
+            "the file does not give one" if unit is None else f"`{unit}` is not a unit of length"
+        )
         reader.wrong(f"{path}.unit", wrong, f"known: {', '.join(UNITS_M)}")
         return None
     try:
@@ -267,7 +269,7 @@ def _colour(reader: Reader, path: str, table: Table) -> Colour:
     if text is None:
         return GREY
     if _COLOUR.fullmatch(text) is None:
-        reader.wrong(f"{path}.colour", f"`{text}` is no colour, such as `#6080a0`")
+        reader.wrong(f"{path}.colour", f"`{text}` is not a colour, such as `#6080a0`")
         return GREY
     red, green, blue = bytes.fromhex(text[1:])
     return red, green, blue

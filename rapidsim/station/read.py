@@ -1,7 +1,8 @@
-"""Read the station file `rapidsim.toml`: robot, motion model, tasks, signals and what drives them.
+"""Reads the station file `rapidsim.toml`: robot, motion model, tasks, signals and their drivers.
 
-Every key is checked and all mistakes are told at once; what this version does not do yet is a
-mistake that says so, never ignored. A file for `--io` holds the tables of signals alone.
+Every key is checked and all errors are reported at once; features that this version does not
+support are errors that say so, never ignored. A file for `--io` contains only the tables of
+signals.
 """
 
 from __future__ import annotations
@@ -48,8 +49,8 @@ def read_station(file: Path) -> Station:
     """Read a station file.
 
     Raises:
-        InputError: If it is missing, not TOML, or says something that is unknown, of the wrong kind
-            or not simulated yet; all such mistakes at once.
+        InputError: If it is missing, not TOML, or contains something unknown, of the wrong kind or
+            not simulated yet; all such errors at once.
     """
     table = read_toml(file)
     reader = Reader(file)

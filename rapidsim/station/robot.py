@@ -1,4 +1,4 @@
-"""The table [robot], or several [[robot]]: which arm, where it stands, where its axes start."""
+"""The table [robot], or several [[robot]]: the arm, its mounting position, its start position."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 @dataclass(frozen=True, slots=True)
 class StationRobot:
-    """What a station says of its robot."""
+    """What a station says about its robot."""
 
     name: str | None = None
     """A name of the catalogue or the path of a URDF file; None where the file names no robot."""
@@ -49,7 +49,7 @@ class StationRobot:
     """Axes beside it, where it is not the first: those of the first are the station's."""
 
     def armed(self, other: StationRobot) -> StationRobot:
-        """This robot with the arm of another and what is said of its axes."""
+        """This robot with the arm and axis data of another."""
         return replace(
             self,
             name=other.name,
@@ -65,10 +65,10 @@ class StationRobot:
         return self.shapes is not None or any(one is not None for one in self.bounds)
 
     def fitted(self, arm: Robot) -> Robot:
-        """The arm with what is said of its shapes and the bounds of its axes.
+        """The arm with the configured shapes and axis bounds.
 
         Raises:
-            InputError: If the shapes are not those of such an arm, or cannot be read.
+            InputError: If the shapes do not fit such an arm, or cannot be read.
         """
         arm = self._bounded(arm)
         if self.shapes is None:
@@ -89,7 +89,7 @@ class StationRobot:
 
 
 def read_robots(reader: Reader, station: Table) -> tuple[StationRobot, ...]:
-    """Read [robot], or each [[robot]]; none if there is neither. What is wrong is noted."""
+    """Read [robot], or each [[robot]]; empty if there is neither. Errors are noted."""
     if "robot" not in station:
         return ()
     if not isinstance(station.get("robot"), list):
@@ -141,10 +141,10 @@ def _with_shapes(reader: Reader, path: str, robot: Table, found: StationRobot) -
         reader.wrong(f"{path}.shapes", "a `urdf` names its own shapes")
     folder = reader.inside(name, f"{path}.shapes")
     if folder is not None and not folder.is_dir():
-        reader.wrong(f"{path}.shapes", f"{folder} is no folder")
+        reader.wrong(f"{path}.shapes", f"{folder} is not a folder")
     if unit is not None and unit not in UNITS_M:
         known = ", ".join(UNITS_M)
-        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is no unit of length", f"known: {known}")
+        reader.wrong(f"{path}.shapes-unit", f"`{unit}` is not a unit of length", f"known: {known}")
     if frame not in ("link", "base"):
         reader.wrong(f"{path}.shapes-frame", f"`{frame}` is neither `link` nor `base`")
     return replace(

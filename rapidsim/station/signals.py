@@ -31,7 +31,7 @@ _KINDS = ", ".join(kind.value for kind in SignalKind)
 
 
 def read_signals(reader: Reader, signals: Table) -> tuple[SignalDeclaration, ...]:
-    """Read the table; what is wrong is noted."""
+    """Read the table; errors are noted."""
     declared: dict[str, SignalDeclaration] = {}
     for name, value in signals.items():
         path = f"signals.{name}"
@@ -48,7 +48,7 @@ def read_signals(reader: Reader, signals: Table) -> tuple[SignalDeclaration, ...
 
 
 def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
-    """Read the list; what is wrong is noted, a ring of connections too."""
+    """Read the list; errors are noted, circular connections too."""
     crosses = []
     for path, table in reader.tables(tables, "cross"):
         reader.known(path, table, _CROSS_KEYS)
@@ -61,12 +61,12 @@ def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
         crosses.append(CrossConnection(result, condition, after_s or 0.0))
     for number, cross in enumerate(crosses):
         if follows_itself(cross, crosses):
-            reader.wrong(f"cross {number + 1}", f"`{cross.result}` follows itself")
+            reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
     return tuple(crosses)
 
 
 def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
-    """A condition on signals; None where it is missing or wrong."""
+    """A condition on signals; None if it is missing or wrong."""
     text = reader.text(table, path, key)
     if text is None:
         return None
@@ -108,7 +108,7 @@ def _status(reader: Reader, path: str, table: Table) -> Status | None:
     for status in Status:
         if status.lower() == text.lower():
             return status
-    reader.wrong(f"{path}.system", f"`{text}` is not shown", f"known: {', '.join(Status)}")
+    reader.wrong(f"{path}.system", f"`{text}` is not a known status", f"known: {', '.join(Status)}")
     return None
 
 
@@ -137,7 +137,7 @@ def _limits(
 
 
 def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:
-    """Whether a signal follows itself through some of the connections."""
+    """Whether a signal depends on itself through some of the connections."""
     return cross.result.lower() in _sources(cross.result.lower(), crosses)
 
 

@@ -1,4 +1,4 @@
-r"""The tables [[socket]]: who is at the other end of the program's sockets. A camera that answers:
+r"""The tables [[socket]]: the peers of the program's sockets. A camera that answers:
 
 [[socket]]
 accept = 5000
@@ -22,7 +22,7 @@ _LARGEST_PORT = 65535
 
 
 def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
-    """Read the list; what is wrong is noted."""
+    """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "socket"):
         reader.known(path, table, _KEYS)

@@ -1,4 +1,4 @@
-"""What a station file `rapidsim.toml` says, and where it is looked for.
+"""The content of a station file `rapidsim.toml`, and where it is looked for.
 
 Most programs that are checked have none, so nothing here needs NumPy; `read.py` does.
 """
@@ -31,7 +31,7 @@ FILE_NAME = "rapidsim.toml"
 
 @dataclass(frozen=True, slots=True)
 class Station:
-    """What a station file says; without one, the defaults of everything."""
+    """The content of a station file; without one, all defaults."""
 
     file: Path | None = None
     robots: tuple[StationRobot, ...] = ()
@@ -64,7 +64,7 @@ class Station:
     """What is said of the cell and left out."""
 
     def and_backup(self, backup: Station) -> Station:
-        """This file, and what a backup says where the file says nothing."""
+        """This station file, completed from a backup."""
         whole = replace(
             self,
             tasks=self.tasks or backup.tasks,
@@ -86,48 +86,48 @@ class Station:
 
     @property
     def robot(self) -> str | None:
-        """The first robot, by name or URDF file; None where the file names none."""
+        """The first robot, by name or URDF file; None if the file names none."""
         return self.robots[0].name if self.robots else None
 
     @property
     def start_joints_deg(self) -> tuple[float, ...] | None:
-        """Where the axes of the first robot start; None where the file does not say."""
+        """The start position of the first robot; None if the file gives none."""
         return self.robots[0].start_joints_deg if self.robots else None
 
     @property
     def world_from_base(self) -> Transform | None:
-        """Where the first robot stands; None where that is the world frame."""
+        """The base frame of the first robot; None if it is the world frame."""
         return self.robots[0].world_from_base if self.robots else None
 
     @property
     def task(self) -> str:
-        """Name of the first task."""
+        """The name of the first task."""
         return self.tasks[0].name if self.tasks else DEFAULT_TASK
 
     def robot_number(self, task: str) -> int:
-        """Which of the robots a task moves; the first, where the file does not say."""
+        """Which of the robots a task moves; the first if the file does not say."""
         numbers = {one.name.lower(): one.robot_number for one in self.tasks}
         return numbers.get(task.lower()) or 0
 
     def entry(self, task: str) -> str | None:
-        """The procedure that a task begins with; None where nothing says."""
+        """The procedure that a task begins with; None if not specified."""
         return {one.name.lower(): one.entry for one in self.tasks}.get(task.lower())
 
     @property
     def modules(self) -> tuple[Path, ...]:
-        """Modules of the first task, in addition to those a command names."""
+        """Modules of the first task, in addition to those named on the command line."""
         return self.tasks[0].modules if self.tasks else ()
 
     @property
     def units(self) -> tuple[str, ...]:
-        """Names of the mechanical units beside the robot."""
+        """Names of the mechanical units besides the robot."""
         further = (axis for robot in self.robots for axis in robot.external)
         simulated = (axis.unit for axis in (*self.external_axes, *further))
         return tuple(dict.fromkeys((*simulated, *self.other_units)))
 
 
 def find_station(paths: Iterable[str]) -> Path | None:
-    """The station file next to the first path that is a file or folder, or above it.
+    """The station file next to the first path that is a file or folder, or in a folder above.
 
     Raises:
         InputError: If it is a link to another folder.

@@ -1,4 +1,4 @@
-"""The tables [[stimulus]]: what happens to inputs by itself. A gripper is five lines:
+"""The tables [[stimulus]]: changes of inputs from outside the program. A gripper is five lines:
 
 [[stimulus]]
 when = "doGrip = 1"
@@ -18,7 +18,7 @@ _LEAST_PERIOD_S = 0.001
 
 
 def read_stimuli(reader: Reader, tables: Table) -> tuple[Stimulus, ...]:
-    """Read the list; what is wrong is noted."""
+    """Read the list; errors are noted."""
     stimuli = []
     for path, table in reader.tables(tables, "stimulus"):
         reader.known(path, table, _KEYS)

@@ -1,4 +1,4 @@
-"""The tables [[task]]: names of tasks, the modules they have, and the robots they move.
+"""The tables [[task]]: the tasks with their modules and robots.
 
 [[task]]
 name = "T_ROB2"
@@ -7,10 +7,10 @@ robot = "right"            # the `name` of a [[robot]]; else the next robot that
 [[task]]
 name = "T_BACK"
 modules = ["background.mod"]
-type = "semistatic"        # or "static"; "normal" unless it is said
-motion = false             # it moves nothing; so it is where no robot is left
-entry = "watch"            # the procedure it begins with; "main" unless it is said
-check_references = false   # it is loaded with references that nothing declares (-BindRef 0)
+type = "semistatic"        # or "static"; "normal" by default
+motion = false             # it moves nothing; the default if no robot is left
+entry = "watch"            # the procedure it begins with; "main" by default
+check_references = false   # unresolved references are allowed (-BindRef 0)
 rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
 """
 
@@ -63,9 +63,9 @@ def read_tasks(
     """Read the tables; what is wrong is noted.
 
     Args:
-        reader: The file.
-        station: Its top table.
-        robots: The names of the robots, None where one has no name.
+        reader: Reads the file.
+        station: The top-level table.
+        robots: The names of the robots; None for one without a name.
     """
     tasks = [_read_task(reader, path, task) for path, task in reader.tables(station, "task")]
     seen: set[str] = set()

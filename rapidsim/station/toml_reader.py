@@ -1,4 +1,4 @@
-"""Takes values out of the tables of a TOML file and collects what is wrong with them, by key."""
+"""Reads values from the tables of a TOML file and collects errors, by key."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ UNITS_M = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """One file; a value that is wrong is noted and read as if it were missing."""
+    """Reads one file; a wrong value is noted and treated as missing."""
 
     file: Path
     _mistakes: list[tuple[str, str | None]] = field(default_factory=list)
 
     def wrong(self, key: str, message: str, help: str | None = None) -> None:
-        """Note a mistake."""
+        """Note an error."""
         self._mistakes.append((f"{self.file}: {key}: {message}", help))
 
     def inside(self, name: str, key: str) -> Path | None:
-        """A file named from where this one is; None if that is not in the folder of this one."""
+        """The path of a file named in this one; None if it is outside this one's folder."""
         folder = self.file.parent
         try:
             require_inside([folder / name], [folder])
@@ -42,7 +42,7 @@ class Reader:
         """End reading.
 
         Raises:
-            InputError: With all mistakes, if there were any.
+            InputError: With all errors, if there were any.
         """
         if not self._mistakes:
             return
@@ -52,7 +52,7 @@ class Reader:
         raise InputError("\n".join(lines))
 
     def known(self, path: str, table: Table, keys: Iterable[str]) -> None:
-        """Note the keys of a table that are not known."""
+        """Note the unknown keys of a table."""
         keys = tuple(keys)
         for key in table:
             if key not in keys:
@@ -60,7 +60,7 @@ class Reader:
                 self.wrong(f"{path}.{key}" if path else key, "no such key", help)
 
     def table(self, values: Table, key: str, path: str | None = None) -> Table:
-        """A table; empty where it is missing."""
+        """A table; empty if it is missing."""
         table = values.get(key, {})
         if not isinstance(table, dict):
             self.wrong(path or key, f"a table is needed, as in [{path or key}]")
@@ -77,7 +77,7 @@ class Reader:
             yield (f"{key} {number}" if len(tables) > 1 else key), table
 
     def text(self, values: Table, path: str, key: str) -> str | None:
-        """A string; None where it is missing."""
+        """A string; None if it is missing."""
         value = values.get(key)
         if value is not None and not isinstance(value, str):
             self.wrong(f"{path}.{key}", "text in quotes is needed")
@@ -85,7 +85,7 @@ class Reader:
         return value
 
     def texts(self, values: Table, path: str, key: str) -> tuple[str, ...]:
-        """A list of strings; empty where it is missing."""
+        """A list of strings; empty if it is missing."""
         value = values.get(key, [])
         if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
             self.wrong(f"{path}.{key}", "a list of texts is needed")
@@ -93,7 +93,7 @@ class Reader:
         return tuple(value)
 
     def number(self, values: Table, path: str, key: str) -> float | None:
-        """A number; None where it is missing."""
+        """A number; None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -103,7 +103,7 @@ class Reader:
         return float(value)
 
     def not_negative(self, values: Table, path: str, key: str) -> float | None:
-        """A number that is 0 or above; None where it is missing."""
+        """A non-negative number; None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -113,7 +113,7 @@ class Reader:
         return float(value)
 
     def positive(self, values: Table, path: str, key: str) -> float | None:
-        """A number above 0; None where it is missing."""
+        """A positive number; None if it is missing."""
         value = self.not_negative(values, path, key)
         if value == 0.0:
             self.wrong(f"{path}.{key}", "a number above 0 is needed")
@@ -123,7 +123,7 @@ class Reader:
     def numbers(
         self, values: Table, path: str, key: str, count: int | None
     ) -> tuple[float, ...] | None:
-        """A list of numbers, `count` of them unless it is None; None where it is missing."""
+        """A list of numbers, `count` of them unless that is None; None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -138,7 +138,7 @@ class Reader:
 
 
 def read_toml(file: Path) -> Table:
-    """The top table of a TOML file.
+    """The top-level table of a TOML file.
 
     Raises:
         InputError: If it is missing or not TOML.

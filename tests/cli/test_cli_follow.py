@@ -147,7 +147,7 @@ def test_the_sphere_is_kept_or_the_line_refused(tmp_path: Path) -> None:
     table.write_text("x,y,z\n500,-300,300\n500,300,300\n", encoding="utf-8")
     refused = rapidsim("follow", table, *KR10, "--min-radius", "620")
     assert refused.code == 1
-    said = "no trajectory: the line between points 1 and 2 comes to 583.1 mm of the origin"
+    said = "no trajectory: the line between points 1 and 2 comes within 583.1 mm of the origin"
     assert said in " ".join(refused.out.split())
     led = rapidsim("follow", table, *KR10, "--min-radius", "620", "--avoid", "--format", "json")
     assert led.code == 0

@@ -41,7 +41,7 @@ def test_the_table_holds_arms_of_every_kind_without_notes_beside_it() -> None:
     assert axes["irb460-110-2.4"].split()[-2:] == ["4", "?"]
     assert axes["irb14000-0.5-0.5"].split()[-2] == "7"
     assert axes["crb15000-5-0.95"].split()[-2] == "6"
-    assert "searched for step by step" in rapidsim("robots", "gofa").err
+    assert "found by a numerical search" in rapidsim("robots", "gofa").err
 
 
 def test_json_says_null_where_nothing_is_known() -> None:
@@ -78,7 +78,7 @@ def test_speeds_of_the_station_file_time_it_and_are_named(program: Path) -> None
     ("motion", "complaint"),
     [
         ("axis_speed = [1, 2]", "6 axes, but 2 axis speeds"),
-        ("axis_speed = [1, 2, 3, 4, 5, 0]", "axis speeds are above 0"),
+        ("axis_speed = [1, 2, 3, 4, 5, 0]", "axis speeds must be above 0"),
         ("acceleration = [1, 2]", "6 axes, but 2 accelerations"),
     ],
 )

@@ -135,7 +135,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ("[[stimulus]]\nat = 1", "stimulus.set: name signals", None),
         ("[[stimulus]]\nset = { a = 1 }", "stimulus: give `at`, `every` or `when`", None),
         ('[[stimulus]]\nwhen = "a = b"\nset = { c = 1 }', "`a = b` is not a valid condition", None),
-        ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` follows itself", None),
+        ('[[cross]]\nset = "a"\nfrom = "b and a"', "`a` depends on itself", None),
         ('[check]\nfail-on = "never"', "`never` is not a severity", None),
     ],
 )

@@ -151,7 +151,7 @@ def test_a_file_is_no_larger_than_it_may_be(tmp_path: Path) -> None:
     ("wrong", "said"),
     [
         ('mesh = "box.stl"', "the file does not give one"),
-        ('mesh = "box.stl"\nunit = "mile"', "`mile` is no unit of length"),
+        ('mesh = "box.stl"\nunit = "mile"', "`mile` is not a unit of length"),
         ('mesh = "box.stl"\nunit = "m"', "300000 mm long in m"),
         ('mesh = "../box.stl"\nunit = "mm"', "leads out of"),
         ("box = [1, 2]", "3 numbers are needed"),
@@ -163,7 +163,7 @@ def test_a_file_is_no_larger_than_it_may_be(tmp_path: Path) -> None:
         ("cylinder = { diameter = 50 }", "length: is missing"),
         ("plane = false", "plane = true"),
         ('plane = true\nparent = "wobj"', "is none of `world`"),
-        ('plane = true\ncolour = "red"', "is no colour"),
+        ('plane = true\ncolour = "red"', "is not a colour"),
         ("plane = true\nbox = [1, 1, 1]", "one of box"),
         ("plane = true\npose = { position = [1e30, 0, 0] }", "kilometre"),
     ],

@@ -117,7 +117,7 @@ def test_vectors_at_a_limit_are_within_it(robot: Robot) -> None:
 def test_arms_without_a_closed_form_are_searched(name: str) -> None:
     """What is found reaches the pose within the limits; from near joints these come back."""
     robot = load_robot(name)
-    assert "searched for step by step" in robot.notices[0]
+    assert "found by a numerical search" in robot.notices[0]
     rng = np.random.default_rng(6)
     joints = well_bent(robot, random_joints(robot, cases(12), rng), rng)
     pose = robot.forward(joints)

@@ -65,7 +65,7 @@ def poses(robot: Robot, count: int) -> tuple[np.ndarray, Transform]:
 
 def test_a_urdf_without_a_closed_form_is_searched_and_says_so(robot: Robot) -> None:
     assert isinstance(robot.kinematics, Numerical)
-    assert "searched for step by step" in robot.notices[0]
+    assert "found by a numerical search" in robot.notices[0]
 
 
 def test_random_poses_are_solved_within_the_limits(robot: Robot) -> None:

@@ -49,7 +49,7 @@ def test_home_of_the_irb_1600() -> None:
 
 
 def test_an_unknown_name_is_answered_with_near_ones() -> None:
-    with pytest.raises(RobotError, match=r"`irb160` .* near it are .*irb1600"):
+    with pytest.raises(RobotError, match=r"`irb160` .* similar names: .*irb1600"):
         load_robot("irb160")
     with pytest.raises(RobotError, match=r"`zzz` is not in the catalogue$"):
         load_robot("zzz")

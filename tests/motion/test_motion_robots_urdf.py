@@ -197,7 +197,7 @@ def test_an_arm_of_any_signs_zeros_and_stand_is_recognised(tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("axis", "changed", "reason"),
     [
-        (1, ("l1", "0.12 0.05 0.2", "1.571 0 0", "0 0 1"), "axis 2 is not square to axis 1"),
+        (1, ("l1", "0.12 0.05 0.2", "1.571 0 0", "0 0 1"), "axis 2 is not perpendicular to axis 1"),
         (2, ("l2", "0.1 0.4 0.03", "0.1 0 0.4", "0 0 -1"), "axis 3 is not parallel to axis 2"),
         (5, ("l5", "0.08 0 0", f"-{TWO_QUARTERS} 0 0", "0 0 -1"), "do not meet in one point"),
     ],
@@ -240,8 +240,8 @@ def test_tags_out_of_place_are_told_with_their_lines_and_left_out(tmp_path: Path
     origin = 1 + next(k for k, line in enumerate(lines) if '<origin xyz="0 0 0"/>' in line)
     colour = 1 + next(k for k, line in enumerate(lines) if "<colour>" in line)
     assert robot.notices[:2] == (
-        f"{file}:{origin}: `origin` has no place inside `geometry` and is left out",
-        f"{file}:{colour}: `colour` has no place inside `link` and is left out",
+        f"{file}:{origin}: `origin` is not allowed inside `geometry` and is left out",
+        f"{file}:{colour}: `colour` is not allowed inside `link` and is left out",
     )
     plain = load_robot(written(tmp_path, odd_arm()))
     joints = np.full(6, 0.3)
@@ -262,7 +262,7 @@ def test_lengths_in_millimetres_are_told_and_can_be_scaled(tmp_path: Path) -> No
     file = written(tmp_path, in_millimetres(odd_arm()))
     joints = np.linspace(-0.5, 0.5, 6)
     huge = load_robot(file)
-    assert any("must be in mm; `--scale 0.001` reads it so" in said for said in huge.notices)
+    assert any("seem to be in mm; `--scale 0.001` converts them" in said for said in huge.notices)
     scaled = load_robot(file, scale=0.001)
     assert not any("--scale" in said for said in scaled.notices)
     assert scaled.forward(joints).matrix == pytest.approx(plain.forward(joints).matrix)
@@ -304,13 +304,13 @@ def test_joints_that_mimic_otherwise_than_a_rod_are_refused(
 @pytest.mark.parametrize(
     ("said", "instead", "reason"),
     [
-        ('parent link="stand"', 'parent link="l6"', "in a ring through link"),
-        ('parent link="stand"', 'parent link="nowhere"', "at link `nowhere`: there is none"),
-        ('child link="l2"', 'child link="l1"', "carry one link"),
+        ('parent link="stand"', 'parent link="l6"', "form a loop through link"),
+        ('parent link="stand"', 'parent link="nowhere"', "link `nowhere`, which does not exist"),
+        ('child link="l2"', 'child link="l1"', "have the same child link"),
         ('<parent link="stand"/>', "", "a tag is missing"),
         ('axis xyz="', 'axis xyz="nan ', "not a direction"),
         ('axis xyz="', 'axis xyz="0 0 0" was="', "not a direction"),
-        ('origin xyz="', 'origin xyz="1e300 0 0" was="', "not a place on a robot"),
+        ('origin xyz="', 'origin xyz="1e300 0 0" was="', "is too far away"),
         ('lower="', 'lower="nan" was="', "are not finite"),
         ('velocity="', 'velocity="-1" was="', "the wrong way round"),
         ('link name="l1"', "link", "the attribute `name` is missing"),

@@ -268,7 +268,7 @@ def test_a_tilted_flange_is_refused_with_its_angle() -> None:
 @pytest.mark.parametrize(
     ("x", "said"),
     [
-        (0.6, "it is 600 mm from axis 1, and both arms stretched are 550 mm"),
+        (0.6, "it is 600 mm from axis 1, and both arms stretched reach 550 mm"),
         (0.02, "it is 20 mm from axis 1, and the arms folded come no nearer than 50 mm"),
         (0.5, None),
     ],
@@ -304,7 +304,7 @@ def test_an_entry_says_which_joint_slides(tmp_path: Path) -> None:
     assert np.degrees(entry.max_speeds[2] or 0.0) == pytest.approx(1020.0)
     for wrong in (text.replace("limits_mm", "limits_deg"), text.replace("limits_deg", "limits_mm")):
         file.write_text(wrong, encoding="utf-8")
-        with pytest.raises(RobotError, match="joint 3, and no other, has `limits_mm`"):
+        with pytest.raises(RobotError, match="only joint 3, which slides, must have `limits_mm`"):
             read_entry(folder)
 
 

@@ -115,7 +115,7 @@ def test_a_track_moves_the_base_and_not_the_object() -> None:
 def test_what_nothing_moves_is_no_set_up(tool: ToolData, wobj: WobjData) -> None:
     refused = targets.placement(tool, wobj, Transform.identity())
     assert isinstance(refused, targets.NotSimulatedFrame)
-    assert "robot's hand" in refused.reason
+    assert "the robot holds" in refused.reason
 
 
 def test_the_world_is_wobj0() -> None:

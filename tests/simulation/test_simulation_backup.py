@@ -221,7 +221,7 @@ SYSSIG_OUT:
     grip, job = signals["doGrip"], signals["goJob"]
     assert (grip.status, grip.task, grip.value) == (Status.TASK_EXECUTING, "T_ROB1", 1.0)
     assert (job.status, job.value) == (Status.EMERGENCY_STOP, 0.0)
-    assert "no run follows MechUnitNotMoving: `aoFlow`" in said.remarks[-1]
+    assert "MechUnitNotMoving is not simulated: `aoFlow`" in said.remarks[-1]
 
 
 @pytest.mark.parametrize(

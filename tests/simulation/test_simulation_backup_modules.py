@@ -300,6 +300,6 @@ def test_a_run_goes_on_to_what_a_module_declares_that_cannot_be_read(
     files["RAPID/TASK1/PROGMOD/MainModule.mod"] = main.replace("RETURN", "other")
     run = simulate([backup(files)])
     told = [one for one in run.diagnostics if one.violation.code == "R140"]
-    assert [one.message for one in told] == [f"{what}: a run cannot go on from here"]
+    assert [one.message for one in told] == [f"{what}: a run cannot continue from here"]
     assert texts(folder) == {"main"}
     assert run.end == "error"

@@ -249,8 +249,11 @@ def test_an_arm_on_a_unit_that_is_not_known_is_not_judged(tmp_path: Path) -> Non
     )
     result = check([folder])
     assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
-    assert result.coverage.unchecked[0].reason == "ROB_1 stands on GANTRY, whose axes are not known"
-    assert any("ROB_1 stands on GANTRY" in remark for remark in said(folder).remarks)
+    assert (
+        result.coverage.unchecked[0].reason
+        == "ROB_1 is mounted on GANTRY, whose axes are not known"
+    )
+    assert any("ROB_1 is mounted on GANTRY" in remark for remark in said(folder).remarks)
 
 
 def test_a_task_that_moves_a_unit_alone_is_said_and_its_moves_are_not_checked(

@@ -273,10 +273,10 @@ def test_the_station_file_declares_axes_in_its_own_units(tmp_path: Path) -> None
     [
         ({"axis": '"g"'}, "axis: `g` is none of a, b, c, d, e, f"),
         ({"kind": '"screw"'}, "`screw` is neither `linear` nor `rotational`"),
-        ({"limits": "[100, -100]"}, "limits: the first is below the second"),
+        ({"limits": "[100, -100]"}, "limits: the first must be below the second"),
         ({"speed": ""}, "speed: is missing"),
         ({"carries": '"arm"'}, "`arm` is neither `robot` nor `wobj`"),
-        ({"direction": "[0, 0, 0]"}, "a direction is not all zero"),
+        ({"direction": "[0, 0, 0]"}, "a direction must not be all zeros"),
         ({"frame": "{ quaternion = [2, 0, 0, 0] }"}, "its length is 2, not 1"),
     ],
 )

@@ -126,10 +126,10 @@ def test_a_tool_that_nothing_moves_is_refused_in_words() -> None:
     cell = Cell()
     fixed = ToolData(False, TOOL0.tframe, TOOL0.tload)
     move = Move("MoveJ", Interpolation.JOINT, target(800.0, 0.0, 600.0), V200, FINE, fixed, WOBJ0)
-    with pytest.raises(RapidError, match="neither of them in the robot's hand"):
+    with pytest.raises(RapidError, match="neither tool nor work object"):
         cell.controller.motion.move(move)
     in_hand = replace(move, tool=TOOL0, wobj=WOBJ0._replace(robhold=True))
-    with pytest.raises(RapidError, match="both in the robot's hand"):
+    with pytest.raises(RapidError, match="both tool and work object"):
         cell.controller.motion.move(in_hand)
 
 

@@ -106,7 +106,7 @@ def test_messages_say_how_much_and_what_to_do() -> None:
         "up to 121.9 mm (22.1 deg) beyond where axes 5 and 6 take the tool's z axis"
     )
     assert large.help == (
-        "make the circle smaller, take another pair of wrist axes, or let all axes make it with "
+        "make the circle smaller, take another pair of wrist axes, or use all axes, with "
         r"CirPathMode \PathFrame"
     )
     limit = ran(program(*PROGRAMS["an axis past its limit"])).only("K616").violation
@@ -117,7 +117,7 @@ def test_messages_say_how_much_and_what_to_do() -> None:
     assert "nearer to the middle of its range" in (limit.help or "")
     leaning = ran(program(*PROGRAMS["leaning"]))
     assert leaning.only("K617").violation.message == (
-        "the tool stands 12.0 deg from perpendicular to the circle to `Offs(p,10,0,0)`, which "
+        "the tool is 12.0 deg from perpendicular to the circle to `Offs(p,10,0,0)`, which "
         "axes 4 and 5 lead"
     )
     assert leaning.only("K618").violation.message == (

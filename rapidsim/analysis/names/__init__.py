@@ -1,1 +1,1 @@
-"""What a name means, what a task declares."""
+"""Name resolution, and what a task declares."""

@@ -1,4 +1,4 @@
-"""Tools, work objects and loads that nothing declares, taken for those of the system if asked."""
+"""Undeclared tools, work objects and loads, replaced by the system's own on request."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _OF_SYSTEM: Mapping[str, str] = MappingProxyType(
 
 
 def is_assumed(reference: tree.Reference, of: Type, context: Context) -> bool:
-    """Take a name that nothing declares for data of the system; whether that was asked for."""
+    """Replace an undeclared name by system data; whether that was requested."""
     taken = _OF_SYSTEM.get(of.name)
     if taken is None or not context.analysis.cell.assumes:
         return False

@@ -1,4 +1,4 @@
-"""Rules T3 about declarations: sizes, initial values, types and parameters that cannot be."""
+"""Rules T3 about declarations: invalid sizes, initial values, types and parameters."""
 
 from __future__ import annotations
 

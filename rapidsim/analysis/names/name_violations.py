@@ -1,4 +1,4 @@
-"""Rules N2: names that nothing declares, that mean two things, or that mean the wrong thing."""
+"""Rules N2: names that are undeclared, ambiguous, or of the wrong kind."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class DuplicateName(Violation, code="N202"):
 
     @property
     def help(self) -> str:
-        """What makes the names differ."""
+        """What tells the names apart."""
         if self.is_module:
             return (
                 "files named together form one task: leave out the copy, or name "
@@ -84,10 +84,11 @@ class UnknownRoutine(Violation, code="N209"):
 
     @property
     def help(self) -> str:
-        """Where the routine may be, or what it may be."""
+        """Where the routine may be declared, or which one may be meant."""
         if self.instead == STOPS_THERE:
             return (
-                "the task does not check references (-BindRef 0); give the module that declares it"
+                "the task does not check references (-BindRef 0); "
+                "include the module that declares it"
             )
         if self.instead != SKIPS:
             return (
@@ -96,7 +97,7 @@ class UnknownRoutine(Violation, code="N209"):
             )
         word = "the word " if self.reserved else ""
         or_slip = f", or did you mean {word}`{self.nearest}`?" if self.nearest else ""
-        return f"give the module that declares it as well{or_slip}"
+        return f"include the module that declares it{or_slip}"
 
 
 class UnknownType(Violation, code="N210"):
@@ -105,8 +106,8 @@ class UnknownType(Violation, code="N210"):
 
     @property
     def help(self) -> str:
-        """Where the type may be declared, or which it may be."""
-        where = "give the module that declares it as well, if it is not the type of an option"
+        """Where the type may be declared, or which one may be meant."""
+        where = "include the module that declares it, if it is not the type of an option"
         return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
 
@@ -143,7 +144,7 @@ class MisplacedScope(Violation, code="N213"):
 
     @property
     def help(self) -> str:
-        """Where such data belong."""
+        """Where such data must be declared."""
         if self.word == "PERS":
             return "declare it in the module, outside the routine"
         return f"leave out {self.word}, or declare it in the module, outside the routine"

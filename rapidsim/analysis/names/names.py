@@ -1,4 +1,4 @@
-"""What a name means where it is used; findings for names that mean nothing, or the wrong thing."""
+"""Resolves names where they are used; findings for those undeclared or of the wrong kind."""
 
 from __future__ import annotations
 
@@ -52,16 +52,16 @@ _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
 def find(key: str, context: Context) -> Symbol | None:
-    """The symbol of a folded name: of the program, else of the cell, else of the controller."""
+    """The symbol of a folded name: from the program, else the cell, else the controller."""
     declared = context.scope.find(key) or context.analysis.cell.find(key)
     return declared or installed_symbol(key)
 
 
 def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
-    """The data a reference reads; None where there are none.
+    """The data that a reference refers to; None if there are none.
 
-    A name that nothing declares may still be a signal: this is decided when the whole task is
-    known, see `undeclared`.
+    An undeclared name may still be a signal: this is decided when the whole task is known, see
+    `undeclared`.
     """
     symbol = find(reference.name.key, context)
     if symbol is None or _may_be_older(symbol, context):
@@ -79,14 +79,14 @@ def _may_be_older(symbol: Symbol, context: Context) -> bool:
 
 
 def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
-    """The kind of signal that a name evidently means, where nothing declares it."""
+    """The kind of signal that an undeclared name evidently means."""
     if find(reference.name.key, context) is not None:
         return None
     return evident_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
-    """The symbol, if it is data; a finding if it is a routine or a type."""
+    """The symbol, if it is data; otherwise a finding."""
     if isinstance(symbol, DataLike):
         context.analysis.symbol_of[reference] = symbol
         return symbol
@@ -99,10 +99,10 @@ def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> Data
 
 
 def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbol | None:
-    """The routine a call names: a `RoutineSymbol`, `LibrarySymbol` or `UnknownSymbol`.
+    """The routine that a call names: a `RoutineSymbol`, `LibrarySymbol` or `UnknownSymbol`.
 
     Returns:
-        None, after a finding, where the name is no routine that can be called so.
+        None, after a finding, if the name is not a routine that can be called like this.
     """
     symbol = find(name.key, context)
     if isinstance(symbol, ConfiguredSymbol):
@@ -121,7 +121,7 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
 
 
 def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool = False) -> None:
-    """Report a name that nothing declares, unless its declaration may be in unread text."""
+    """Report an undeclared name, unless its declaration may be in unread text."""
     if context.analysis.may_be_unread(name.key):
         return
     unseen = context.analysis.cell.unseen
@@ -141,7 +141,7 @@ def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool =
 
 
 def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
-    """Let an undeclared name be a signal of its own name."""
+    """Treat an undeclared name as a signal of that name."""
     analysis = context.analysis
     analysis.signals.setdefault(reference.name.key, of)
     analysis.undeclared.append((reference, context))
@@ -150,12 +150,12 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
 
 
 def take_for_unknown(reference: tree.Reference, context: Context) -> None:
-    """Let an undeclared name stand in the arguments of a call that is skipped anyway."""
+    """Treat an undeclared name as unknown in the arguments of a call that is skipped anyway."""
     context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(reference.name.text)
 
 
 def evident_signal(name: tree.Name, context: Context) -> Type | None:
-    """The kind of signal that an undeclared name means: the cell drives it, or it is spelt so."""
+    """The kind of signal an undeclared name means, from how the cell drives it or its spelling."""
     if name.key in context.analysis.cell.wired:
         return types.SIGNAL_DI
     match = _SIGNAL_NAME.match(name.text)
@@ -163,7 +163,7 @@ def evident_signal(name: tree.Name, context: Context) -> Type | None:
 
 
 def kind_of(symbol: Symbol) -> str:
-    """What a symbol is, in words."""
+    """The kind of a symbol, in words."""
     match symbol:
         case DataSymbol(storage=Storage.CONST):
             return "a constant"
@@ -207,7 +207,7 @@ def is_function(symbol: Symbol) -> bool:
 
 
 def is_procedure(symbol: Symbol) -> bool:
-    """Whether a symbol is called by statements."""
+    """Whether a symbol is called as a statement."""
     match symbol:
         case RoutineSymbol(node=node):
             return isinstance(node, tree.Proc)

@@ -20,18 +20,18 @@ class UnknownSignal(Violation, code="I801"):
 
     @property
     def is_told_once(self) -> bool:
-        """They are one block to paste."""
+        """Reported together: their help is one block to paste."""
         return True
 
     def with_others(self, others: Sequence[Violation]) -> UnknownSignal:
-        """All in one: they are one table of a station file."""
+        """All in one finding: they form one table of a station file."""
         new = {one.signal.lower(): one for one in others if isinstance(one, UnknownSignal)}
         new.pop(self.signal.lower(), None)
         return UnknownSignal(self.signal, self.type, tuple(new.values()), self.nearest)
 
     @property
     def message(self) -> str:
-        """One signal, or several with the first of their names."""
+        """One signal, or the first few of several by name."""
         if not self.others:
             return super().message
         names = [f"`{one.signal}`" for one in (self, *self.others)]
@@ -42,7 +42,7 @@ class UnknownSignal(Violation, code="I801"):
 
     @property
     def help(self) -> str:
-        """What may be meant, and the lines that declare them."""
+        """Suggested names, and the lines that would declare the signals."""
         lines = (
             f'{one.signal} = {{ type = "{one.type.removeprefix("signal")}" }}'
             for one in (self, *self.others)

@@ -1,7 +1,7 @@
-"""RECORD and ALIAS declarations, and what a type name means in a module.
+"""RECORD and ALIAS declarations, and the meaning of type names in a module.
 
-A type that no module declares and no controller has without an option is not an error: its data are
-kept as they are written. The first initial value tells how many values it holds.
+A type that no module declares and no controller without options has is not an error: its data are
+kept as written. The first initial value determines how many values it holds.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ TypeNode = tree.RecordType | tree.AliasType
 
 
 class UserTypes:
-    """The types of a task, built when first asked for, because records name each other."""
+    """The types of a task, built on demand because records refer to each other."""
 
     def __init__(
         self, nodes: Mapping[tuple[tree.Module | None, str], TypeNode], homes: Sequence[Context]
@@ -61,7 +61,7 @@ class UserTypes:
         return declared
 
     def named(self, name: tree.Name, context: Context) -> Type:
-        """The type a name means in a module."""
+        """The type that a name means in a module."""
         node = self._nodes.get((context.module, name.key)) or self._nodes.get((None, name.key))
         if node is not None:
             return self._type_of(node)
@@ -144,7 +144,7 @@ def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue
 
 
 def literal_value(expression: tree.Expression) -> tree.LiteralValue | None:
-    """The value of an expression of literals alone; None if it holds anything else."""
+    """The value of a literal expression; None for any other."""
     match expression:
         case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
             return value

@@ -1,1 +1,1 @@
-"""The passes over a task, in their order."""
+"""The passes over a task, in order."""

@@ -1,7 +1,7 @@
-"""From the trees of a task's files to a checked program, or to what is wrong with them.
+"""From the trees of a task's files to a checked program, or to findings.
 
-The order of the passes: what is declared, initial values, routine by routine names, types and flow,
-then what only the whole task can tell. No pass changes the tree; all write to one `Analysis`.
+The order of the passes: declarations, initial values, names, types and flow of each routine, then
+what requires the whole task. No pass changes the tree; all write to one `Analysis`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _DEEPEST = 20_000
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Checked:
-    """What checking found; the program only where nothing keeps it from running."""
+    """The result of checking; the program only if nothing prevents it from running."""
 
     program: Program | None
     """None where there is an error, here or where the parser gave up a stretch of text."""
@@ -62,13 +62,13 @@ def check(
     """Check the modules of one task together.
 
     Args:
-        files: The task's files; their order decides which of two equal names is the second.
+        files: The task's files; of two equal names, the one in the later file is the duplicate.
         rules: What to look for beyond what keeps a program from running: see `rules/table.py`.
-        cell: What the configuration declares beside the modules.
-        visitor: A file that looks into the task from outside: it sees what is LOCAL there too.
+        cell: What the configuration declares besides the modules.
+        visitor: An external file that also sees the LOCAL names of the task's modules.
 
     Returns:
-        The program with its symbols and types, and all findings. Never raises on what users write.
+        The program with its symbols and types, and all findings. Never raises on user input.
     """
     files = files if visitor is None else (*files, visitor)
     modules = [module for file in files for module in file.modules]

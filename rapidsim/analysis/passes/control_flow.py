@@ -1,4 +1,4 @@
-"""The order of execution: RETURN on every path, GOTO targets, error answers, late declarations."""
+"""Control flow: RETURN on every path, GOTO targets, error clauses, late declarations."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What a task declares: types, data and routines of all its modules, with their symbols.
+"""The declarations of a task: types, data and routines of all its modules, with their symbols.
 
-Types come first, then data of one value, then arrays, because the size of an array may be a
-constant; parameters of routines need only types. Data of routines are declared when the routine is
-checked, see `declare_locals`.
+Types come first, then scalar data, then arrays, because an array size may be a constant; parameters
+of routines need only types. Local data are declared when the routine is checked, see
+`declare_locals`.
 """
 
 from __future__ import annotations
@@ -41,10 +41,10 @@ Declaration = tree.RecordType | tree.AliasType | tree.Data | tree.Proc | tree.Fu
 def declare_task(
     modules: Sequence[tree.Module], analysis: Analysis
 ) -> tuple[list[Context], UserTypes]:
-    """Declare everything that stands outside routines.
+    """Declare everything outside routines.
 
     Returns:
-        A context for each module, and what type names mean.
+        A context for each module, and the meaning of type names.
     """
     shared = SymbolTable({})
     homes = [Context(analysis, module, SymbolTable({}, shared)) for module in modules]
@@ -73,9 +73,9 @@ def declare_task(
 
 
 def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) -> None:
-    """Let modules use the LOCAL names of all others, where one module alone has the name.
+    """Make LOCAL names visible to all modules, where only one module has the name.
 
-    Their own names and the global ones hide them.
+    Their own names and the global ones take precedence.
     """
     by_name: dict[str, list[Symbol]] = {}
     for home in homes:
@@ -117,7 +117,7 @@ def declare_data(
 
 
 def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes) -> Context:
-    """The context inside a routine, where its parameters and data are known."""
+    """The scope inside a routine, with its parameters and data."""
     context = replace(home, scope=SymbolTable({}, home.scope), routine=routine)
     names = context.scope.names
     for parameter in routine.parameters:

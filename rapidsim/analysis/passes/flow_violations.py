@@ -29,7 +29,7 @@ class RaiseRetryPlacement(Violation, code="F406"):
 
     @property
     def help(self) -> str | None:
-        """What can stand here."""
+        """What is allowed here."""
         if self.statement == "RAISE without a number":
             return "give RAISE an error number to raise an error of your own"
         return None

@@ -1,4 +1,4 @@
-"""Initial values of data: their types, and that they are known before the program runs."""
+"""Initial values of data: their types, and whether they are known before the program runs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from rapidsim.syntax import tree
 
 
 def check_initial_value(symbol: DataSymbol, context: Context) -> None:
-    """Check the initial value of one declaration, and what its sizes are made of."""
+    """Check the initial value of one declaration, and the expressions of its array sizes."""
     node = symbol.node
     assert node is not None
     if isinstance(symbol.type, ArrayOf):
@@ -51,7 +51,7 @@ def check_initial_value(symbol: DataSymbol, context: Context) -> None:
 
 
 def check_circles(symbols: Iterable[tuple[DataSymbol, Context]]) -> None:
-    """Report constants that are defined by themselves."""
+    """Report constants with circular definitions."""
     homes = {symbol: context for symbol, context in symbols if symbol.storage is Storage.CONST}
     finished: set[DataSymbol] = set()
     for start in homes:

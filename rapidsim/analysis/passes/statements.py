@@ -1,4 +1,4 @@
-"""The names and types in statements."""
+"""Names and types in statements."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def check_routine_body(routine: tree.Routine, context: Context) -> None:
 
 
 def check_body(body: tree.Body, context: Context) -> None:
-    """Check the statements of a list and of the blocks in them."""
+    """Check a statement list and its nested blocks."""
     for statement in body:
         _check_statement(statement, context)
 

@@ -1,4 +1,4 @@
-"""Names that nothing declares: signals, if they are used or named like one; mistakes else."""
+"""Undeclared names: signals if they are used or spelt like one, otherwise errors."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from rapidsim.language.types import BOOL, DNUM, NUM, Type, resolved
 
 
 def decide_undeclared(analysis: Analysis) -> None:
-    """Take undeclared names for signals if they are used or named like one, report the others.
+    """Take undeclared names for signals if they are used or spelt like one; report the others.
 
-    A signal is reported where it stands first.
+    A signal is reported at its first use.
     """
     reported: set[str] = set()
     for reference, context in analysis.undeclared:

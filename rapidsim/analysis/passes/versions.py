@@ -1,4 +1,4 @@
-"""What the RobotWare of the cell does not have yet; an error, as its controller refuses it."""
+"""Features newer than the cell's RobotWare; errors, as its controller refuses them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.syntax import tree
 
 
 def find_newer(facts: Facts) -> Iterator[Diagnostic]:
-    """What came after the RobotWare of the cell; nothing where that is not known."""
+    """Uses of features newer than the cell's RobotWare; none where the version is not known."""
     has = facts.analysis.cell.robotware
     if has is None:
         return

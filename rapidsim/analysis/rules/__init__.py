@@ -1,1 +1,1 @@
-"""Rules that only a check applies: legal and yet likely wrong. Their facts, and their table."""
+"""Rules that only a check applies, for code that is legal yet likely wrong."""

@@ -1,4 +1,4 @@
-"""The table of rules: each detector with the rules it looks for."""
+"""The table of rules: each detector with the rules it finds."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Detector:
-    """A function that looks for some rules."""
+    """A function that detects some rules."""
 
     find: Callable[[Facts], Iterable[Diagnostic]]
     rules: tuple[type[Violation], ...]
@@ -115,7 +115,7 @@ DETECTORS = (
 def detectors_of(
     is_wanted: Callable[[Rule], bool] = lambda rule: rule.on_by_default,
 ) -> tuple[Callable[[Facts], Iterable[Diagnostic]], ...]:
-    """The detectors that look for some rules, by default for those that are on by default."""
+    """The detectors for some rules; by default, for those that are on by default."""
     return tuple(
         detector.find
         for detector in DETECTORS

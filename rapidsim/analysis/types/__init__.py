@@ -1,1 +1,1 @@
-"""What an expression is, and what its place takes."""
+"""The types of expressions, and the types that contexts require."""

@@ -1,7 +1,7 @@
 """Aggregates, `[a,b,c]`: typed by the record or array that they are given to.
 
-Aggregates of literals alone are one value without nodes; their mistakes are found in the value, and
-the place in the text is looked up only then.
+An aggregate of literals is one value without nodes; errors are found in the value, and only then is
+the source position looked up.
 """
 
 from __future__ import annotations
@@ -36,10 +36,10 @@ def type_of_aggregate(
     wanted: Wanted | None,
     type_of: TypeOf,
 ) -> Type | None:
-    """Check an aggregate against the type its context wants.
+    """Check an aggregate against the type that its context requires.
 
     Returns:
-        The wanted type; None where the context wants none, or no record or array.
+        The required type; None if there is none, or it is not a record or array.
     """
     target = None if wanted is None else resolved(wanted.type)
     if wanted is None or not isinstance(target, Record | ArrayOf):

@@ -1,6 +1,6 @@
-"""Which argument of a call goes to which parameter.
+"""Matching the arguments of a call to parameters.
 
-Required arguments stand in the order of their parameters. Optional ones are named and keep their
+Required arguments follow the order of their parameters. Optional ones are named and keep their
 place between the required ones; among themselves any order is accepted.
 """
 
@@ -32,7 +32,7 @@ _NUMBERS = (types.NUM, types.DNUM, types.ANYTYPE)
 def bind(
     call: tree.Node, arguments: Sequence[tree.Argument], callee: Callee, context: Context
 ) -> tuple[list[Bound], list[tree.Argument]]:
-    """Give each argument its parameter; a finding for what has none and for what is missing.
+    """Match arguments to parameters; findings for what is superfluous and what is missing.
 
     Returns:
         The arguments with their parameters, and those without.

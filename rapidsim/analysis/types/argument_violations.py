@@ -1,4 +1,4 @@
-r"""Rules T3 about arguments: how many, in which order, what they refer to."""
+r"""Rules T3 about arguments: number, order, and what they refer to."""
 
 from __future__ import annotations
 

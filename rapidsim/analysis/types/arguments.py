@@ -1,4 +1,4 @@
-"""One argument against its parameter: its type, and that a reference refers to what it may.
+"""Checks one argument against its parameter: its type, and what a reference may refer to.
 
 Source: RAPID Overview, "Routines", the table of parameter access modes.
 """
@@ -46,13 +46,13 @@ def check_argument(
     Args:
         value: The argument.
         formal: Its parameter.
-        context: Where the call stands.
+        context: The scope of the call.
         type_of: Finds the types of expressions.
-        beside: Type of the argument before it that may be num or dnum; literals follow it.
-        alike: What a signal that nothing declares is, where its parameter takes every kind.
+        beside: Type of the preceding argument that may be num or dnum; literals follow it.
+        alike: What to assume of an undeclared signal if the parameter takes every kind.
 
     Returns:
-        The type of the argument; None where it is not known.
+        The type of the argument; None if it is not known.
     """
     plain = _without_parentheses(value)
     if isinstance(plain, tree.Reference) and find(plain.name.key, context) is None:

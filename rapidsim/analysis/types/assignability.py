@@ -1,4 +1,4 @@
-"""Whether an expression has the type its place takes, and the finding where it has not."""
+"""Whether an expression has the required type, and the finding if not."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from rapidsim.syntax import tree
 
 
 def require(expression: tree.Expression, wanted: Wanted, context: Context, type_of: TypeOf) -> None:
-    """Type an expression and report it where its value does not have the type that is wanted."""
+    """Type an expression and report it if its value does not have the required type."""
     found = type_of(expression, context, wanted)
     if found is not None and not agrees(found, wanted.type):
         report_mismatch(expression, found, wanted, context)
 
 
 def agrees(found: Type, wanted: Type) -> bool:
-    """Whether a value of one type fits where another is wanted; anytype takes everything."""
+    """Whether a value of one type fits where another is required; anytype takes everything."""
     if found is wanted or wanted is types.ANYTYPE:
         return True
     value = value_type(found)
@@ -34,7 +34,7 @@ def agrees(found: Type, wanted: Type) -> bool:
 
 
 def is_unknown(of: Type) -> bool:
-    """Whether it is a type, or an array of one, that nothing declares."""
+    """Whether it is an undeclared type, or an array of one."""
     target = resolved(of)
     inner = resolved(target.element) if isinstance(target, ArrayOf) else target
     return isinstance(inner, Atomic) and inner.kind is Kind.UNKNOWN
@@ -53,10 +53,10 @@ def require_value(expression: tree.Node, found: Type, used: str, context: Contex
     """Report a type without values where a value is needed.
 
     Args:
-        expression: What has the type.
+        expression: The expression of that type.
         found: The type.
         used: What is done with the value, as in "assigned".
-        context: Where it is done.
+        context: The scope.
 
     Returns:
         Whether it has values.

@@ -1,4 +1,4 @@
-"""What a routine is to a call of it: its parameters with the words that messages use."""
+"""Routines as callees: their parameters with the words that messages use."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.language.annotations import Mode
 
 
 def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
-    """What a symbol is when called; None for what is not known."""
+    """A symbol as a callee; None for unknown routines."""
     if isinstance(symbol, LibrarySymbol):
         is_open = symbol.routine.signature.is_open
         return None if is_open else callee_of_installed(symbol)
@@ -49,7 +49,7 @@ def _of_user(symbol: RoutineSymbol, context: Context) -> Callee:
 
 @cache
 def callee_of_installed(symbol: LibrarySymbol) -> Callee:
-    """What an installed routine is to a call."""
+    """An installed routine as a callee."""
     signature = symbol.routine.signature
     formals = tuple(
         Formal(

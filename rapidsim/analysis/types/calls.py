@@ -1,4 +1,4 @@
-"""Calls of procedures and functions: what is called, and every argument against its parameter."""
+"""Calls of procedures and functions: resolves the callee and checks every argument."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def type_of_call(
 ) -> Type | None:
     """Check a function call; its type is None if the function is not known.
 
-    The value of an unknown function is taken to have the type that its place wants.
+    The value of an unknown function is assumed to have the type required by its context.
     """
     symbol = routine_named(call.name, context, function=True)
     if symbol is not None:
@@ -54,8 +54,8 @@ def type_of_call(
 def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
     """Check the arguments of a call whose parameters are not known.
 
-    The call is skipped, so a name that nothing declares is no mistake in its arguments unless it is
-    a slip for one that is known.
+    The call is skipped, so an undeclared name in its arguments is no error unless it looks like a
+    misspelling of a known one.
     """
     for argument in arguments:
         match argument:

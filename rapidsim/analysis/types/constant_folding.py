@@ -1,7 +1,7 @@
-"""Values that are known before a program runs, and the numbers among them: sizes, indices.
+"""Values known before a program runs, and the numbers among them: sizes, indices.
 
-Records and arrays are tuples. Numbers are not rounded as a run rounds them, and no function is
-called: what needs that is evaluated by the interpreter.
+Records and arrays are tuples. Numbers are not rounded as in a run, and no function is called; the
+interpreter evaluates what needs that.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ Value: TypeAlias = "float | str | bool | tuple[Value, ...]"
 def evaluated(
     expression: tree.Expression | None, read: Callable[[tree.Reference], Value | None]
 ) -> Value | None:
-    """The value of an expression; None where it varies or is not known.
+    """The value of an expression; None if it varies or is not known.
 
     Args:
-        expression: Of any type; elements of arrays and components of records are not looked into.
-        read: The value of the data that a name stands for.
+        expression: Of any type; array elements and record components are not resolved.
+        read: Gives the value of the data that a name refers to.
     """
     match expression:
         case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
@@ -60,7 +60,7 @@ def evaluated(
 def constant_number(
     expression: tree.Expression, context: Context, seen: frozenset[DataSymbol] = frozenset()
 ) -> float | None:
-    """The number an expression has in every run; None if it has none or it varies."""
+    """The numeric value of an expression in every run; None if it has none or it varies."""
 
     def read(reference: tree.Reference) -> float | None:
         key = reference.name.key
@@ -86,7 +86,7 @@ def _constant(symbol: DataSymbol, context: Context, seen: frozenset[DataSymbol])
 
 
 def computed(operator: str, left: float, right: float) -> float | None:
-    """What an operator makes of two numbers; None where it makes none."""
+    """The result of an operator on two numbers; None if there is none."""
     if operator in ("/", "DIV", "MOD") and right == 0.0:
         return None
     try:

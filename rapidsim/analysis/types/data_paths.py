@@ -31,16 +31,16 @@ from rapidsim.syntax import tree
 
 
 def type_of_path(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    """The type of the data at a path; None, after a finding, where there are none.
+    """The type of the data at a path; None, after a finding, if there are none.
 
-    None, too, where nothing declares the type: what may be done with it is not known.
+    Also None if the type is undeclared: what may be done with it is not known.
     """
     found = _written_type(path, context, type_of)
     return None if found is None or is_unknown(found) else found
 
 
 def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    """The type of data that are given a value; a finding where they cannot be."""
+    """The type of data that are assigned to; a finding if they cannot be."""
     root = root_of(path)
     symbol = find(root.name.key, context)
     if symbol is None:
@@ -57,7 +57,7 @@ def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Ty
 
 
 def is_read_only(symbol: Symbol | None) -> bool:
-    """Whether the program cannot write data: constants, counters, what the controller tells."""
+    """Whether the program cannot write data: constants, counters, data set by the controller."""
     match symbol:
         case CounterSymbol() | DataSymbol(storage=Storage.CONST):
             return True

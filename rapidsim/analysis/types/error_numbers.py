@@ -1,4 +1,4 @@
-"""Comparisons of ERRNO: with names, with the numbers a program may raise, not with others."""
+"""Comparisons of ERRNO: with names or the numbers a program may raise, not with others."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LARGEST_OF_PROGRAMS = 90.0
 
 
 def check_error_number(subject: tree.Expression, value: tree.Expression, context: Context) -> None:
-    """Report a number that ERRNO is compared with and never has."""
+    """Report a number that ERRNO is compared with but never has."""
     if not (isinstance(subject, tree.Reference) and subject.name.key == "errno"):
         return
     symbol = find("errno", context)

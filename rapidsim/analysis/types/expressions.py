@@ -1,7 +1,7 @@
 """The types of expressions.
 
-Every expression gets its type in the side table. Literal numbers are num or dnum as their place
-wants, aggregates are what their place wants; everything else has a type of its own.
+Every expression gets its type in the side table. Literal numbers are num or dnum and aggregates
+take their type from their context; everything else has a type of its own.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _LARGEST_DOUBLE = 1.7976931348623157e308
 def type_of_expression(
     node: tree.Expression, context: Context, wanted: Wanted | None
 ) -> Type | None:
-    """Find the type of an expression and of everything in it; see `context.TypeOf`."""
+    """Find the types of an expression and of everything in it; see `context.TypeOf`."""
     type_of = context.analysis.type_of
     match node:
         case tree.Number():

@@ -1,4 +1,4 @@
-"""What operators make of their operands' types.
+"""The result types of operators.
 
 Source: Technical reference manual RAPID Kernel, "Expressions"; RAPID Overview, "Expressions".
 """
@@ -45,7 +45,7 @@ LOGICAL = frozenset({"AND", "OR", "XOR"})
 
 
 def binary_result(operator: str, left: Type, right: Type) -> Type | None:
-    """The type of `left operator right`; None if the operator is not made for these operands."""
+    """The type of `left operator right`; None if the operator does not accept these operands."""
     a, b = value_type(left), value_type(right)
     if operator in LOGICAL:
         return types.BOOL if a == b == types.BOOL else None
@@ -69,7 +69,7 @@ def _comparable(a: Type, b: Type) -> bool:
 
 
 def unary_result(operator: str, operand: Type) -> Type | None:
-    """The type of `operator operand`; None if the operator is not made for it."""
+    """The type of `operator operand`; None if the operator does not accept it."""
     of = value_type(operand)
     if operator == "NOT":
         return types.BOOL if of == types.BOOL else None
@@ -77,7 +77,7 @@ def unary_result(operator: str, operand: Type) -> Type | None:
 
 
 def value_type(of: Type) -> Atomic | Record | ArrayOf:
-    """The type of the value one reads: aliases replaced, a signal as its number."""
+    """The type of the value when read: aliases resolved, a signal as its number."""
     target = resolved(of)
     if isinstance(target, Atomic) and target.reads_as is not None:
         return resolved(TYPES[target.reads_as])
@@ -97,7 +97,7 @@ def has_value(of: Type) -> bool:
 
 
 def usual_cure(operator: str, left: Type, right: Type) -> str:
-    """What people mean by a combination that does not exist; empty when unclear."""
+    """The likely fix for a combination that does not exist; empty when unclear."""
     names = {value_type(left).name.lower(), value_type(right).name.lower()}
     if names == {"num", "dnum"}:
         return "convert one of them with NumToDnum(...) or DnumToNum(...)"
@@ -115,7 +115,7 @@ def usual_cure(operator: str, left: Type, right: Type) -> str:
 
 
 def is_literal_number(node: tree.Expression) -> bool:
-    """Whether an expression computes with literal numbers alone."""
+    """Whether an expression consists of literal numbers and operators only."""
     return all(
         isinstance(part, tree.Number | tree.Unary | tree.Parenthesised)
         or (isinstance(part, tree.Binary) and part.operator in ARITHMETIC)

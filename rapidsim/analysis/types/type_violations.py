@@ -1,4 +1,4 @@
-"""Rules T3 about values: what an expression is, and what its place takes.
+"""Rules T3 about values: the type of an expression, and the type required.
 
 Rules about arguments are in `argument_violations`, about declarations in `declaration_violations`.
 """

@@ -1,7 +1,7 @@
-"""glTF files, binary (.glb) and text (.gltf): the triangles of the scene, nodes applied.
+"""glTF files, binary (.glb) and text (.gltf): the triangles of the scene with node transforms.
 
-Lengths are m and the axes those of the file. What packs triangles otherwise than as plain numbers
-is refused.
+Lengths are in m and the axes are those of the file. Compressed or otherwise encoded triangles are
+refused.
 
 Source:
     Khronos Group, glTF 2.0 specification.
@@ -31,10 +31,10 @@ Beside = Callable[[str], bytes]
 
 
 def read_gltf(name: str, data: bytes, beside: Beside) -> tuple[Array, Faces]:
-    """Corners (k, 3) [m] and faces (f, 3).
+    """Vertices (k, 3) [m] and faces (f, 3).
 
     Raises:
-        InputError: If it is no glTF, damaged, or packed in a way that is not read here.
+        InputError: If it is not glTF, damaged, or encoded in an unsupported way.
     """
     try:
         tree, binary = _parts(data)
@@ -67,7 +67,7 @@ class _Scene:
         self._seen: set[int] = set()
 
     def triangles(self) -> tuple[Array, Faces]:
-        """All of the scene."""
+        """All triangles of the scene."""
         scenes = self._tree.get("scenes")
         if scenes:
             for node in scenes[self._tree.get("scene", 0)].get("nodes", []):

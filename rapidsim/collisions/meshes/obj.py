@@ -1,4 +1,4 @@
-"""Wavefront OBJ files: corners and faces; groups, materials and normals do not matter here."""
+"""Wavefront OBJ files: vertices and faces; groups, materials and normals are ignored."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 
 
 def read_obj(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Corners (k, 3) and faces (f, 3); a face with more corners becomes a fan.
+    """Vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
 
     Raises:
         InputError: If a line cannot be read.

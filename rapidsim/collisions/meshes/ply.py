@@ -43,10 +43,10 @@ class _Element:
 
 
 def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Corners (k, 3) and faces (f, 3); a face with more corners becomes a fan.
+    """Vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
 
     Raises:
-        InputError: If it is not a PLY file, or cut off.
+        InputError: If it is not a PLY file, or is truncated.
     """
     head, mark, body = data.partition(b"end_header")
     if not data.startswith(b"ply") or not mark:

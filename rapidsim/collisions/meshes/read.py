@@ -1,4 +1,4 @@
-"""Read a shape from a file, whatever its kind."""
+"""Reads a shape from a file of any supported format."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ def read_mesh(file: Path, room: Path) -> Triangles:
     """The triangles of a file, in its unit.
 
     Args:
-        file: Its name says the kind.
-        room: The folder that it, and what it names in turn, must lie in.
+        file: The file; its suffix gives the format.
+        room: The folder that it, and the files it refers to, must be in.
 
     Raises:
-        InputError: If it is missing, too large, of another kind, or damaged.
+        InputError: If it is missing, too large, of another format, or damaged.
     """
     name, kind = str(file), file.suffix.lower()
     if kind not in KINDS:

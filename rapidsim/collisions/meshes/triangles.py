@@ -1,4 +1,4 @@
-"""Triangles of a shape, and what is wrong with those of many files."""
+"""The triangles of a shape, and the repair of defects common in files."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ class Triangles:
 
 
 def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
-    """The triangles of a file that have an area, with vertices that touch made one.
+    """The triangles of a file that have an area, with coincident vertices merged.
 
     Args:
-        name: Of the file, for messages.
+        name: The name of the file, for messages.
         vertices: Shape (k, 3), in any unit.
         faces: Shape (f, 3).
 
     Raises:
-        InputError: If there are none, too many, or if their numbers are none.
+        InputError: If there are none, too many, or if coordinates are not finite.
     """
     require_few(name, len(faces))
     if not len(faces):
@@ -70,7 +70,7 @@ def require_few(name: str, count: int) -> None:
     """Refuse more triangles than a shape may have.
 
     Raises:
-        InputError: If there are.
+        InputError: If there are more.
     """
     if count > MOST_TRIANGLES:
         raise InputError(
@@ -87,13 +87,13 @@ def _is_closed(faces: Faces, count: int) -> bool:
 
 
 def components(faces: Faces, count: int) -> list[Faces]:
-    """The faces of each piece that hangs together by edges.
+    """The faces of each piece connected by edges.
 
-    Bodies that merely touch are pieces of their own: an edge with more than two faces joins none.
+    Bodies that merely touch are separate pieces: an edge with more than two faces joins none.
 
     Args:
         faces: Shape (f, 3).
-        count: Of the vertices.
+        count: The number of vertices.
     """
     ends = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     edge = ends[:, 0] * count + ends[:, 1]
@@ -119,9 +119,9 @@ def components(faces: Faces, count: int) -> list[Faces]:
 
 
 def hollowness(vertices: Array, faces: Faces) -> float:
-    """How far [m] a piece stands out over the plane of one of its faces: 0 for convex ones.
+    """How far [m] a piece protrudes beyond the plane of one of its faces: 0 for convex ones.
 
-    What the hull of a piece fills is nowhere deeper.
+    The cavities that the hull of a piece fills are nowhere deeper.
     """
     used = vertices[np.unique(faces)]
     a, b, c = (vertices[faces[:, i]] for i in range(3))

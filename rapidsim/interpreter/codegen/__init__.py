@@ -1,1 +1,1 @@
-"""A checked routine becomes Python syntax."""
+"""Translates a checked routine into Python syntax."""

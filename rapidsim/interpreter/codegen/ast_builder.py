@@ -1,8 +1,9 @@
-"""Python syntax nodes at RAPID places: the one file that stamps positions.
+"""Python syntax nodes at RAPID positions; the only module that sets positions.
 
-An `At` is a place on one line of a RAPID file and builds Python nodes there, so that Python's own
-tracebacks, debugger and coverage speak of RAPID lines. Python counts columns in UTF-8 bytes, and it
-moves an attribute that spans lines to its last line; so every place ends on the line it begins on.
+An `At` is a position on one line of a RAPID file and builds Python nodes there, so that Python's
+tracebacks, debuggers and coverage tools refer to RAPID lines. Python counts columns in UTF-8 bytes,
+and moves an attribute that spans lines to its last line; so every position ends on the line it
+begins on.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ _STORE = ast.Store()
 
 
 class At:
-    """Builds Python nodes that stand at one place of a RAPID file."""
+    """Builds Python nodes at one position of a RAPID file."""
 
     __slots__ = ("_where", "line")
 
@@ -42,7 +43,7 @@ class At:
         return ast.Name(name, _STORE, **self._where)
 
     def constant(self, value: float | str | bool | None) -> ast.Constant:
-        """A constant of Python's own."""
+        """A Python constant."""
         return ast.Constant(value, None, **self._where)
 
     def attribute(self, value: ast.expr | str, name: str) -> ast.Attribute:
@@ -125,7 +126,7 @@ class At:
         return ast.AugAssign(target, ast.Sub(), self.constant(1), **self._where)
 
     def do(self, value: ast.expr) -> ast.Expr:
-        """An expression for its effect."""
+        """An expression statement."""
         return ast.Expr(value, **self._where)
 
     def when(
@@ -174,7 +175,7 @@ class At:
         return ast.Break(**self._where)
 
     def nothing(self) -> ast.Pass:
-        """`pass`: leaves a line for tools where RAPID has a statement that does nothing."""
+        """`pass`: a line for tools to stop at where a RAPID statement does nothing."""
         return ast.Pass(**self._where)
 
     def outer(self, names: Sequence[str]) -> ast.Nonlocal:
@@ -219,7 +220,7 @@ class At:
 
 
 class Positions:
-    """Turns character offsets of one source into places."""
+    """Turns character offsets in one source into positions."""
 
     def __init__(self, source: Source) -> None:
         """Read positions of a source."""
@@ -233,11 +234,11 @@ class Positions:
         self._at = At(0, 0, 0)
 
     def at(self, node: tree.Node) -> At:
-        """Where a node begins, as far as it goes on its first line."""
+        """The start of a node, up to the end of its first line."""
         return self.between(node.start, node.end)
 
     def between(self, start: int, end: int) -> At:
-        """The stretch from `start` as far as it goes on its first line."""
+        """The range from `start`, up to the end of its first line."""
         if (start, end) != self._asked:
             self._at, self._asked = self._between(start, end), (start, end)
         return self._at
@@ -258,10 +259,10 @@ class Positions:
         self._end = self._start + len(self._source.line(line))
 
     def within(self, statement: At, node: tree.Node) -> At:
-        """Where a part of a statement stands.
+        """The position of a part of a statement.
 
-        Parts on later lines take the place of the whole statement: so a statement is one line event
-        to debuggers and coverage, however many lines it is written on.
+        Parts on later lines get the position of the whole statement, so a statement is one line
+        event to debuggers and coverage tools, however many lines it spans.
         """
         at = self.at(node)
         return at if at.line == statement.line else statement

@@ -1,8 +1,8 @@
-"""Calls in generated code: arguments matched to parameters, places told, special forms.
+"""Calls in generated code: matching arguments to parameters, reporting positions, special forms.
 
 User routines take all their parameters by position, `ABSENT` for options that are not given.
 Library functions take required parameters by position and options by keyword. A call that reports
-to the controller first tells it the place of the statement.
+to the controller first sets the position of the statement.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _SMALL = 60
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """What a call gives for one parameter; no value for a switch."""
+    """What a call passes for one parameter; no value for a switch."""
 
     value: tree.Expression | None = None
     caller_option: tree.Name | None = None
@@ -58,7 +58,7 @@ class Given:
 def match_arguments(
     arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
 ) -> dict[str, Given]:
-    """What a call gives, by folded parameter name."""
+    """What a call passes, by folded parameter name."""
     required = (p.name.lower() for p in parameters if not p.optional)
     given: dict[str, Given] = {}
     for argument in arguments:
@@ -74,7 +74,7 @@ def match_arguments(
 
 
 def takes_elements(routine: RoutineSymbol, program: Program) -> bool:
-    """Whether a routine is so small that it is worth a function for elements of arrays."""
+    """Whether a routine is small enough for a variant that takes array elements to pay off."""
     if routine.node.error is not None or routine.node.undo is not None:
         return False
     nodes = list(islice(descendants(routine.node), _SMALL + 1))
@@ -349,7 +349,7 @@ class Calls:
         return _reported(place, at.call(function, [asked, *values], options), at)
 
     def row(self, run: tree.Run, at: At) -> tuple[ast.expr, list[ast.stmt]]:
-        """The rows of a run of moves, and what is done in the turn of each."""
+        """The rows of a run of moves, and what is done for each."""
         call = run.like
         assert isinstance(call, tree.Call)
         symbol, target = self._program.symbol_of[call], call.arguments[0]

@@ -1,8 +1,8 @@
-"""What conditions say of the integers of a routine, where its text names them.
+"""What conditions imply about the integers of a routine.
 
-Behind `IF n<2 RETURN;` n is 2 at least, and in `WHILE k<=9` it is 9 at most until something is
-assigned to it. Sums of such integers need no check. Routines with an ERROR clause or with labels
-are left alone: there a statement may be reached in other ways.
+After `IF n<2 RETURN;` n is at least 2, and in `WHILE k<=9` k is at most 9 until it is assigned.
+Sums of such integers need no check. Routines with an ERROR clause or with labels are left alone:
+there a statement may be reached in other ways.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ _MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "=": "=", "<>": "<>"}
 def narrowed(
     routine: RoutineSymbol, program: Program, integers: _Bounds, of: _Of
 ) -> dict[tree.Node, Interval]:
-    """Bounds of integers where the text names them, by reference, where they are narrower.
+    """Narrower bounds of integers at the references where the text implies them.
 
     Args:
-        routine: Whose text.
-        program: Says what names mean.
-        integers: Bounds of variables wherever they are, by declaration.
-        of: Bounds of an expression likewise.
+        routine: The routine to look at.
+        program: Resolves names.
+        integers: Bounds of variables that hold everywhere, by declaration.
+        of: Gives the bounds of an expression.
     """
     if _may_be_reached_otherwise(routine):
         return {}
@@ -43,9 +43,9 @@ def narrowed(
 
 
 def never_shows(data: tree.Data, routine: RoutineSymbol, program: Program) -> bool:
-    """Whether nobody ever sees the 0 that a variable begins with.
+    """Whether the initial 0 of a variable is never observable.
 
-    So it is if each statement list that names it assigns something to it first.
+    True if each statement list that uses the variable assigns to it first.
     """
     return not _may_be_reached_otherwise(routine) and _assigned_first(
         routine.node.body, data, program
@@ -88,7 +88,7 @@ class _Flow:
     found: dict[tree.Node, Interval] = field(default_factory=dict)
 
     def follow(self, body: tree.Body, known: _Bounds) -> _Bounds | None:
-        """Go through statements; what is known behind them, None if nobody comes there."""
+        """Walk through statements; what is known after them, None if control never gets there."""
         for statement in body:
             after = self._statement(statement, known)
             if after is None:

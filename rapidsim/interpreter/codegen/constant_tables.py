@@ -1,4 +1,4 @@
-"""What is known of constants that are arrays of num."""
+"""Constants that are arrays of num."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MOST_ELEMENTS = 1000
 def constant_table(
     symbol: DataSymbol, indices: int, constant_value: Callable[[DataSymbol], Value]
 ) -> list[Any] | None:
-    """The value of a CONST that is an array of num with so many dimensions; None for the rest."""
+    """The value of a CONST num array of the given number of dimensions; None otherwise."""
     of = resolved(symbol.type)
     if symbol.storage is not Storage.CONST or symbol.node is None or not isinstance(of, ArrayOf):
         return None
@@ -30,7 +30,7 @@ def constant_table(
 
 
 def bounds_of(table: list[Any]) -> Interval | None:
-    """The bounds of a small table of nums that are integers, none of them a zero with a sign."""
+    """The bounds of a small table of integer nums, none of them a negative zero."""
     numbers = table
     while numbers and isinstance(numbers[0], list):
         numbers = [number for row in numbers for number in row]

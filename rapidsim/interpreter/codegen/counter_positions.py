@@ -1,7 +1,7 @@
-"""The position that the counter of a FOR stands for, computed once a turn.
+"""The zero-based index of a FOR counter, computed once per iteration.
 
-RAPID counts elements from 1 and Python from 0, so `i - 1` is all over a loop that goes through an
-array. Nothing can assign to a counter, so each turn keeps it: `_i_0 = i - 1`.
+RAPID counts elements from 1 and Python from 0, so `i - 1` occurs all over a loop that goes through
+an array. Nothing can assign to a counter, so each iteration keeps the result: `_i_0 = i - 1`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rapidsim.interpreter.codegen.ast_builder import At
 
 
 def position_once(body: list[ast.stmt], counter: str, at: At) -> list[ast.stmt]:
-    """The body of a loop whose counter is an integer; as it is where that saves nothing."""
+    """The body of a loop with an integer counter; unchanged where that saves nothing."""
     if not _pays(body, counter):
         return body
     position = f"_{counter}_0"

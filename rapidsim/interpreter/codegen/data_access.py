@@ -48,7 +48,7 @@ _KEPT_BY = MappingProxyType(
 
 
 class Home(Enum):
-    """Where the whole of some data is kept."""
+    """Where a whole variable is kept."""
 
     PLAIN = "plain"
     """In a Python variable."""
@@ -109,7 +109,7 @@ class Paths:
         return of
 
     def read(self, path: tree.DataPath) -> Code:
-        """The value at a path; of arrays the list itself, not a copy."""
+        """The value at a path; for an array the list itself, not a copy."""
         at = self._expressions.at(path)
         parts = flat(path)
         whole = self._whole(parts.reference)
@@ -175,11 +175,11 @@ class Paths:
         ]
 
     def size(self, path: tree.DataPath, dimension: int) -> Code | None:
-        """The size of one dimension, where declared or kept in a variable; None elsewhere.
+        """The size of one dimension, if it is declared or kept in a variable; None otherwise.
 
         Args:
-            path: To the array.
-            dimension: From 1.
+            path: The path to the array.
+            dimension: The dimension, from 1.
         """
         of = resolved(self.type_of(path))
         if not isinstance(of, ArrayOf) or not 1 <= dimension <= len(of.dimensions):
@@ -195,7 +195,7 @@ class Paths:
         return Code(at.name(name), integer=Interval(1, MAX_INTEGER, name))
 
     def may_raise(self, path: tree.DataPath) -> bool:
-        """Whether finding the place of a path may raise."""
+        """Whether evaluating a path may raise."""
         parts = flat(path)
         whole = self._whole(parts.reference)
         if whole.may_raise or whole.optional:
@@ -239,7 +239,7 @@ class Paths:
         return Code(node, may_raise=may_raise, calls=calls)
 
     def element(self, path: tree.DataPath) -> tuple[ast.expr, ast.expr] | None:
-        """The array and the position in it of a path to an element, all of it; None for others."""
+        """The array and index expression of a path to a whole element; None for other paths."""
         parts = flat(path)
         if not parts.indices or parts.names:
             return None
@@ -424,7 +424,7 @@ class Paths:
 
 
 def number(value: float, at: At) -> Code:
-    """A number as a constant; whole ones know that they are."""
+    """A number as a constant that records whether it is an integer."""
     # A zero with a sign is no integer.
     whole = value.is_integer() and abs(value) < MAX_EXACT and str(value) != "-0.0"
     integer = Interval(int(value), int(value)) if whole else None
@@ -432,7 +432,7 @@ def number(value: float, at: At) -> Code:
 
 
 def whole_number(expression: tree.Expression | None) -> int | None:
-    """The value of a literal that is an integer a single holds exactly."""
+    """The value of an integer literal that a single holds exactly; None otherwise."""
     value = literal(expression, NUM) if expression is not None else None
     if isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER:
         return int(value)

@@ -1,4 +1,4 @@
-"""Statements under an ERROR clause: a small loop that executes again, or goes on behind.
+"""Statements under an ERROR clause: a small loop that retries or continues.
 
     _tries = 0
     while True:
@@ -10,7 +10,7 @@
                 continue
         break
 
-Retries are counted for each statement anew: a program that retries now and then for hours is fine.
+Retries are counted per statement: a program that retries now and then for hours is fine.
 
 Source: Technical reference manual RAPID Overview, "Error recovery": RETRY and TRYNEXT.
 """
@@ -26,7 +26,7 @@ from rapidsim.interpreter.codegen.ast_builder import At
 def protected(
     body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
 ) -> list[ast.stmt]:
-    """The statements in such a loop; `otherwise` runs where TRYNEXT gives up."""
+    """The statements in such a loop; `otherwise` runs when TRYNEXT skips them."""
     recovered = at.call("_recover", [at.name("ERROR"), at.name("_e"), at.name("_tries")])
     handler = [
         at.set("_tries", recovered),

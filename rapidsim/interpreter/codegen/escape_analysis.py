@@ -1,4 +1,4 @@
-"""Which local data a routine lends out by reference: those must live in a cell."""
+"""Which local data escape by reference; those must live in a cell."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ _Parameters = tuple[ParameterSymbol, ...] | tuple[Parameter, ...]
 def lent_symbols(
     routine: RoutineSymbol, nodes: Sequence[tree.Node], program: Program
 ) -> Iterator[Symbol]:
-    """Local scalars that something takes by reference, some of them several times.
+    """Local scalars that are passed by reference, some of them listed several times.
 
     Args:
-        routine: Whose locals.
+        routine: The routine whose locals are examined.
         nodes: All nodes of the routine.
-        program: Says what the names mean.
+        program: Resolves names.
     """
     if not routine.parameters and not any(isinstance(node, tree.Data) for node in nodes):
         return

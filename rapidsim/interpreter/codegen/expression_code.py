@@ -1,9 +1,9 @@
-"""An expression on its way to Python: its node, and what is still owed to it.
+"""An expression during translation: its Python node, and the rounding it still needs.
 
 A num is rounded once, where an arithmetic expression is consumed; until then the node computes in
-doubles. Integers stay Python integers, which count and index arrays fastest: counters of FOR loops,
-variables of which `integer_inference` knows it, sums and products of them. They become floats where
-they leave for anything else, and are rounded as floats are, which few of them need.
+doubles. Integers remain Python integers, which are fastest for counting and indexing: FOR counters,
+variables that `integer_inference` proves integer, sums and products of these. They become floats
+where they are used as anything else, and are rounded like floats, which few of them need.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rapidsim.values import dataclass
 
 
 class Owed(Enum):
-    """What must be done to a result before anybody sees it."""
+    """What must be done to a result before it can be observed."""
 
     NOTHING = "nothing"
     SINGLE = "round to single"
@@ -71,7 +71,7 @@ class Code:
 
 
 def finished(code: Code, at: At) -> Code:
-    """Pay what is owed: the node then has the value that RAPID would store."""
+    """Apply what is owed; the node then has the value that RAPID would store."""
     exact = code.integral is not None and code.integral.exact
     if code.owed is Owed.NOTHING or exact:
         if not code.stays_integer:
@@ -93,7 +93,7 @@ def finished(code: Code, at: At) -> Code:
 
 
 def whole(code: Code, at: At) -> Code:
-    """As `finished`, but integers stay what they are; of what is one by inference one is made."""
+    """Like `finished`, but integers stay integers, and inferred ones are converted to integers."""
     if code.integer is None:
         paid = finished(code, at)
         node: ast.expr = at.call("_int", [paid.node])
@@ -108,16 +108,16 @@ def whole(code: Code, at: At) -> Code:
 
 
 def comparable(code: Code, at: At) -> Code:
-    """As `finished`, but integers stay what they are: equal ints and floats compare equal."""
+    """Like `finished`, but integers stay integers: equal ints and floats compare equal."""
     return whole(code, at) if code.stays_integer else finished(code, at)
 
 
 def within(
     x: ast.Name | ast.NamedExpr, low: float | None, high: ast.expr | float | None, at: At
 ) -> ast.expr:
-    """Whether a number is between two bounds, of which one may be none.
+    """Whether a number is between two bounds, either of which may be None.
 
-    Two comparisons of a name and a constant cost CPython less than one that is chained.
+    In CPython two comparisons of a name and a constant are cheaper than a chained one.
     """
     limit = high if isinstance(high, ast.expr) else at.constant(high)
     if low is None:

@@ -1,7 +1,6 @@
 """Expressions in generated code: operators, aggregates, constants.
 
-Paths are in `data_access`, calls in `calls`; what an expression owes before it may be seen in
-`expression_code`.
+Paths are in `data_access`, calls in `calls`, pending rounding in `expression_code`.
 """
 
 from __future__ import annotations
@@ -91,11 +90,11 @@ class Expressions:
         self.calls = Calls(self, self.paths)
 
     def at(self, node: tree.Node) -> At:
-        """The place of a part of the statement."""
+        """The position of a part of the statement."""
         return self.positions.within(self.statement, node)
 
     def span(self, node: tree.Node) -> Span:
-        """The place of a node, for messages."""
+        """The source span of a node, for messages."""
         return self.module.span(node)
 
     def type_of(self, expression: tree.Expression) -> Type:
@@ -105,15 +104,15 @@ class Expressions:
         return self.program.type_of[expression]
 
     def value(self, expression: tree.Expression) -> Code:
-        """An expression as the value that a variable would get; of arrays not a copy."""
+        """An expression as the value stored in a variable; arrays are not copied."""
         return finished(self.code(expression), self.at(expression))
 
     def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
-        """As `value`, but of arrays a list that nobody else has.
+        """Like `value`, but an array becomes a list that nothing else refers to.
 
         Args:
-            expression: What is copied.
-            home: The declaration of the variable, or of the function, that gets the value.
+            expression: The expression to copy.
+            home: The declaration of the variable or function that gets the value.
         """
         if home in self.integers:
             return whole(self.code(expression), self.at(expression))
@@ -129,18 +128,18 @@ class Expressions:
         return code
 
     def condition(self, expression: tree.Expression) -> Code:
-        """A bool for Python's `if`."""
+        """A bool for a Python `if`."""
         return self.code(expression)
 
     def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:
-        """A CONST: plain values are written out, records and arrays have a name."""
+        """A CONST: plain values are inlined, records and arrays are referred to by name."""
         value = self.constant_value(symbol)
         if isinstance(value, float | str | bool):
             return at.constant(value)
         return at.name(self.names.module.constant_data(symbol, value))
 
     def code(self, expression: tree.Expression) -> Code:
-        """An expression, possibly with something still owed."""
+        """An expression whose result may still need rounding."""
         self._depth += 1
         if self._depth > MAX_EXPRESSION:
             raise NotExecutableError(

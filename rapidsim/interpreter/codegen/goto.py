@@ -4,12 +4,12 @@
     while True:
         <tick>
         if _goto1 <= 0: ...statements before the first label...
-        if _goto1 <= 1: ...statements behind it...
+        if _goto1 <= 1: ...statements after it...
         break
 
-A GOTO sets the section to go on with and continues that loop; from within inner loops it first
-breaks out of each. CONTINUE goes the same way to the next turn of its loop. A GOTO reaches labels
-of its own and of enclosing lists only, so every jump ends at a loop that encloses it.
+A GOTO sets the section to continue with and continues that loop; from inner loops it first breaks
+out of each. CONTINUE reaches the next iteration of its loop the same way. A GOTO reaches labels of
+its own and of enclosing lists only, so every jump ends at a loop that encloses it.
 
 Source: Technical reference manual RAPID Overview, "GOTO"; ABB event 40023.
 """
@@ -32,7 +32,7 @@ _NEXT_TURN = -1
 
 @dataclass(slots=True)
 class Loop:
-    """A Python loop that encloses the statement being written."""
+    """A Python loop that encloses the statement being translated."""
 
     number: int = 0
     """Of a state machine, its own number; 0 for a FOR or WHILE."""
@@ -46,7 +46,7 @@ class Loop:
 
 @dataclass(slots=True)
 class Jumps:
-    """The labels and loops of one routine body, while it is written."""
+    """The labels and loops of one routine body during translation."""
 
     targets: frozenset[str]
     """Folded names of the labels that a GOTO names."""
@@ -55,11 +55,11 @@ class Jumps:
 
     @property
     def depth(self) -> int:
-        """How many loops enclose the statement being written."""
+        """How many loops enclose the statement being translated."""
         return len(self._loops)
 
     def has_target(self, body: tree.Body) -> bool:
-        """Whether a statement list holds a label that a GOTO names."""
+        """Whether a statement list holds a label that is the target of a GOTO."""
         return any(
             isinstance(statement, tree.Label) and statement.name.key in self.targets
             for statement in body
@@ -105,7 +105,7 @@ class Jumps:
         return [go, at.set("_jump", at.constant(loop.number)), at.stop()]
 
     def next_turn(self, at: At) -> list[ast.stmt]:
-        """CONTINUE: the next turn of the FOR or WHILE around, out of the machines in between."""
+        """CONTINUE: the next iteration of the enclosing FOR or WHILE, leaving inner machines."""
         crossed = list(takewhile(lambda loop: loop.number, reversed(self._loops)))
         if not crossed:
             return [at.go_on()]
@@ -114,7 +114,7 @@ class Jumps:
         return [at.set("_jump", at.constant(_NEXT_TURN)), at.stop()]
 
     def after(self, loop: Loop, at: At) -> list[ast.stmt]:
-        """What follows a loop: where a GOTO broke out of it, pass that on."""
+        """What follows a loop: if a GOTO broke out of it, propagate the jump."""
         if not loop.crossed or not self._loops:
             return []
         outer = self._loops[-1]
@@ -138,7 +138,7 @@ class Jumps:
 
 
 def goto_targets(bodies: Sequence[tree.Body]) -> frozenset[str]:
-    """Folded names of the labels that GOTOs in some statement lists name."""
+    """Folded names of the labels that the GOTOs in some statement lists target."""
     return frozenset(
         statement.name.key for statement in statements(*bodies) if isinstance(statement, tree.Goto)
     )

@@ -1,7 +1,7 @@
 """Functions that are an expression: a character, a number with its decimals, a magnitude, a root.
 
-Loops call them most. What is in order is done in place; what is not is left to the function, which
-says why. Other arguments, such as a position that may be a fraction, are too.
+Loops call these most. Valid arguments are handled inline; the rest, such as a position that may be
+a fraction, are left to the function, which reports the error.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: Abs, NumToStr,
 Sqrt, StrPart.
@@ -32,7 +32,7 @@ def function_in_place(
     function: ast.Name,
     at: At,
 ) -> Code | None:
-    """A call of an installed function as an expression; None where it must be called."""
+    """A call of an installed function as an inline expression; None where it must be called."""
     form = _FORMS.get(routine.function)
     values = [
         one.value for one in call.arguments if isinstance(one, tree.Required) and one.name is None

@@ -1,8 +1,7 @@
-"""Instructions that are statements: `Incr x` is `x := x + 1`, and is translated as that.
+"""Instructions translated as statements: `Incr x` becomes `x := x + 1`.
 
 As calls they would take their variable by reference, which moves a local variable into a cell.
-They are calls all the same where the data are an element or a component. StartMoveRetry is a call
-and a RETRY.
+For an element or a component they remain calls. StartMoveRetry is a call and a RETRY.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: Clear, Decr, Incr.
 """
@@ -42,21 +41,21 @@ def assigned_in_place(call: tree.Call, program: Program) -> tree.Reference | Non
 
 
 def step_in_place(call: tree.Call, program: Program) -> str | None:
-    """What such an instruction combines its variable with 1 by; None if it sets it to 0."""
+    """The operator that combines the variable of such a call with 1; None if it is set to 0."""
     symbol = program.symbol_of[call]
     assert isinstance(symbol, LibrarySymbol)
     return _STEPS[symbol.routine.function]
 
 
 def is_start_move_retry(call: tree.Call, program: Program) -> bool:
-    """Whether a call is the instruction that ends an ERROR clause as RETRY does."""
+    """Whether a call is StartMoveRetry, which ends an ERROR clause as RETRY does."""
     return Does.RETRY in does(program.symbol_of[call])
 
 
 def value_in_place(
     call: tree.Call, variable: tree.Reference, expressions: Operands, paths: Paths, at: At
 ) -> Code:
-    """What it assigns."""
+    """The value that it assigns."""
     step = step_in_place(call, expressions.program)
     declared = declaration(variable, expressions.program)
     kept = None if declared is None else expressions.integers.get(declared)

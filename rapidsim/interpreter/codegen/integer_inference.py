@@ -1,13 +1,13 @@
-"""Which nums of a program are integers: local variables, parameters and values of functions.
+"""Which nums of a program are integers: local variables, parameters and function results.
 
-One of them is an integer if all that ever gets there is: literals and constants, counters, sums,
-differences and products of integers, what DIV and MOD make of them, lengths and sizes, arguments of
-all calls. That is found together with bounds, by going round until nothing grows any more. In
-generated code they are Python's integers, of any size, and no program can tell: see `intervals`.
+A num is an integer if everything assigned to it is: integer literals and constants, counters, sums,
+differences and products of integers, results of DIV and MOD on them, lengths and sizes, and the
+arguments of all calls. This is found together with bounds, by iterating to a fixed point. Generated
+code uses Python integers of any size, and no program can tell the difference: see `intervals`.
 
-What anybody else may change or give stays a float: data of modules, elements, components, what is
-lent by reference, options, and parameters of routines that are called by a name which only the run
-knows. Where modules come and go while the program runs, so do all parameters and functions.
+Whatever other code may change or supply stays a float: module data, elements, components, data
+passed by reference, options, and parameters of routines called by a name known only at run time.
+Where modules are loaded and unloaded while the program runs, so do all parameters and functions.
 """
 
 from __future__ import annotations
@@ -66,12 +66,12 @@ _Source = Callable[[], Interval | None]
 def integers_of(
     program: Program, constant_value: Callable[[DataSymbol], Value]
 ) -> Mapping[tree.Node, Interval]:
-    """The integers among the nums of a program, by declaration; functions by themselves.
+    """The integers among the nums of a program, by declaration; functions by their symbol.
 
-    Where narrower bounds are known of a variable that the text names, the reference has them.
+    Where the text implies narrower bounds at a reference, the reference has its own entry.
 
     Args:
-        program: All of it, as every call counts.
+        program: The whole program, as every call counts.
         constant_value: Gives the value of a CONST.
     """
     routines = [
@@ -111,7 +111,7 @@ class _Inference:
     """The flow that is looked at."""
 
     def candidates(self, routine: RoutineSymbol) -> bool:
-        """Find what may be an integer in a routine; whether there is anything of its own."""
+        """Collect the candidates of a routine; whether it has any of its own."""
         node = routine.node
         is_open = self.program.loads_modules
         nums = [one for one in routine.parameters if _is_num(one.type) and not one.optional]
@@ -138,7 +138,7 @@ class _Inference:
         return bool(given or data or gives)
 
     def note(self, routine: RoutineSymbol, own: bool) -> None:
-        """Note what gets where in a routine, which has something of its own or only calls."""
+        """Record the assignments and arguments in a routine, even one without candidates."""
         is_small = False
         nodes: Iterable[tree.Node]
         if own or self._to_functions:
@@ -169,7 +169,7 @@ class _Inference:
                     pass
 
     def found(self) -> dict[tree.Node, Interval]:
-        """Go round until nothing changes."""
+        """Iterate to a fixed point."""
         waiting = deque(range(len(self._flows)))
         while waiting:
             self._reading = waiting.popleft()
@@ -222,7 +222,7 @@ class _Inference:
         return self._known[node]
 
     def bounds(self, expression: tree.Expression) -> Interval | None:
-        """The integers that an expression can be."""
+        """The interval of an expression that is an integer."""
         match expression:
             case tree.Parenthesised(inner=inner) | tree.Unary(operator="+", operand=inner):
                 return self.bounds(inner)

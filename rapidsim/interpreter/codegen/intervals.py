@@ -1,10 +1,10 @@
-"""Between which bounds an integer lies, and what arithmetic makes of that.
+"""Intervals of integers, and arithmetic on them.
 
-Here alone it is decided which expressions are computed in Python's integers: `integer_inference`
-asks for the variables of a program, the translation of expressions for each of their parts.
+Only this module decides which expressions are computed in Python integers: `integer_inference`
+asks for the variables of a program, the translation of expressions for each subexpression.
 
-A zero that floats would give a sign, as `-x` does where x is 0, is none of them: it may be printed.
-Counters of FOR loops and literals have never told the difference.
+An expression that in floats could give a negative zero, as `-x` does for x = 0, is not one of them:
+the sign may be printed. FOR counters and literals never had such a sign.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ class Interval:
 
     @property
     def exact(self) -> bool:
-        """Whether a single holds each of them."""
+        """Whether a single represents each of them exactly."""
         return self.low >= -MAX_INTEGER and self.high <= MAX_INTEGER
 
     @property
     def is_double(self) -> bool:
-        """Whether a double holds each integer from one bound to the other."""
+        """Whether a double represents each integer between the bounds exactly."""
         return self.low >= -MAX_EXACT and self.high <= MAX_EXACT
 
 
@@ -53,7 +53,7 @@ ANY = Interval(-LARGEST, LARGEST)
 
 
 def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
-    """The integers that a sum, difference or product can be; None where it is no integer."""
+    """The interval of a sum, difference or product; None where the result is no integer."""
     signed = a.signed or b.signed
     if operator in ("DIV", "MOD"):
         a, b = rounded(a), rounded(b)
@@ -77,14 +77,14 @@ def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
 
 
 def negated(a: Interval) -> Interval | None:
-    """The opposite; None where that is a zero with a sign."""
+    """The interval of the negation; None where that could be a negative zero."""
     if a.signed and a.low <= 0 <= a.high:
         return None
     return Interval(-a.high, -a.low, signed=a.signed)
 
 
 def rounded(a: Interval) -> Interval:
-    """The same as nums."""
+    """The interval after rounding to num."""
     if a.exact:
         return a
     low = a.low if a.low >= -MAX_INTEGER else -LARGEST
@@ -93,21 +93,21 @@ def rounded(a: Interval) -> Interval:
 
 
 def widened(a: Interval, b: Interval) -> Interval:
-    """What holds both; a bound of the first that must go goes far, so that it seldom goes again."""
+    """An interval that holds both; bounds that must grow jump far, so that they seldom do."""
     low = a.low if a.low <= b.low else max(one for one in _BOUNDS if one <= b.low)
     high = a.high if a.high >= b.high else min(one for one in _BOUNDS if one >= b.high)
     return Interval(low, high, signed=True)
 
 
 def hull(intervals: Iterable[Interval]) -> Interval:
-    """What holds all of them; at least one is given."""
+    """The hull of the intervals, of which there is at least one."""
     every = list(intervals)
     low, high = min(one.low for one in every), max(one.high for one in every)
     return Interval(low, high, signed=any(one.signed for one in every))
 
 
 def way(first: Interval, last: Interval | None) -> int:
-    """The step of a FOR that names none: 1 up, -1 down, 0 where only the run knows."""
+    """The step of a FOR without STEP: 1 up, -1 down, 0 if only known at run time."""
     if last is None:
         return 0
     if last.low >= first.high:
@@ -116,12 +116,12 @@ def way(first: Interval, last: Interval | None) -> int:
 
 
 def counted(first: Interval, last: Interval | None, step: int) -> Interval:
-    """What the counter of a FOR can be.
+    """The interval of a FOR counter.
 
     Args:
-        first: Where it starts.
-        last: Where it ends; None where that may be a fraction or beyond what singles hold exactly.
-        step: As `way` gives it, or the one that is written down.
+        first: The start value.
+        last: The end value; None if it may be fractional or beyond the integers exact in a single.
+        step: As given by `way`, or the literal STEP.
     """
     if last is None:
         # Steps of 1 come no further: the integer after that is not a num.

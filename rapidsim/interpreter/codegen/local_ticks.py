@@ -1,15 +1,15 @@
-"""The ticks of loops that only compute, counted in a Python variable of their routine.
+"""The ticks of compute-only loops, counted in a Python variable of their routine.
 
 The clock's own count is an attribute, which costs as much as the rest of a small loop. So a loop
-takes what is left from the clock, counts down by itself, and gives back what it has not used: where
-it ends, returns or fails, and before every statement in it that could look at the clock. It does so
-only where that costs less than it saves. Whoever looks sees what he always saw: a loop asks for new
-ticks at the same turn, and each moment is told to be when it is.
+takes the remaining ticks from the clock, counts down by itself, and gives back what it has not
+used: where it ends, returns or fails, and before every statement in it that could look at the
+clock. It does so only where that costs less than it saves. The behaviour is unchanged: a loop asks
+for new ticks in the same iteration, and every observer sees the same time.
 
-Where all turns of a FOR fit into what is left, they are taken away at once.
+Where all iterations of a FOR fit into the remaining ticks, they are subtracted at once.
 
-An exception that comes out of the clock, or out of a statement that could look at it, leaves a
-count that is right; the loop knows by its own being below zero.
+An exception raised by the clock, or by a statement that could look at it, leaves a correct count;
+the loop recognises that by its own count being negative.
 """
 
 from __future__ import annotations
@@ -55,11 +55,12 @@ class _Plan:
 def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[str]) -> None:
     """Let the loops of a module's routines count for themselves where that pays.
 
-    Nowhere else may its data be shared with other tasks: those look at the clock where they stand.
+    Only for programs that share no data with other tasks, which would look at the clock at any
+    time.
 
     Args:
-        functions: Of the routines; they are changed.
-        computing: Names of functions that are quick and look at no clock, beside `COMPUTING`.
+        functions: The routines' functions, changed in place.
+        computing: Names of quick functions that do not look at the clock, besides `COMPUTING`.
     """
     statements = dict.fromkeys((*computing, *COMPUTING), 0)
     installed = _Loops(statements)
@@ -82,7 +83,7 @@ class _Loops:
         )
 
     def outside(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
-        """Statements in so many loops, with the loops among them and in them changed."""
+        """Statements at loop nesting `depth`, with the loops among and below them changed."""
         for statement in body:
             plan = self._plan(statement, depth) if _is_loop(statement) else None
             # Loops in loops are entered often, and mostly have few turns.

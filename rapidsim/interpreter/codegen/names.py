@@ -1,8 +1,8 @@
-"""What names in generated code mean.
+"""The meaning of names in generated code.
 
 One Python namespace belongs to one RAPID module; a RAPID name keeps its folded spelling there
-unless something else holds it. RAPID names never begin with an underscore, so names of our own do.
-A namespace is described by bindings first and filled for each task by `loader`.
+unless it is taken. RAPID names never begin with an underscore, so internal names do. A namespace is
+first described by bindings and filled for each task by `loader`.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Fixed:
-    """An object that is the same for every task: a constant, a place, a library function."""
+    """An object that is the same for every task: a constant, a position, a library function."""
 
     value: object
 
@@ -72,7 +72,7 @@ class ModuleNames:
     def routine_for_elements(
         self, symbol: RoutineSymbol, parameters: frozenset[ParameterSymbol]
     ) -> str:
-        """The name of a routine's function that gets array and position for some parameters."""
+        """The name of a routine's variant that takes array and position for some parameters."""
         name = f"_{self.routine(symbol)}_{len(self.for_elements) + 1}"
         return self.for_elements.setdefault((symbol, parameters), name)
 
@@ -81,7 +81,7 @@ class ModuleNames:
         return self._bound(routine, routine.name, Fixed(routine.body))
 
     def signal(self, symbol: ConfiguredSymbol | UnknownSymbol) -> str:
-        """The name of what no module declares, a signal as a rule, as a reference to it."""
+        """The name of a reference to an undeclared name, normally a signal."""
         key = symbol.name.lower()
         return self._bound(
             ("signal", key), key, Fixed(Box(Signal(symbol.name, is_configured=True)))
@@ -92,7 +92,7 @@ class ModuleNames:
         return self._bound(symbol, symbol.name, Fixed(value))
 
     def constant_integers(self, symbol: DataSymbol, value: object) -> str:
-        """The name of a constant array, of which all elements are integers, as Python's."""
+        """The name of a constant all-integer array as Python integers."""
         table = Fixed(_as_integers(value))
         return self._bound(("integers", symbol), f"_{symbol.name}_integers", table)
 
@@ -101,15 +101,15 @@ class ModuleNames:
         return self._bound(python, f"_record_{python.__name__.lower()}", Fixed(python))
 
     def index_table(self, size: int) -> str:
-        """The name of the table that checks indices of arrays of a size."""
+        """The name of the index table for arrays of one size."""
         return self._bound(("index", size), f"_at{size}", Fixed(INDEX_TABLES[size]))
 
     def place(self, place: Place) -> str:
-        """A name for the place of a statement."""
+        """A name for the position of a statement."""
         return self.numbered("_place", place)
 
     def constant(self, value: object) -> str:
-        """A name for a constant without one."""
+        """A name for an anonymous constant."""
         return self.numbered("_constant", value)
 
     def numbered(self, stem: str, value: object) -> str:
@@ -130,7 +130,7 @@ class ModuleNames:
 
 @dataclass(frozen=True, slots=True)
 class ArrayDimension:
-    """One dimension of a parameter that is an array of the caller's."""
+    """One dimension of an array parameter whose size the caller decides."""
 
     array: str
     """The Python variable."""
@@ -171,7 +171,7 @@ class LocalNames:
         return name
 
     def get(self, symbol: Symbol) -> str | None:
-        """The Python name of a local; None for what is not local."""
+        """The Python name of a local; None for anything else."""
         return self._name_of.get(symbol)
 
     def held(self) -> set[str]:
@@ -180,19 +180,19 @@ class LocalNames:
 
     @contextmanager
     def counter(self, symbol: Symbol, wanted: str) -> Iterator[str]:
-        """Give a FOR counter a name for as long as its loop lasts."""
+        """Name a FOR counter for the duration of its loop."""
         name = self.declare(symbol, wanted)
         yield name
         self._taken.discard(name)
 
     def index_table(self, array: str, depth: int, *, optional: bool) -> str:
-        """The name of the table for one dimension of an array sized by the caller."""
+        """The name of the index table for one dimension of an array sized by the caller."""
         name = f"_{array}_at{depth + 1}"
         self.tables[name] = ArrayDimension(array, depth, optional)
         return name
 
     def size(self, array: str, depth: int) -> str:
-        """The name of the size of one dimension of an array that the caller always gives."""
+        """The name of the size of one dimension of an array that the caller always passes."""
         name = f"_{array}_size{depth + 1}"
         self.sizes[name] = ArrayDimension(array, depth, optional=False)
         return name
@@ -203,7 +203,7 @@ def _as_integers(value: Any) -> Any:
 
 
 def free_name(wanted: str, taken: dict[str, Binding] | frozenset[str] | set[str]) -> str:
-    """The wanted name, or the first `wanted_2`, `wanted_3` ... that nothing holds."""
+    """The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free."""
     if wanted not in taken:
         return wanted
     number = 2

@@ -1,7 +1,7 @@
-"""How the translators of paths and calls have the expressions in them translated.
+"""The interface through which the translators of paths and calls translate their subexpressions.
 
-Expressions hold paths and calls, which hold expressions; `expressions` knows the other two, and
-they know it only as this.
+Expressions contain paths and calls, which contain expressions. `expressions` depends on the other
+two; they depend only on this protocol.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ class Operands(Protocol):
         ...
 
     def at(self, node: tree.Node) -> At:
-        """The place of a part of the statement."""
+        """The position of a part of the statement."""
         ...
 
     def span(self, node: tree.Node) -> Span:
-        """The place of a node, for messages."""
+        """The source span of a node, for messages."""
         ...
 
     def type_of(self, expression: tree.Expression) -> Type:
@@ -50,17 +50,17 @@ class Operands(Protocol):
         ...
 
     def code(self, expression: tree.Expression) -> Code:
-        """An expression, possibly with something still owed."""
+        """An expression whose result may still need rounding."""
         ...
 
     def value(self, expression: tree.Expression) -> Code:
-        """An expression as the value that a variable would get; of arrays not a copy."""
+        """An expression as the value stored in a variable; arrays are not copied."""
         ...
 
     def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
-        """As `value`, but of arrays a list that nobody else has; as an integer for such a home."""
+        """Like `value`, but copying arrays, and as an integer if its home is one."""
         ...
 
     def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:
-        """A CONST: plain values are written out, records and arrays have a name."""
+        """A CONST: plain values are inlined, records and arrays are referred to by name."""
         ...

@@ -1,8 +1,8 @@
-"""Which parameters that routines take by reference may stand for a persistent.
+"""Which by-reference parameters may be bound to a persistent.
 
-Where a persistent is assigned, the interrupts come that wait for its change; so a routine has to
-ask for them wherever it assigns to a parameter that may be one. No call can give it another than
-those that are written, unless a name that only the run knows is called, or modules come and go.
+Assigning to a persistent can raise the interrupts that watch it, so a routine must check for them
+wherever it assigns to a parameter that may be one. The calls in the text are all there are, unless
+a routine is called by a name known only at run time, or modules are loaded and unloaded.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from rapidsim.syntax import tree
 
 
 def persistent_parameters(program: Program) -> frozenset[tree.Node]:
-    """The parameters of all routines that may stand for a persistent, by declaration."""
+    """The parameters of all routines that may be bound to a persistent, by declaration."""
     routines = [
         symbol
         for module in program.modules

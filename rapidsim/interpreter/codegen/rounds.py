@@ -1,7 +1,7 @@
-"""Which routines take a tick of virtual time when they are called, as a loop does each turn.
+"""Which routines take a tick of virtual time per call, as a loop does per iteration.
 
-Without loops a program can go on for ever only where routines call themselves, over others or not,
-or where calls of calls multiply. A tick there keeps it within the limits of a run.
+Without loops a program can run forever only by recursion, direct or indirect, or by call chains
+that multiply. A tick there keeps it within the limits of a run.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ MOST_CALLS = 1000
 
 
 def tick(at: At) -> list[ast.stmt]:
-    """Let a little virtual time pass, and see to what is due."""
+    """Let a little virtual time pass, and handle what is due."""
     left = at.attribute("_clock", "left")
     due = at.compare(left, (ast.Lt(), at.constant(0)))
     serve = at.do(at.call(at.attribute("_clock", "service")))
@@ -30,7 +30,7 @@ def tick(at: At) -> list[ast.stmt]:
 
 @dataclass(frozen=True, slots=True)
 class Callees:
-    """Whom a routine calls."""
+    """The routines that a routine calls."""
 
     named: Sequence[RoutineSymbol]
     """One for each call that is written."""
@@ -39,7 +39,7 @@ class Callees:
 
 
 def callees(nodes: Sequence[tree.Node], program: Program) -> Callees:
-    """Whom a routine calls that is made of some nodes."""
+    """The routines called in the nodes of a routine."""
     named: list[RoutineSymbol] = []
     anybody = False
     for node in nodes:
@@ -57,10 +57,9 @@ def callees(nodes: Sequence[tree.Node], program: Program) -> Callees:
 
 
 def ticking(calls: Mapping[RoutineSymbol, Callees]) -> frozenset[RoutineSymbol]:
-    """The routines that take a tick, given whom each calls.
+    """The routines that take a tick, given the callees of each.
 
-    On every way round one is met for the second time before the way back to it has ended; that one
-    takes the tick.
+    Every call cycle contains a routine that is met again while still open in the search; it ticks.
     """
     found = {routine for routine, called in calls.items() if called.anybody}
     following: dict[RoutineSymbol, int] = {}

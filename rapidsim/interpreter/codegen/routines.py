@@ -1,6 +1,6 @@
 """One RAPID routine as one Python function.
 
-What it looks like with all its clauses:
+With all its clauses:
 
     def weld(b):
         def ERROR(_e): ...
@@ -15,9 +15,9 @@ What it looks like with all its clauses:
         except _Leave as _l:
             return _l.value
 
-The ERROR clause keeps RAPID's own word: names of the program are lower case, so none clashes.
-`Leave` is a RETURN in it. A clause that names nothing of its routine's is a function beside it,
-which is made once and not at each call; the routine begins with `ERROR = _ERROR_weld` then.
+The ERROR clause keeps its RAPID keyword as name: program names are folded to lower case, so none
+clashes. `Leave` is a RETURN in it. A clause that uses no local names is a separate function,
+created once and not per call; the routine then begins with `ERROR = _ERROR_weld`.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ STUB = "what its stub says"
 
 @dataclass(frozen=True, slots=True)
 class ModuleContext:
-    """What all routines of a module are translated with."""
+    """What the translations of all routines of a module share."""
 
     program: Program
     names: ModuleNames
@@ -90,8 +90,8 @@ def translate_routine(
 
     Args:
         symbol: The routine.
-        context: What all routines of its module have in common.
-        elements: Parameters for each of which it shall get an array and a position in it.
+        context: What the routines of its module share.
+        elements: Parameters to pass as an array and a position in it.
     """
     return _RoutineTranslation(symbol, context, elements).translate()
 

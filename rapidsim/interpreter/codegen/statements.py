@@ -1,8 +1,9 @@
 """Statements in generated code.
 
-Each RAPID statement becomes Python statements on its line. Under an ERROR clause, what may raise
-stands in a loop of `error_handling`; conditions are then decided under protection first, and the
-bodies they choose stand outside. Loops take a tick each turn, which lets virtual time pass.
+Each RAPID statement becomes Python statements on its line. Under an ERROR clause, statements that
+may raise are wrapped in a loop of `error_handling`; conditions are evaluated inside such a loop,
+and the bodies they select are outside it. Loops take a tick per iteration, which lets virtual time
+pass.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ from rapidsim.syntax import tree
 
 @dataclass(slots=True)
 class Statements:
-    """Translates one statement list of a routine with everything below it."""
+    """Translates a statement list of a routine and everything nested in it."""
 
     expressions: Expressions
     jumps: Jumps

@@ -1,4 +1,4 @@
-"""Paths to data as a program writes them, such as `a{i}.trans.x`."""
+"""Data paths in the source, such as `a{i}.trans.x`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class FlatPath:
-    """A path taken apart: RAPID's paths are a name, then indices, then components."""
+    """A flattened path: a RAPID path is a name, then indices, then components."""
 
     reference: tree.Reference
     indices: tuple[tree.Expression, ...]
@@ -17,7 +17,7 @@ class FlatPath:
 
 
 def flat(path: tree.DataPath) -> FlatPath:
-    """Take a path apart."""
+    """Flatten a path."""
     indices: tuple[tree.Expression, ...] = ()
     names: list[str] = []
     while not isinstance(path, tree.Reference):
@@ -31,14 +31,14 @@ def flat(path: tree.DataPath) -> FlatPath:
 
 
 def bare(expression: tree.Expression) -> tree.Expression:
-    """The expression without parentheses around it."""
+    """The expression without enclosing parentheses."""
     while isinstance(expression, tree.Parenthesised):
         expression = expression.inner
     return expression
 
 
 def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
-    """Where a variable or parameter is declared that the whole path names."""
+    """The declaration of a path that is a whole variable or parameter."""
     inner = bare(path)
     symbol = program.symbol_of[inner] if isinstance(inner, tree.Reference) else None
     return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None

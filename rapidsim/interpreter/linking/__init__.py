@@ -1,1 +1,1 @@
-"""Modules become functions that know each other, and come and go while the program runs."""
+"""Links modules into functions that can call each other, and loads and unloads them at run time."""

@@ -1,10 +1,8 @@
-"""The names of the data that a routine was given: what ArgName asks for.
+"""The name of the data passed for a parameter, as ArgName returns it.
 
-Nothing is carried along with arguments for the few programs that ask. The call is found in the
-tree of the calling routine, at the place where Python says that routine is; if what stands there
-is a parameter of its own, its caller is asked in turn.
-
-Source: Technical reference manual RAPID Instructions, Functions and Data types, "ArgName".
+Calls carry no extra information for the few programs that ask. The call is found in the tree of
+the calling routine, at the position where Python is executing that routine; if the argument is a
+parameter of the caller, its own caller is asked in turn.
 """
 
 from __future__ import annotations
@@ -26,18 +24,18 @@ _Call = tree.Call | tree.FunctionCall | tree.LateCall
 
 
 def argument_name(frame: FrameType, parameter: str) -> str | None:
-    """The name of the data that stand for a parameter.
+    """The name of the data passed for a parameter.
 
     Args:
-        frame: Of the routine that asks, or of a clause of it.
+        frame: The frame of the routine that asks, or of one of its clauses.
         parameter: Its folded name.
 
     Returns:
-        The name as it is declared; None where several calls of the routine stand so close together
-        that it is not known which of them runs.
+        The name as declared; None if several calls of the routine are so close together that it is
+        not clear which one is running.
 
     Raises:
-        RapidError: ERR_ARGNAME if the argument is not there, or is an expression or a switch.
+        RapidError: ERR_ARGNAME if the argument is absent, or is an expression or a switch.
     """
     while True:
         frame = _routine_frame(frame)

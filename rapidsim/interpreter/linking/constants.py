@@ -1,7 +1,7 @@
-"""The values of CONST data, worked out before anything runs.
+"""The values of CONST data, computed before anything runs.
 
-Literals are read off the tree; other constant expressions are translated like any expression and
-evaluated once. A constant that needs another asks for it, so their order in the text is free.
+Literals are read from the tree; other constant expressions are translated like any expression and
+evaluated once. Constants are evaluated on demand, so their order in the text does not matter.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from rapidsim.language.initial import initial_value
 
 @dataclass(slots=True)
 class Constants:
-    """Values of constants by symbol, worked out when first asked for."""
+    """Values of constants by symbol, computed when first needed."""
 
     program: Program
     _values: dict[DataSymbol, Value] = field(default_factory=dict)
 
     def value_of(self, symbol: DataSymbol) -> Value:
-        """The value of a CONST; analysis has made sure that none depends on itself.
+        """The value of a CONST; analysis has ruled out circular definitions.
 
         Raises:
             RapidError: If its expression fails, as a division by zero does.

@@ -1,8 +1,8 @@
-"""The modules of one task as Python functions that know each other, and their memory.
+"""The modules of one task linked into Python functions, and their memory.
 
-`link` takes a program and makes ready what is new in it; what stays keeps its functions and its
-variables. That is how a task starts, and how modules come and go while it runs: the program is a
-value, checked as a whole each time, and only this object changes.
+`link` takes a program and prepares what is new in it; modules that stay keep their functions and
+variables. That is how a task starts, and how modules are loaded and unloaded while it runs: the
+program is a value, checked as a whole each time, and only this object changes.
 """
 
 from __future__ import annotations
@@ -68,9 +68,9 @@ class LinkedProgram:
     # Until the translation is dropped, so that the collector never walks through it.
     @uncollected()
     def link(self, program: Program) -> None:
-        """Take a program in place of the one so far: make ready what is new, forget what is gone.
+        """Replace the program: prepare the modules that are new, drop those that are gone.
 
-        Nothing has changed where it raises.
+        If it raises, nothing has changed.
 
         Raises:
             NotExecutableError: If a new module needs something that cannot be simulated.
@@ -121,13 +121,13 @@ class LinkedProgram:
         return self._functions[symbol.node]
 
     def value_of(self, symbol: DataSymbol) -> Value:
-        """A copy of the value that declared data have now, constants too."""
+        """A copy of the current value of declared data, constants included."""
         if symbol.storage is Storage.CONST and symbol.node is not None:
             return copied(self._constants.value_of(symbol))
         return self.memory.value(symbol)
 
     def executing(self) -> frozenset[tree.Module]:
-        """The modules whose routines have been called and not returned yet."""
+        """The modules with a routine on the call stack."""
         found = set()
         frame: FrameType | None = sys._getframe()
         while frame is not None:
@@ -198,7 +198,7 @@ class LinkedProgram:
 
 
 def show_lines_of(source: Source) -> None:
-    """Let Python's tools print RAPID lines: they would look for a UTF-8 file of that name."""
+    """Let Python's tools print RAPID lines; they would otherwise expect a UTF-8 file."""
     # What is declared as a list is only read.
     lines = cast("list[str]", _Lines(source))
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)

@@ -1,8 +1,8 @@
-"""A checked program made ready to run for one controller, and run.
+"""Loads a checked program for one controller, and runs it.
 
-Enters a `Program` and the `Controller` of its task; leaves a `Task`. Each routine is a Python code
-object under the name of its RAPID file: tracebacks, debuggers, profilers and coverage tools speak
-of RAPID lines.
+Input is a `Program` and the `Controller` of its task; output is a `Task`. Each routine is a Python
+code object under the name of its RAPID file, so tracebacks, debuggers, profilers and coverage tools
+refer to RAPID lines.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Task:
 
     @property
     def program(self) -> Program:
-        """The program with the modules it has now."""
+        """The program with its current modules."""
         return self._linked.program
 
     def run(self, entry: str = "main") -> None:
@@ -54,7 +54,7 @@ class Task:
         Raises:
             LookupError: If there is no such procedure.
             FatalError: If an error reaches no ERROR clause.
-            Stopped: If the program, or a limit of the run, ends it; this passes through.
+            Stopped: If the program or a limit of the run ends it; not caught here.
         """
         symbol = self.program.routines.get(entry.lower())
         if symbol is None or any(not parameter.optional for parameter in symbol.parameters):
@@ -63,7 +63,7 @@ class Task:
             self._linked.function(symbol)(*_absent(symbol))
 
     def take(self, program: Program) -> None:
-        """Go on with a program that has other modules; what stays keeps its values.
+        """Continue with a changed set of modules; those that stay keep their values.
 
         Raises:
             FatalError: If a constant or an initial value of a new module fails.
@@ -83,11 +83,11 @@ class Task:
             return value
 
     def value(self, name: str, module: str | None = None) -> Value:
-        """The value that declared or predefined data have now.
+        """The current value of declared or predefined data.
 
         Args:
             name: As in the program, in any case.
-            module: Whose data; None looks at global data first, then at any module's.
+            module: The module that declares them; None tries global data first, then any module's.
 
         Returns:
             A float, bool, str, record tuple, or a list, which is a copy.
@@ -104,11 +104,11 @@ class Task:
         return self._linked.memory.predefined(name.lower(), predefined.value)
 
     def value_of(self, symbol: DataSymbol) -> Value:
-        """A copy of the value that declared data have now."""
+        """A copy of the current value of declared data."""
         return self._linked.value_of(symbol)
 
     def keep(self, before: Task) -> None:
-        """Take over what the persistents hold in the same program that ran before."""
+        """Take over the persistents of an earlier run of the same program."""
         for symbol in before._linked.memory.persistents():
             kept, home = before.value_of(symbol), self._linked.memory.home(symbol)
             if isinstance(home, list):
@@ -117,11 +117,11 @@ class Task:
                 home.value = kept
 
     def persistents(self) -> tuple[ChangedPersistent, ...]:
-        """The PERS data of its first modules whose value has changed since they were loaded."""
+        """The PERS data of the initial modules whose values have changed since they were loaded."""
         return self._linked.memory.changed()
 
     def data(self, name: str, module: str | None = None) -> DataSymbol | None:
-        """Declared data by name, as `value` finds them; None if there are none."""
+        """Declared data by name, found as by `value`; None if there are none."""
         key, module = name.lower(), module.lower() if module else None
         found: DataSymbol | None = None
         for symbol in module_data(self.program):
@@ -141,9 +141,9 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     """Compile a program and set up its memory.
 
     Args:
-        program: Without errors, as analysis makes it.
-        controller: Of the task that will run it.
-        shared: The persistents it has in common with other tasks.
+        program: An error-free program from analysis.
+        controller: The controller of the task that will run it.
+        shared: The persistents it shares with other tasks.
 
     Raises:
         NotExecutableError: If it needs something that cannot be simulated; nothing has run then.
@@ -170,7 +170,7 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
 
 @contextmanager
 def running() -> Iterator[None]:
-    """Where routines of a program may run, traps among them.
+    """The context in which routines of a program, including traps, may run.
 
     Raises:
         FatalError: If an error reaches no ERROR clause.

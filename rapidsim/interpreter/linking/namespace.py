@@ -1,7 +1,7 @@
-"""What generated code finds in its namespace beside the program's own names.
+"""What the namespace of generated code contains besides the program's own names.
 
-All names begin with an underscore, which no RAPID name does. `FUNCTIONS` are the same for every
-task; `task_functions` speak to one task's controller.
+All these names begin with an underscore, which no RAPID name does. `FUNCTIONS` are the same for
+every task; `task_functions` call one task's controller.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def at_most_one(value: object, *is_there: bool) -> object:
     """The last of several options that exclude each other.
 
     Raises:
-        RapidError: ERR_ARGDUPCND if more than one is there.
+        RapidError: ERR_ARGDUPCND if more than one is given.
     """
     if sum(is_there) > 1:
         raise rapid_error(ERR_ARGDUPCND, "two optional arguments that exclude each other are given")
@@ -112,7 +112,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
 def task_functions(
     controller: Controller, recovery_of_task: Recovery, late: LateBinding, module: str
 ) -> dict[str, object]:
-    """What code of one module, given by its folded name, needs to reach its task's controller."""
+    """What code of one module, by folded name, needs to reach its task's controller."""
     clock, interrupts = controller.clock, controller.interrupts
 
     def call_at(

@@ -1,7 +1,7 @@
-"""A module as it is saved: its text, with the values that its persistents have now.
+"""A module as saved: its text with the current values of its persistents.
 
-Source: Technical reference manual RAPID Overview, "Persistent declarations": the initial value in
-the text follows the current one when the module is saved.
+Source: Technical reference manual RAPID Overview, "Persistent declarations": when a module is
+saved, the initial values in its text are replaced by the current ones.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from rapidsim.syntax import tree
 
 
 def text_of(module: tree.Module) -> str:
-    """The text of a module as it was read, from its first word to its last."""
+    """The text of a module as it was read, from its first to its last word."""
     return module.source.text[module.start : module.end] + "\n"
 
 
 def saved_text(module: tree.Module, linked: LinkedProgram) -> str:
-    """The text of a module with the values of now."""
+    """The text of a module with current values."""
     text, end = module.source.text, module.end
     for item in reversed(module.items):
         symbol = linked.program.symbol_of.get(item)

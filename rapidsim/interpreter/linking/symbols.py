@@ -1,4 +1,4 @@
-"""Data of the task found by name at run time: implements `language.symbols.Symbols`."""
+"""Access to the task's data by name at run time: implements `language.symbols.Symbols`."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class TaskSymbols:
             home.value = value
 
     def search(self, search: Search) -> tuple[DataName, ...]:
-        """All data that are looked for."""
+        """All data that match."""
         try:
             pattern = re.compile(search.pattern or ".*", re.IGNORECASE)
         except re.error as error:
@@ -65,11 +65,11 @@ class TaskSymbols:
         return tuple(self._matching(search, pattern))
 
     def begin_search(self, search: Search | None) -> None:
-        """Look for data."""
+        """Begin a search for data."""
         self._found = deque(() if search is None else self.search(search))
 
     def next_found(self) -> DataName | None:
-        """The next data of the search."""
+        """The next match of the search."""
         return self._found.popleft() if self._found else None
 
     def _matching(self, search: Search, pattern: re.Pattern[str]) -> Iterator[DataName]:

@@ -1,8 +1,8 @@
-"""Modules that a running task loads and removes: implements `language.modules.Modules`.
+"""Modules that a running task loads and unloads: implements `language.modules.Modules`.
 
-Every change makes a program of all modules and checks it as a whole, so whoever holds a program
-holds one without errors. A module that uses names which nothing declares is loaded, as on the
-controller, but waits outside the program until another module declares them.
+Every change makes a program of all modules and checks it as a whole, so a `Program` never has
+errors. A module that uses undeclared names is loaded, as on the controller, but stays outside the
+program until another module declares them.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "Load", "UnLoad",
 "StartLoad", "WaitLoad", "EraseModule", "CheckProgRef", "Save".
@@ -69,11 +69,11 @@ class TaskModules:
         self._entries = [_Entry(module) for module in linked.program.modules]
 
     def has(self, name: str) -> bool:
-        """Whether there is a module of a name, in any case."""
+        """Whether there is a module of that name, in any case."""
         return any(entry.module.name.key == name.lower() for entry in self._entries)
 
     def load(self, source: Source, path: str, *, check_references: bool) -> None:
-        """Take the modules of a file into the program; raises as `Modules.load` says."""
+        """Load the modules of a file; raises as `Modules.load` says."""
         parsed = self._parse(source.file, source.text)
         errors = [one for one in parsed.diagnostics if one.severity is Severity.ERROR]
         if errors:
@@ -95,18 +95,18 @@ class TaskModules:
             raise rapid_error(ERR_LINKREF, str(error)) from None
 
     def unload(self, path: str) -> None:
-        """Remove the modules that were loaded from a file."""
+        """Unload the modules that were loaded from a file."""
         gone = [entry for entry in self._entries if _same_file(entry.path, path)]
         if not gone:
             raise rapid_error(ERR_UNLOAD, f"no module was loaded from {path} with Load")
         self._remove(gone, ERR_UNLOAD)
 
     def erase(self, name: str) -> None:
-        """Remove a module by its name."""
+        """Remove a module by name."""
         self._remove([self._entry(name)], ERR_MODULE)
 
     def check_references(self) -> None:
-        """Raise ERR_LINKREF if anything is used that nothing declares."""
+        """Raise ERR_LINKREF if an undeclared name is used."""
         checked, waiting = self._check(tuple(entry.module for entry in self._entries))
         _require_references(checked, waiting, self._entries)
 
@@ -115,7 +115,7 @@ class TaskModules:
         return tuple(self._saved(one) for one in self._entries if _same_file(one.path, path))
 
     def saved(self, name: str) -> SavedModule:
-        """A module by its name."""
+        """The text of a module, by name."""
         return self._saved(self._entry(name))
 
     def _refuse_second(self, module: tree.Module, path: str) -> None:

@@ -1,6 +1,6 @@
-"""A program as Python syntax trees, one a module, and what their names stand for.
+"""A program as Python syntax trees, one per module, and the bindings of their names.
 
-Nothing here depends on a task: what does is filled in by `loader`.
+Nothing here depends on a task; `loader` fills in what does.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ INITIALISE = "_initialise"
 
 @dataclass(frozen=True, slots=True)
 class TranslatedModule:
-    """The code of one module, and how its namespace is to be filled."""
+    """The code of one module, and how to fill its namespace."""
 
     module: tree.Module
     code: ast.Module
@@ -60,7 +60,7 @@ class TranslatedModule:
 
 @dataclass(frozen=True, slots=True)
 class Translation:
-    """A program in Python."""
+    """A translated program."""
 
     modules: tuple[TranslatedModule, ...]
     constants: Constants
@@ -76,9 +76,9 @@ def translate(
     """Translate modules of a program.
 
     Args:
-        program: With all that the modules refer to.
-        modules: Which of its modules; None for all.
-        shares: Whether other tasks may have data in common with it, who look at its clock.
+        program: The program, with everything that the modules refer to.
+        modules: The modules to translate; None for all.
+        shares: Whether other tasks, which look at its clock, may share data with it.
 
     Raises:
         NotExecutableError: If the program needs something that cannot be simulated.
@@ -104,7 +104,7 @@ def translate(
 
 
 def show_python(program: Program) -> str:
-    """The Python that a program becomes, for reports of defects and for tests."""
+    """The Python code generated for a program, for defect reports and tests."""
     parts = []
     for module in translate(program).modules:
         parts.append(f"# {module.module.name.text}: {module.module.source.file}")

@@ -1,1 +1,1 @@
-"""What generated code finds when it runs: values, memory, errors, late calls."""
+"""What generated code uses at run time: values, memory, errors, late calls."""

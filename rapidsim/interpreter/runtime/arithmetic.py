@@ -1,8 +1,8 @@
-"""Arithmetic that Python's operators do not do as RAPID does; called by generated code.
+"""Arithmetic where Python's operators differ from RAPID's; called by generated code.
 
 RAPID's num is a single; generated code rounds the result of each arithmetic expression inline with
-three float operations, those of `language.single`. The functions here do the rest: integer
-division, positions and orientations, refusals, the values of FOR counters.
+the three float operations of `language.single`. The functions here do the rest: integer division,
+positions and orientations, errors, the values of FOR counters.
 
 Source: Technical reference manual RAPID Overview, "Expressions".
 """
@@ -36,12 +36,12 @@ MAX_STRING = 80
 
 
 def overflow(x: float) -> NoReturn:
-    """Refuse a result beyond the largest number."""
+    """Raise an error for a result beyond the largest number."""
     raise rapid_error(ERR_OVERFLOW, f"the result {x:G} is too large")
 
 
 def too_long(text: str) -> NoReturn:
-    """Refuse a string of more than 80 characters."""
+    """Raise an error for a string of more than 80 characters."""
     raise rapid_error(
         ERR_STRTOOLNG, f"the string has {len(text)} characters, {MAX_STRING} are allowed"
     )
@@ -55,7 +55,7 @@ def _not_integers(left: float, right: float, operator: str) -> NoReturn:
 
 
 def integer_quotient(left: float, right: float) -> float:
-    """DIV: the quotient of integers, its fraction cut off."""
+    """DIV: the quotient of integers, truncated."""
     if left % 1.0 or right % 1.0 or not right:
         _not_integers(left, right, "DIV")
     quotient = abs(int(left)) // abs(int(right))
@@ -63,7 +63,7 @@ def integer_quotient(left: float, right: float) -> float:
 
 
 def integer_remainder(left: float, right: float) -> float:
-    """MOD: what DIV leaves, with the sign of the left operand."""
+    """MOD: the remainder of DIV, with the sign of the left operand."""
     if left % 1.0 or right % 1.0 or not right:
         _not_integers(left, right, "MOD")
     return math.fmod(left, right)
@@ -75,7 +75,7 @@ def whole_quotient(left: int, right: int) -> int:
 
 
 def literal_quotient(left: int, right: int) -> int:
-    """DIV by a positive literal, of what may be negative or beyond the integers of a double."""
+    """DIV by a positive literal, also of dividends that are negative or beyond exact integers."""
     return int(left // float(right)) if left >= 0 else whole_quotient(left, right)
 
 
@@ -85,7 +85,7 @@ def whole_remainder(left: int, right: int) -> int:
 
 
 def double_integer(x: int) -> int:
-    """An integer as it would be if doubles had computed it."""
+    """An integer as doubles would have computed it."""
     double = _as_double(x)
     if math.isinf(double):
         overflow(double)
@@ -93,7 +93,7 @@ def double_integer(x: int) -> int:
 
 
 def single_integer(x: int) -> int:
-    """A sum of integers as the num that it becomes."""
+    """A sum of integers rounded to num."""
     double = _as_double(x)
     scaled = double * SPLIT
     rounded = scaled - (scaled - double)
@@ -103,7 +103,7 @@ def single_integer(x: int) -> int:
 
 
 def checked_integer(x: int) -> int:
-    """As `single_integer`, of what may be larger than a num can be."""
+    """Like `single_integer`, for results that may exceed the range of num."""
     if not -LARGEST_SINGLE <= x <= LARGEST_SINGLE:
         overflow(_as_double(x))
     return single_integer(x)
@@ -137,7 +137,7 @@ def scale_position(a: Pos, factor: float) -> Pos:
 
 
 def scaled_position(factor: float, a: Pos) -> Pos:
-    """As `scale_position`, for the number on the left."""
+    """Like `scale_position`, with the number on the left."""
     return scale_position(a, factor)
 
 
@@ -154,10 +154,10 @@ def cross_product(a: Pos, b: Pos) -> Pos:
 
 
 def compose_orientations(a: Orient, b: Orient) -> Orient:
-    """The rotation b in the frame that a turns to, each component a single.
+    """The product of rotations: b in the frame rotated by a, each component a single.
 
     Raises:
-        RapidError: ERR_ILLQUAT, if one of them is no orientation.
+        RapidError: ERR_ILLQUAT if either is not a valid orientation.
     """
     require_unit(a)
     require_unit(b)
@@ -165,9 +165,9 @@ def compose_orientations(a: Orient, b: Orient) -> Orient:
 
 
 def count(first: int, last: float, step: int | None = None) -> Iterable[int]:
-    """The values of a FOR counter that starts at an integer and steps by a literal one.
+    """The values of a FOR counter with an integer start and a literal integer step.
 
-    Without a step it is 1, or -1 when the end is below the start.
+    Without STEP the step is 1, or -1 when the end is below the start.
     """
     if step is None:
         step = 1 if last >= first else -1
@@ -191,18 +191,18 @@ def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iter
 
 
 def turns_of(values: Iterable[float]) -> float:
-    """How many turns a FOR takes; more than any where nobody knows yet."""
+    """The number of iterations of a FOR; infinite where it is not known in advance."""
     return len(values) if isinstance(values, range) else math.inf
 
 
 def turns_taken(values: range, counter: str) -> int:
-    """The turns of a FOR up to the one that the caller takes, by the name of its counter."""
+    """The number of FOR iterations up to and including the current one, by the counter's name."""
     now: int = sys._getframe(1).f_locals.get(counter, values.start - values.step)
     return values.index(now) + 1 if now in values else 0
 
 
 def steps(first: float, last: float, step: float | None = None) -> Iterator[float]:
-    """The values of any other FOR counter, each the one before plus the step, as singles."""
+    """The values of any other FOR counter, each the previous one plus the step, as singles."""
     if step is None:
         step = 1.0 if last >= first else -1.0
     value = float(first)

@@ -1,4 +1,4 @@
-"""Arrays at run time: nested lists, indices from 1 that are checked, values that are copied."""
+"""Arrays at run time: nested lists, indices checked and counted from 1, values copied."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.language.single import single
 
 
 def out_of_bounds(index: float, size: int) -> NoReturn:
-    """Refuse an index that an array of `size` elements does not have."""
+    """Raise the error for an index that an array of `size` elements does not have."""
     index = single(float(index))
     if index != int(index):
         raise rapid_error(ERR_NOTINTVAL, f"an index must be an integer, not {index:g}")
@@ -25,10 +25,10 @@ def out_of_bounds(index: float, size: int) -> NoReturn:
 
 
 class IndexTable(dict[float, int]):
-    """From RAPID's index to Python's: bounds and integrality in one look-up.
+    """Maps RAPID indices to Python's: checks bounds and integrality in one lookup.
 
-    Equal integers and floats hash alike, so both kinds of num find their entry. An index may come
-    as computed, before it is rounded to a num: an integer is one already, the rest is missing.
+    Equal integers and floats hash alike, so both kinds of num find their entry. An index may be
+    passed before it is rounded to num: integers are in the table, anything else is missing.
     """
 
     def __missing__(self, index: float) -> int:
@@ -60,7 +60,7 @@ _ABSENT_TABLE = _AbsentTable()
 
 
 def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
-    """The table for one dimension of an array that the caller may have left out.
+    """The table for one dimension of an array that the caller may have omitted.
 
     Args:
         array: Nested lists, or `ABSENT`.
@@ -83,10 +83,10 @@ def copy_array(array: list[Any] | Absent) -> list[Any]:
 
 
 def assign_array(target: list[Any], value: list[Any]) -> None:
-    """Copy elements in place, so that references to the target stay good.
+    """Copy elements in place, so that references to the target stay valid.
 
     Raises:
-        RapidError: ERR_NOTEQDIM when sizes differ, which only conformant arrays can bring about.
+        RapidError: ERR_NOTEQDIM when sizes differ, which only conformant arrays can cause.
     """
     if len(target) != len(value):
         raise rapid_error(

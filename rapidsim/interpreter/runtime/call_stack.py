@@ -1,7 +1,7 @@
 """The RAPID call stack of an error, read from Python's traceback.
 
-Generated code carries RAPID files, lines and columns, so the traceback has all that is needed;
-frames of our own functions between are left out.
+Generated code carries RAPID files, lines and columns, so the traceback has everything needed;
+frames of library functions in between are left out.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Origin:
 
     @property
     def source(self) -> Source:
-        """The text the code was made from."""
+        """The source the code was generated from."""
         return self.module.source
 
 
@@ -44,7 +44,7 @@ CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A routine that was running, and how far it had come."""
+    """A routine on the stack, and the position it had reached."""
 
     routine: str
     """As RAPID spells it; "" for the initial values of a module."""
@@ -57,12 +57,12 @@ class Frame:
 
     @property
     def place(self) -> str:
-        """The routine, or a clause of it, in words."""
+        """The routine, or one of its clauses, in words."""
         return f"the {self.clause} clause of {self.routine}" if self.clause else self.routine
 
     @property
     def span(self) -> Span:
-        """The part that was being executed."""
+        """The span being executed."""
         return Span(self.source, self.start, self.end)
 
     @property
@@ -77,7 +77,7 @@ class Frame:
 
 
 class FatalError(Exception):
-    """An error that no ERROR clause dealt with; it ends the program."""
+    """An error that no ERROR clause handled; it ends the program."""
 
     def __init__(self, error: RapidError, stack: tuple[Frame, ...]) -> None:
         """Name the error and where it happened.
@@ -92,9 +92,9 @@ class FatalError(Exception):
 
 
 def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
-    """The RAPID routines in a traceback, the outermost first.
+    """The RAPID routines in a traceback, outermost first.
 
-    An error in an ERROR clause or a trap happened below the statement that led there; its own
+    An error in an ERROR clause or a trap occurs below the statement that led there; its own
     traceback continues the outer one.
     """
     entries = list(_entries(exception.__traceback__))
@@ -132,7 +132,7 @@ def _frame(traceback: TracebackType) -> Frame:
 
 
 def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:
-    """Offsets in the source of the part that an instruction of Python's, on a line, executes."""
+    """Source offsets of what a Python instruction on a line executes."""
     _, _, column, end_column = next(
         islice(code.co_positions(), instruction // 2, None), (None,) * 4
     )

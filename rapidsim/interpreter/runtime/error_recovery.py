@@ -1,8 +1,8 @@
-"""Errors at run time: ERROR clauses, long jumps, UNDO, traps, and what nothing can catch.
+"""Errors at run time: ERROR clauses, long jumps, UNDO, traps, and uncatchable errors.
 
-A routine's ERROR clause is a function inside its Python function. It answers 1 for RETRY, 0 for
-TRYNEXT, raises `Leave` for RETURN and `Propagated` for RAISE. A statement that may fail stands in a
-small loop that asks `recover` what to do.
+A routine's ERROR clause is a function inside its Python function. It returns 1 for RETRY, 0 for
+TRYNEXT, raises `Leave` for RETURN and `Propagated` for RAISE. A statement that may fail is wrapped
+in a small loop that asks `recover` what to do.
 
 Source: Technical reference manual RAPID Overview, "Error recovery" and "UNDO".
 """
@@ -44,7 +44,7 @@ Handler = Callable[[RapidError], int]
 
 
 class Leave(Exception):  # noqa: N818 - it is no error
-    """RETURN in an ERROR clause: the routine ends with a value."""
+    """RETURN in an ERROR clause: the routine returns a value."""
 
     def __init__(self, value: object) -> None:
         """Carry the value of a function, None for other routines."""
@@ -53,7 +53,7 @@ class Leave(Exception):  # noqa: N818 - it is no error
 
 
 class Propagated(Exception):  # noqa: N818 - it carries one
-    """RAISE in an ERROR clause: the error goes on to the caller."""
+    """RAISE in an ERROR clause: the error propagates to the caller."""
 
     def __init__(self, error: RapidError) -> None:
         """Carry the error."""
@@ -62,7 +62,7 @@ class Propagated(Exception):  # noqa: N818 - it carries one
 
 
 class LongJump(RapidError):  # noqa: N818 - it is no new error
-    """An error on its way to an ERROR clause further up that asked for its number."""
+    """An error on its way to an ERROR clause further up that lists its number."""
 
     def __init__(self, error: RapidError, target: FrameType) -> None:
         """Send an error to the routine that runs in a frame."""
@@ -71,7 +71,7 @@ class LongJump(RapidError):  # noqa: N818 - it is no new error
 
 
 class Unrecoverable(BaseException):
-    """An error where no ERROR clause may act: in an ERROR or UNDO clause, out of a trap."""
+    """An error that no ERROR clause may handle: in an ERROR or UNDO clause, or from a trap."""
 
     def __init__(self, error: RapidError) -> None:
         """Carry the error."""
@@ -81,7 +81,7 @@ class Unrecoverable(BaseException):
 
 @dataclass(frozen=True, slots=True)
 class Recovery:
-    """Error handling of one task."""
+    """The error handling of one task."""
 
     numbers: ErrorNumbers
     long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
@@ -96,7 +96,7 @@ class Recovery:
             tries: How often the statement was retried.
 
         Returns:
-            0 to go on after the statement, otherwise the tries so far, to execute it again.
+            0 to continue after the statement, otherwise the number of tries so far, to retry it.
         """
         rapid = as_rapid_error(error)
         if isinstance(rapid, LongJump) and rapid.target is not sys._getframe(1):
@@ -134,7 +134,7 @@ class Recovery:
         return tries + 1
 
     def undo(self, clause: Callable[[], object]) -> None:
-        """Run the UNDO clause of a routine; nothing answers an error in it."""
+        """Run the UNDO clause of a routine; errors in it are not handled."""
         around, self.numbers.handler = self.numbers.handler, IN_UNDO
         try:
             clause()
@@ -144,7 +144,7 @@ class Recovery:
             self.numbers.handler = around
 
     def propagate(self, error: RapidError, number: float | None, written: str) -> Propagated:
-        """RAISE in an ERROR clause, with a number of its own, as written, or the one it has."""
+        """RAISE in an ERROR clause, with an explicit number, as written, or the current one."""
         if number is not None:
             error = raised(number, written)
         elif isinstance(error, LongJump):
@@ -173,9 +173,9 @@ class Recovery:
         return None
 
     def trap(self, routine: Callable[[], object]) -> Callable[[], None]:
-        """A trap routine as the controller calls it: ERRNO as before, errors final.
+        """A trap routine as the controller calls it: ERRNO is preserved, errors are fatal.
 
-        But one whose number an ERROR clause of what was interrupted lists goes there.
+        An error listed in an ERROR clause of the interrupted routines goes there instead.
         """
         return partial(self._run_trap, routine)
 
@@ -203,7 +203,7 @@ def _hides(frame: FrameType) -> bool:
 
 
 def raised(number: float, written: str) -> RapidError:
-    """The error of `RAISE number`, with the number as the program writes it."""
+    """The error of `RAISE number`, with the number as written."""
     names = [name for name, value in NUMBERS.items() if value == number]
     if not (names or 1 <= number <= 90 or number >= FIRST_BOOKED) or number != int(number):
         what = written if written == f"{number:g}" else f"{written}, which is {number:g}"
@@ -214,23 +214,23 @@ def raised(number: float, written: str) -> RapidError:
 
 
 def no_return(function: str) -> RapidError:
-    """A function came to its end without RETURN."""
+    """Raise the error of a function that reaches its end without RETURN."""
     return rapid_error(ERR_FNCNORET, f"the function {function} ended without RETURN")
 
 
 def unwinds(exception: BaseException) -> bool:
-    """Whether an exception leaves a routine in the way that runs its UNDO clause."""
+    """Whether an exception leaves a routine in a way that runs its UNDO clause."""
     if isinstance(exception, LongJump):
         return exception.target is not sys._getframe(1)
     return isinstance(exception, Stopped) and not isinstance(exception, CutOff)
 
 
 def as_rapid_error(error: Exception) -> RapidError:
-    """The RAPID error that a caught exception is.
+    """The RAPID error that a caught exception represents.
 
     Raises:
-        ZeroDivisionError: If it is Python's own and does not come from generated code; that is a
-            defect of the library and no business of the program.
+        ZeroDivisionError: If it is a Python error that does not come from generated code; that is a
+            defect of the library, not of the program.
     """
     if isinstance(error, RapidError):
         return error

@@ -1,7 +1,7 @@
-"""The rows of a run of alike moves as they are executed, one after the other.
+"""The rows of a run of alike moves during execution, one after the other.
 
-A run is one loop in generated code. What a row needs is made when its turn comes: nothing of a
-million moves is there before they are made.
+A run is one loop in generated code. Each row's values are created when its turn comes, so a million
+moves take no memory in advance.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _PARTS: tuple[tuple[slice, Any], ...] = (
 
 
 def targets_of(numbers: Numbers) -> Iterator[RobTarget]:
-    """Targets of columns (targets, 17)."""
+    """Targets from columns (targets, 17)."""
     for first in range(0, len(numbers), _AT_ONCE):
         block = numbers[first : first + _AT_ONCE]
         columns = (_part(block[:, part], kind) for part, kind in _PARTS)
@@ -74,7 +74,7 @@ class _Texts(Mapping[str, str]):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExecutedRow:
-    """A move of a run."""
+    """One move of a run."""
 
     written: tree.RunRow
     place: Place
@@ -83,7 +83,7 @@ class ExecutedRow:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExecutedRun:
-    """A run, to be iterated over whenever it is executed."""
+    """A run, iterated over whenever it is executed."""
 
     run: tree.Run
     like: Place

@@ -1,7 +1,7 @@
-"""All that decides what a task's program does next, as a value to compare.
+"""Everything that determines what a task's program does next, as a comparable value.
 
-Where two of them are equal and only looked at the controller in between, the program does the same
-again.
+If two such states are equal and the program only read from the controller in between, it will do
+the same again.
 """
 
 from __future__ import annotations
@@ -27,13 +27,13 @@ class _TooMuchError(Exception):
 def idle_state(
     module_data: Callable[[], Iterable[Any]], beside: Callable[[], object]
 ) -> Iterator[object]:
-    """Where the program stands, and what its variables hold.
+    """The position of the program, and the values of its variables.
 
-    Part by part, the innermost routine first, as two states mostly differ there: whoever compares
-    a deep recursion need not walk all of it. The last part is None where there is too much.
+    Part by part, innermost routine first, because two states usually differ there: comparing a deep
+    recursion then need not walk all of it. The last part is None if there is too much.
 
     Args:
-        module_data: The cells and lists of all variables outside of routines.
+        module_data: The cells and lists of all variables outside routines.
         beside: What else counts, such as ERRNO.
     """
     left = [MOST_VALUES]

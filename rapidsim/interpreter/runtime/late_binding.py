@@ -1,4 +1,4 @@
-"""Calls of a procedure whose name is known at run time only: `%"job" + n% args;`.
+"""Calls of a procedure whose name is only known at run time: `%"job" + n% args;`.
 
 The name is looked up from the module of the call: its own procedures, then the global ones of the
 task, then installed instructions. `"Module:proc"` looks in one module, `":proc"` in the task.
@@ -81,7 +81,7 @@ class LateBinding:
         """Call a procedure from a place in a module, given by its folded name.
 
         Raises:
-            RapidError: ERR_REFUNKPRC when nothing has the name, ERR_CALLPROC when it is no
+            RapidError: ERR_REFUNKPRC if nothing has the name, ERR_CALLPROC if it is not a
                 procedure or takes other arguments.
         """
         found = self._find(name, module)
@@ -91,7 +91,7 @@ class LateBinding:
             self._call_installed(found, place, name, shapes, values)
 
     def declares(self, module: str, name: str) -> bool:
-        """Whether a loaded module, one that waits too, declares a routine of that name."""
+        """Whether a loaded module, even one still waiting to be linked, declares a routine."""
         return name.lower() in self.waiting or self._find_user(module, "", False, name) is not None
 
     def value(
@@ -105,8 +105,8 @@ class LateBinding:
         """The value of a function that was declared after its call was translated.
 
         Raises:
-            RapidError: ERR_REFUNKFUN when nothing has the name or it is no function with a value of
-                the type that its place wants.
+            RapidError: ERR_REFUNKFUN if nothing has the name, or it is not a function of the type
+                required here.
         """
         found = self._find_user(module, "", False, name)
         if found is None:
@@ -196,7 +196,7 @@ class LateBinding:
 
 
 def numbered_name(name: str, number: float) -> str:
-    """The procedure that CallByVar calls; it looks among the global ones of the task.
+    """The procedure that CallByVar calls; only the task's global ones are searched.
 
     Raises:
         RapidError: ERR_ARGVALERR when the number is negative or not whole.
@@ -275,7 +275,7 @@ def _mismatch(name: str, reason: str) -> RapidError:
 
 
 def unresolved_procedure(name: str) -> NoReturn:
-    """Refuse a call in a task that was loaded with references that nothing declares.
+    """Raise the error for a call of an undeclared procedure, in a task that allows such calls.
 
     Raises:
         RapidError: ERR_REFUNKPRC.
@@ -284,7 +284,7 @@ def unresolved_procedure(name: str) -> NoReturn:
 
 
 def unresolved_function(name: str) -> NoReturn:
-    """Refuse a function call in such a task.
+    """Raise the error for a call of an undeclared function, in such a task.
 
     Raises:
         RapidError: ERR_REFUNKFUN.
@@ -293,7 +293,7 @@ def unresolved_function(name: str) -> NoReturn:
 
 
 def unresolved_data(name: str, why: str | None) -> NoReturn:
-    """Refuse to go on where a program names data that nothing declares.
+    """Stop where a program uses undeclared data.
 
     Raises:
         RapidError: ERR_REFUNKDAT in such a task.

@@ -1,4 +1,4 @@
-"""Calls of routines that no module declares yet: one that is loaded by then may."""
+"""Calls of routines that no module declares yet, but one loaded by then may."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.syntax import tree
 
 
 def may_be_loaded(node: tree.Node, program: Program) -> TypeGuard[tree.Call | tree.FunctionCall]:
-    """Whether a node is such a call, and enough is known of its arguments to make it."""
+    """Whether a node is such a call, with enough known of its arguments to make it."""
     return (
         program.loads_modules
         and isinstance(node, tree.Call | tree.FunctionCall)

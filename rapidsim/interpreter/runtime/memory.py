@@ -1,7 +1,7 @@
 """The variables of a task: one cell for each scalar or record, one list for each array.
 
-A persistent has a class of its own, so that a reference to it still says that it is one. Whoever
-shares a cell or list shares the variable.
+A persistent has a class of its own, so that references to it can still be recognised. Sharing a
+cell or list means sharing the variable.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rapidsim.values import dataclass
 
 
 class PersistentBox(Box[Any]):
-    """A PERS that is no array."""
+    """A PERS that is not an array."""
 
     __slots__ = ()
 
@@ -31,7 +31,7 @@ class PersistentArray(list[Any]):
 
 @dataclass(frozen=True, slots=True)
 class ChangedPersistent:
-    """A PERS whose value is not the one in the program text any more."""
+    """A PERS whose value differs from that in the program text."""
 
     name: str
     module: str
@@ -42,7 +42,7 @@ class ChangedPersistent:
 
 @dataclass(slots=True)
 class Memory:
-    """All module variables of a task, and the predefined ones that it uses."""
+    """All module variables of a task, and the predefined data that it uses."""
 
     program: Program
     shared: Callable[[DataSymbol], Any] = lambda symbol: None
@@ -51,9 +51,9 @@ class Memory:
     _loaded: dict[DataSymbol, Value] = field(default_factory=dict)
 
     def home(self, symbol: DataSymbol) -> Any:
-        """The cell or list of a variable, with its initial value when first asked for.
+        """The cell or list of a variable, initialised on first use.
 
-        Initial values that are more than literals are assigned by generated code.
+        Initial values that are not literals are assigned by generated code.
         """
         # By its declaration: modules that are loaded later give a program of new symbols.
         key: object = symbol.node if symbol.node is not None else symbol.name.lower()
@@ -63,34 +63,34 @@ class Memory:
         return self._homes[key]
 
     def homes(self) -> Iterable[Any]:
-        """The cells and lists of all variables that anybody has asked for."""
+        """The cells and lists of all variables used so far."""
         return self._homes.values()
 
     def value(self, symbol: DataSymbol) -> Value:
-        """A copy of the value that a variable has now."""
+        """A copy of the current value of a variable."""
         return _value(self.home(symbol))
 
     def predefined(self, key: str, initial: Value) -> Value:
-        """The value of predefined data by folded name, the initial one where nobody uses them."""
+        """The value of predefined data by folded name; the initial one if nothing uses them."""
         return _value(self._homes[key]) if key in self._homes else copied(initial)
 
     def forget(self, module: tree.Module) -> None:
-        """Give up the variables of a module that is gone."""
+        """Drop the variables of a module that is gone."""
         for item in module.items:
             self._homes.pop(item, None)
 
     def persistents(self) -> Iterator[DataSymbol]:
-        """The PERS data of all modules, in order of writing."""
+        """The PERS data of all modules, in source order."""
         for symbol in module_data(self.program):
             if symbol.storage is Storage.PERS:
                 yield symbol
 
     def remember(self) -> None:
-        """Take what the persistents hold now as what the program text says."""
+        """Treat the current values of the persistents as those in the program text."""
         self._loaded = {symbol: self.value(symbol) for symbol in self.persistents()}
 
     def changed(self) -> tuple[ChangedPersistent, ...]:
-        """The persistents that hold something else than in the program text."""
+        """The persistents whose values differ from those in the program text."""
         changes = []
         for symbol, old in self._loaded.items():
             new = self.value(symbol)
@@ -101,7 +101,7 @@ class Memory:
 
 
 def module_data(program: Program) -> Iterator[DataSymbol]:
-    """The data that modules declare, in order of writing."""
+    """The data that modules declare, in source order."""
     for module in program.modules:
         for item in module.items:
             if isinstance(item, tree.Data):
@@ -126,7 +126,7 @@ def is_persistent(reference: object) -> bool:
 
 
 def initial_literal(symbol: DataSymbol) -> Value | None:
-    """The initial value of declared data, or None where it takes code to find it."""
+    """The initial value of declared data; None if computing it takes code."""
     assert symbol.node is not None
     if symbol.node.value is None:
         return initial_value(symbol.type)

@@ -1,7 +1,7 @@
 """References that are not whole variables: array elements, record components, and absent ones.
 
-A routine that gets a reference reads and writes its `value` and never learns what it is. Arrays
-need no reference: the list is one.
+A routine that gets a reference reads and writes its `value` without knowing its kind. An array
+needs no reference object: the list is the reference.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ _new = tuple.__new__
 
 
 def not_present(name: str) -> NoReturn:
-    """Refuse to read an optional parameter that was not given."""
+    """Raise the error for reading an optional parameter that was not given."""
     raise rapid_error(ERR_NOTPRES, f"the optional argument {name} is used but was not given")
 
 
 class Absent:
-    """What an optional parameter holds when it was not given; every use of it is an error."""
+    """The value of an optional parameter that was not given; every use of it is an error."""
 
     __slots__ = ()
 
     @property
     def value(self) -> NoReturn:
-        """Refuse to be read."""
+        """Raise the error for reading it."""
         not_present("of this routine")
 
     @value.setter
@@ -54,7 +54,7 @@ ABSENT = Absent()
 
 
 def position_of(name: str) -> str:
-    """The Python variable with the position of an element, beside the one that holds its array."""
+    """The Python variable holding an element's position, beside the one that holds its array."""
     return f"_{name}_at"
 
 
@@ -79,7 +79,7 @@ class Element:
 
 
 class ComponentReference:
-    """A component of a record, itself somewhere behind a reference."""
+    """A component of a record that is itself behind a reference."""
 
     __slots__ = ("_path", "_record")
 
@@ -102,7 +102,7 @@ class ComponentReference:
 
 
 def with_component(record: Any, path: tuple[int, ...], value: object) -> Any:
-    """The record with one component, however deep, replaced."""
+    """The record with one component, at any depth, replaced."""
     position = path[0]
     if len(path) > 1:
         value = with_component(record[position], path[1:], value)

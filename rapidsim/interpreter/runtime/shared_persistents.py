@@ -1,8 +1,8 @@
-"""Persistents that several tasks share: one datum a name, and everybody sees every change.
+"""Persistents that several tasks share: one variable per name, changes visible to all.
 
-A PERS that is neither LOCAL nor TASK and has the same name in several tasks is one datum. Its value
-is what the first task that gives it one says. Whoever reads or writes it must have let the other
-tasks come up to its time first; a `Board` sees to that.
+A PERS that is neither LOCAL nor TASK and has the same name in several tasks is one variable. Its
+initial value is that of the first task that gives one. Before reading or writing it, a task must
+let the others come up to its time; a `Board` sees to that.
 
 Source: RAPID Overview, "Declarations", persistent declarations.
 """
@@ -33,19 +33,19 @@ _CONTENT = Box.__dict__["value"]
 
 
 class Board(Protocol):
-    """Who is told when shared data are looked at and changed."""
+    """Notified when shared data are read and changed."""
 
     def look(self) -> None:
-        """Let every other task come up to the time of the statement that runs."""
+        """Let every other task come up to the time of the current statement."""
         ...
 
     def tell(self) -> None:
-        """Shared data have changed."""
+        """Notify that shared data have changed."""
         ...
 
 
 class SharedBox(PersistentBox):
-    """A shared PERS that is no array."""
+    """A shared PERS that is not an array."""
 
     __slots__ = ("_board",)
 
@@ -56,7 +56,7 @@ class SharedBox(PersistentBox):
 
     @property
     def value(self) -> Any:
-        """The value now."""
+        """The current value."""
         self._board.look()
         return _CONTENT.__get__(self)
 
@@ -101,7 +101,7 @@ class Disagreement:
 
 @dataclass(slots=True)
 class SharedPersistents:
-    """The persistents that some tasks have in common, by folded name."""
+    """The persistents shared by some tasks, by folded name."""
 
     board: Board
     declared: dict[str, DataSymbol]
@@ -134,7 +134,7 @@ class SharedPersistents:
         return self._homes[key]
 
     def release(self, node: tree.Data) -> None:
-        """Give up a declaration whose module is gone; what no other one holds begins anew."""
+        """Drop a declaration whose module is gone; data without any other one start afresh."""
         key = node.name.key
         users = self._users.get(key, set())
         if node not in users:
@@ -153,11 +153,11 @@ class SharedPersistents:
 def shared_persistents(
     programs: Sequence[Program], board: Board, written: Sequence[frozenset[str] | None]
 ) -> SharedPersistents:
-    """What the programs of several tasks have in common.
+    """What the programs of several tasks share.
 
     Args:
-        programs: One a task.
-        board: Who is told of changes.
+        programs: One per task.
+        board: Notified of changes.
         written: Folded names of the persistents that each program may write; None for all of them.
     """
     may_grow = any(program.loads_modules for program in programs)
@@ -182,7 +182,7 @@ def disagreements(programs: Sequence[Program]) -> tuple[Disagreement, ...]:
 
 
 def may_be_shared(symbol: DataSymbol) -> bool:
-    """Whether tasks that declare data of this name have them in common."""
+    """Whether tasks that declare data of this name share them."""
     return symbol.storage is Storage.PERS and symbol.scope is Scope.GLOBAL
 
 

@@ -14,7 +14,7 @@ Value: TypeAlias = Any
 
 
 def literal(expression: tree.Expression, of: Type) -> Value | None:
-    """The value of an expression of literals alone, or None when it is more than that."""
+    """The value of a literal expression; None for any other."""
     target = resolved(of)
     match expression:
         case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
@@ -84,7 +84,7 @@ def element_type(array: ArrayOf) -> Type:
 
 
 def copied(value: Value) -> Value:
-    """A value that shares nothing that can change: arrays are copied, the rest is immutable."""
+    """A copy that shares no mutable part: arrays are copied, the rest is immutable."""
     return copy_array(value) if isinstance(value, list) else value
 
 

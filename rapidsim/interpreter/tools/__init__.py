@@ -1,1 +1,1 @@
-"""What coverage, debugger and assertions ask of a program."""
+"""What coverage, debugger and assertions need from a program."""

@@ -1,9 +1,9 @@
 """A plugin with which coverage.py counts the lines of RAPID modules.
 
-Its name for `plugins =` in coverage's configuration is that of this file as a module. Routines run
-as Python code under the name of their RAPID file, so coverage sees their lines as they are. What it
-cannot know is told here: that modules are worth counting, how their bytes are read, and which of
-their lines can be executed. The only file that imports coverage, which only developers have.
+In coverage's configuration, `plugins =` takes the dotted name of this module. Routines run as
+Python code under the name of their RAPID file, so coverage sees RAPID lines. The plugin adds what
+coverage cannot know: which files to measure, how to decode them, and which lines are executable.
+The only file that imports coverage, which only developers have.
 
 Source: coverage.py documentation, "Plug-in classes".
 """
@@ -32,20 +32,20 @@ _MEASURED = [f"*{form(suffix)}" for suffix in MODULE_SUFFIXES for form in (str.l
 
 
 def coverage_init(registry: Plugins, options: dict[str, TConfigValueIn]) -> None:
-    """Let coverage know the plugin; coverage calls this, with the plugin's section of options."""
+    """Register the plugin; called by coverage with the plugin's section of its options."""
     plugin = RapidPlugin()
     registry.add_configurer(plugin)
     registry.add_file_tracer(plugin)
 
 
 class RapidPlugin(CoveragePlugin):
-    """What coverage asks about RAPID modules."""
+    """Answers coverage's questions about RAPID modules."""
 
     def configure(self, config: TConfigurable) -> None:
-        """Set what RAPID needs and the user has not set.
+        """Set what RAPID needs where the user has not.
 
-        Only RAPID modules are measured unless `source` or `include` names something. The tracer in
-        C is the one that knows plugins.
+        Only RAPID modules are measured unless `source` or `include` is set. The C tracer is the one
+        that supports plugins.
         """
         chosen = ("run:source", "run:source_pkgs", "run:source_dirs", "run:include")
         if not any(config.get_option(option) for option in chosen):
@@ -64,11 +64,11 @@ class RapidPlugin(CoveragePlugin):
         return _Tracer(filename) if _is_module(filename) else None
 
     def file_reporter(self, filename: str) -> FileReporter:
-        """Describe a module that was measured."""
+        """Describe a measured module."""
         return RapidReporter(filename)
 
     def find_executable_files(self, src_dir: str) -> Iterator[str]:
-        """The modules of a `source` folder, so that those which never ran count too."""
+        """The modules of a `source` folder, so that those never run count too."""
         for path in sorted(Path(src_dir).rglob("*")):
             if path.is_file() and _is_module(path.name):
                 yield str(path)
@@ -91,7 +91,7 @@ class RapidReporter(FileReporter):
     """One module in a report: its text, its executable lines, its routines."""
 
     def source(self) -> str:
-        """The text with the line numbers of RAPID, whatever its bytes and line ends are."""
+        """The text with RAPID's line numbers, whatever its encoding and line endings."""
         source = self._source
         lines = [source.line(number) for number in range(1, len(source.line_starts) + 1)]
         if not lines[-1]:
@@ -100,21 +100,21 @@ class RapidReporter(FileReporter):
         return "".join(" ".join(line.splitlines()) + "\n" for line in lines)
 
     def source_token_lines(self) -> TSourceTokenLines:
-        """The lines for a web page, plain: comments apart, coverage colours only Python."""
+        """The lines for a web page; only comments are marked, as coverage knows only Python."""
         for line in self.source().split("\n")[:-1]:
             is_comment = line.lstrip().startswith("!")
             yield [("com" if is_comment else "txt", line)]
 
     def lines(self) -> set[int]:
-        """The lines that can be executed."""
+        """The executable lines."""
         return {line for routine in self._routines for line in routine.executable}
 
     def translate_lines(self, lines: Iterable[int]) -> set[int]:
-        """Executed lines as the report counts them: headers are passed once when they load."""
+        """Executed lines as reported: headers are dropped, as they execute once on loading."""
         return self.lines() & set(lines)
 
     def code_regions(self) -> list[CodeRegion]:
-        """The routines, for reports that count by function."""
+        """The routines, for reports by function."""
         return [
             CodeRegion("function", r.name, r.first, set(range(r.first, r.last + 1)))
             for r in self._routines

@@ -1,8 +1,8 @@
-"""Which lines of a RAPID file hold a statement that runs: what coverage counts, where one can stop.
+"""Which lines of a RAPID file hold an executable statement: counted by coverage, breakable.
 
 A statement counts on the line it begins on, an ELSEIF or CASE on the line of its condition.
-Headers, ends, labels and declarations of module data do not count: they are there when the program
-is loaded. BACKWARD clauses do not count either: the simulator never runs backwards.
+Headers, ends, labels and declarations of module data do not count: they take effect when the
+program is loaded. Nor do BACKWARD clauses: the simulator never runs backwards.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ class RoutineLines:
 
 
 def routine_lines(file: tree.File) -> tuple[RoutineLines, ...]:
-    """The routines of a file in order of writing, each with the lines that can be executed."""
+    """The routines of a file in source order, each with its executable lines."""
     return tuple(
         _lines_of(routine, file.source) for module in file.modules for routine in module.routines
     )
 
 
 def module_lines(module: tree.Module) -> frozenset[int]:
-    """All lines of a module that can be executed."""
+    """All executable lines of a module."""
     routines = (_lines_of(routine, module.source) for routine in module.routines)
     return frozenset(line for routine in routines for line in routine.executable)
 

@@ -1,7 +1,7 @@
-"""What a debugger asks about a running routine: where it is, and what its data are worth.
+"""What a debugger asks about a running routine: its position, and the values of its data.
 
-Data are found by their RAPID names, in any case, as the routine sees them, and shown as they would
-stand in a program. References are looked through.
+Data are found by their RAPID names, in any case, as visible in the routine, and shown in RAPID
+syntax. References are followed.
 """
 
 from __future__ import annotations
@@ -55,13 +55,13 @@ def routine_of(frame: FrameType) -> RoutineSymbol | None:
 
 
 def module_of(frame: FrameType) -> tree.Module:
-    """The module whose code a frame executes; one that was loaded, too."""
+    """The module whose code a frame executes, including modules loaded at run time."""
     origin: Origin = frame.f_globals[GENERATED]
     return origin.module
 
 
 def place_of(frame: FrameType) -> str:
-    """Where a frame is in words: `weld`, `the ERROR clause of weld`, or `initial values`."""
+    """The position of a frame in words: `weld`, `the ERROR clause of weld`, or `initial values`."""
     routine = routine_of(frame)
     clause = CLAUSES.get(frame.f_code.co_name)
     name = routine.name if routine else "initial values"
@@ -69,11 +69,11 @@ def place_of(frame: FrameType) -> str:
 
 
 def shown(path: str, frame: FrameType) -> str:
-    """The value of data as a program would write it.
+    """The value of data in RAPID syntax.
 
     Args:
         path: Data with indices and components: `n`, `p10.trans.x`, `a{i,2}`.
-        frame: Of the routine that looks.
+        frame: The frame of the routine in whose scope to look.
 
     Raises:
         NotShownError: If there is no such value now.

@@ -1,8 +1,8 @@
-"""Expressions asked of a program: checked as if they stood in it, evaluated when it has run.
+"""Expressions asked of a program: checked as if part of it, evaluated after it has run.
 
-An expression is the one statement of a function in a module of our own, together with functions
-that return its parts. That module sees what is LOCAL in the program's modules and is linked like
-one that a program loads, so what checks and executes programs does it here, too.
+An expression becomes the only statement of a function in an internal module, together with
+functions that return its subexpressions. That module sees what is LOCAL in the program's modules
+and is linked like one loaded at run time, so the usual checks and execution apply.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ _NAME = "assertion"
 
 
 class NotAskedError(Exception):
-    """An expression that cannot be asked; the message says why."""
+    """An expression that cannot be evaluated; the message says why."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +72,7 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class CheckedQuestion:
-    """What checking an expression found; the question only where there is no error."""
+    """The result of checking an expression; without a question if there are errors."""
 
     question: Question | None
     findings: tuple[Diagnostic, ...]
@@ -81,7 +81,7 @@ class CheckedQuestion:
 
 @dataclass(frozen=True, slots=True)
 class AnsweredQuestion:
-    """What an expression was worth when the program had run."""
+    """The value of an expression after the program has run."""
 
     holds: bool
     values: tuple[tuple[str, str], ...] = ()
@@ -114,12 +114,12 @@ def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Chec
 
     Args:
         text: The expression.
-        label: What stands for a file name in findings.
-        program: The program it is asked of.
-        figures: Names of numbers besides; those that the program declares are left out.
+        label: Stands for a file name in findings.
+        program: The program to ask.
+        figures: Names of additional numbers; those that the program declares are left out.
 
     Raises:
-        NotAskedError: If it is no single expression, or does more than look.
+        NotAskedError: If it is not a single expression, or has side effects.
     """
     text = text.strip()
     declared = dict.fromkeys(sorted(set(figures) - own_names(program)), 0.0)
@@ -149,10 +149,10 @@ def ask(text: str, label: str, program: Program, figures: Iterable[str]) -> Chec
 def answers(
     task: Task, questions: Sequence[Question], figures: Mapping[str, float]
 ) -> tuple[AnsweredQuestion, ...]:
-    """Evaluate expressions with the values that a program has left.
+    """Evaluate expressions with the final values of a program.
 
     Args:
-        task: After its run.
+        task: The task, after its run.
         questions: Checked against the program it began with.
         figures: The numbers that the questions were checked with, by name.
     """

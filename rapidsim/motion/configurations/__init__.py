@@ -1,1 +1,1 @@
-"""Which joint vector a pose means: frames, confdata, reach, singularities."""
+"""From poses to joint vectors: frames, confdata, reach, singularities."""

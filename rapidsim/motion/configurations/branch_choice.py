@@ -1,8 +1,8 @@
-"""Choose how an arm takes a row of poses: of all branches and turns those with the least motion.
+"""Chooses branches and turns along a sequence of poses for the least joint motion.
 
-The choice at one pose decides what the next can cost, so it is made for the whole row at once, by
-dynamic programming: the cheapest way to every solution of a pose leads through some solution of the
-pose before, and only the cheapest to each need be kept.
+The choice at one pose decides what the next can cost, so it is made for the whole sequence at once,
+by dynamic programming: the cheapest path to each solution of a pose goes through some solution of
+the previous pose, and only the cheapest path to each need be kept.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _BATCH = 1024
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LeastMotion:
-    """Joints along a row of poses."""
+    """Joints along a sequence of poses."""
 
     joints: Array
     """Shape (k, n) [rad], within the limits."""
@@ -40,13 +40,13 @@ def least_motion(
 
     Args:
         robot: The arm.
-        base_from_flange: The poses in the order in which they are taken.
+        base_from_flange: The poses in order.
         start: Joints (n,) [rad] from which the arm comes; without them the first pose is free.
 
     Returns:
-        The joints that turn least in sum, or the index of the first pose that no branch reaches
-        within the limits. Whether the arm can change branches between two poses without leaving
-        the way between them is not looked at: with poses close together, it pays not to.
+        The joints with the least total motion, or the index of the first pose that no branch
+        reaches within the limits. Whether the arm can change branches between two poses without
+        leaving the path is not checked: with poses close together, changing does not pay.
     """
     count = len(base_from_flange)
     candidates = []

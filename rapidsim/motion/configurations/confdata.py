@@ -1,8 +1,8 @@
-"""ABB's confdata: which of the many joint vectors of a pose is meant.
+"""ABB's confdata: selects one of the many joint vectors of a pose.
 
-cf1, cf4 and cf6 are the quarter turns that axes 1, 4 and 6 stand in: 0 from 0 to 90 deg, -1 from
--90 to 0, and so on through all turns. cfx is the branch of inverse kinematics. Together they name
-one joint vector, but where axis 5 is 0 and only the sum of axes 4 and 6 matters.
+cf1, cf4 and cf6 are the quarter turns that axes 1, 4 and 6 are in: 0 from 0 to 90 deg, -1 from -90
+to 0, and so on through all turns. cfx is the branch of inverse kinematics. Together they identify
+one joint vector, except where axis 5 is 0 and only the sum of axes 4 and 6 matters.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, confdata, for
 robots with a serial wrist. For arms of other kinds cfx is the branch of their own solver; YuMi's
@@ -55,7 +55,7 @@ class Configuration:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Selected:
-    """What confdata selects for a row of poses."""
+    """What confdata selects for a sequence of poses."""
 
     joints: Array
     """Shape (k, n) [rad]; 0 where the branch does not reach the pose. Limits are not heeded."""
@@ -66,7 +66,7 @@ class Selected:
 
 
 def told_apart(kinematics: Kinematics) -> bool:
-    """Whether confdata names one of an arm's solutions, as it does where they have branches."""
+    """Whether confdata distinguishes an arm's solutions, as it does if they have branches."""
     return not isinstance(kinematics, Numerical)
 
 
@@ -86,9 +86,9 @@ def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
 
 
 def stands_as(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> Mask:
-    """Whether joint vectors (..., n) [rad] stand as confdata (..., 4) says.
+    """Whether joint vectors (..., n) [rad] match confdata (..., 4).
 
-    The border of a quarter turn belongs to both of its sides: the digits of a target decide there.
+    The border of a quarter turn belongs to both sides: there the rounding of a target would decide.
     """
     wanted = np.asarray(confdata)
     branch = kinematics.branch_of(np.asarray(joints)) == wanted[..., 3]
@@ -108,11 +108,11 @@ def select(
         base_from_flange: Poses (k,).
         confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
         near: Joint vectors (k, n) or (n,) [rad]: axes that the pose leaves undetermined stay as
-            near to them as confdata allows.
+            close to them as confdata allows.
 
     Returns:
-        Axes 1, 4 and 6 in the turn that comes nearest to confdata, the others in the turn that
-        is nearest to their range.
+        Axes 1, 4 and 6 in the turn closest to confdata, the others in the turn closest to their
+        range.
     """
     asked = np.asarray(confdata, dtype=np.float64)
     asked = np.where(np.abs(asked) < NO_CONFIGURATION, asked, NO_CONFIGURATION)
@@ -143,10 +143,10 @@ def select(
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
-    """Every way to reach one pose within the joint limits: all branches, all whole turns.
+    """All joint vectors for one pose within the joint limits: all branches, all whole turns.
 
     Joint vectors where branches meet are listed once. Where axis 5 is 0 the sum of axes 4 and 6 can
-    be shared out in endless ways; only those with axis 4 at whole half turns are listed.
+    be split in infinitely many ways; only those with axis 4 at multiples of a half turn are listed.
     """
     branches = robot.kinematics.inverse(base_from_flange)
     vectors = [
@@ -167,10 +167,10 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
 def named(
     robot: Robot, base_from_flange: Transform, confdata: tuple[int, int, int, int]
 ) -> Configuration | None:
-    """The one of `configurations` that confdata names, found without the others.
+    """The one of `configurations` that confdata selects, found without the others.
 
-    None where there is none, and where only all of them tell: for arms that have no formulas for
-    one pose, and where the pose leaves an axis undetermined.
+    None if there is none, and if it takes all of them to decide: for arms without formulas for one
+    pose, and where the pose leaves an axis undetermined.
     """
     arm, branch = robot.kinematics, confdata[3]
     if branch not in range(arm.branch_count):
@@ -195,12 +195,12 @@ def named(
 
 
 def within_limits(robot: Robot, joints: Array) -> Iterator[tuple[float, ...]]:
-    """A joint vector (n,) [rad] in all the whole turns that lie within the limits."""
+    """A joint vector (n,) [rad] in all whole turns within the limits."""
     return product(*_turns_of_each(robot, joints.tolist()))
 
 
 def distinct(joints: Array, turns: Array) -> list[Array]:
-    """Joint vectors (k, n) [rad] without those that an earlier one is but for whole turns (n,)."""
+    """Joint vectors (k, n) [rad] without those equal to an earlier one up to whole turns (n,)."""
     difference = joints[:, None] - joints
     difference -= nearest_turns(difference, turns)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME

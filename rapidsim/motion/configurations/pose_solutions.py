@@ -1,4 +1,4 @@
-"""Every way in which an arm reaches one pose, or why it does not: what a person asks of an arm."""
+"""All solutions of an arm for one pose, or why there are none: for interactive queries."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class PoseSolution:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PoseSolutions:
-    """What an arm can do about a pose."""
+    """The solutions of an arm for a pose."""
 
     solutions: tuple[PoseSolution, ...]
     why: str | None
@@ -56,11 +56,11 @@ def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -
     Args:
         robot: The arm.
         base_from_flange: One pose.
-        everything: Also every whole turn within the limits, and branches outside the limits.
+        everything: Also all whole turns within the limits, and branches outside the limits.
 
     Returns:
         The solutions by branch; without `everything` one for each branch within the limits, in the
-        turn that is nearest to joint values 0.
+        turn closest to joint values 0.
     """
     branches = robot.inverse(base_from_flange)
     found: list[Array] = []
@@ -79,7 +79,7 @@ def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -
 def solve_pose_as(
     robot: Robot, base_from_flange: Transform, confdata: Sequence[int]
 ) -> PoseSolutions:
-    """Solve one pose in the configuration that confdata names, cf1, cf4, cf6 and cfx."""
+    """Solve one pose in the configuration given by confdata: cf1, cf4, cf6 and cfx."""
     near = turns_within_limits(robot, np.zeros(len(robot.joints)))
     wanted: Integers = np.array([confdata], dtype=np.int64)
     selected = select(robot, base_from_flange[None], wanted, near)
@@ -109,7 +109,7 @@ def solve_pose_as(
 
 
 def solution(robot: Robot, base_from_flange: Transform, joints: Array) -> PoseSolution:
-    """What joints (n,) [rad] make of a pose."""
+    """The solution that joints (n,) [rad] are for a pose."""
     flange = robot.forward(joints)
     turn = vector_from_rotation(base_from_flange.rotation @ flange.rotation.T)
     cf1, cf4, cf6, cfx = confdata_of(robot.kinematics, joints).tolist()

@@ -1,4 +1,4 @@
-"""Postures of an arm to be looked at: one at given joints, or all that reach a pose."""
+"""Postures of an arm for display: one at given joints, or all that reach a pose."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _MOVES = 0.2
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Posture:
-    """One way to stand."""
+    """One posture."""
 
     joints: Array
     """Shape (n,) [rad]."""
@@ -25,7 +25,7 @@ class Posture:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Postures:
-    """An arm in one posture or several."""
+    """An arm in one or more postures."""
 
     robot: Robot
     world_from_base: Transform
@@ -38,7 +38,7 @@ class Postures:
 
     @property
     def world_from_tcp(self) -> Transform:
-        """Where the TCP is in the first posture."""
+        """The pose of the TCP in the first posture."""
         return self.world_from_base @ self.robot.forward(self.rows[0].joints) @ self.flange_from_tcp
 
     def frames(self, row: int) -> Transform:
@@ -55,16 +55,16 @@ class Postures:
 
     @property
     def size(self) -> float:
-        """About how large the arm is [m]."""
+        """The approximate size of the arm [m]."""
         places = [self.frames(row).translation for row in range(len(self.rows))]
         foot = self.world_from_base.translation
         return max(float(np.linalg.norm(np.concatenate(places) - foot, axis=1).max()), 0.05)
 
     @property
     def weakest(self) -> tuple[Array, str] | None:
-        """The direction (3,) in the world that joints move the TCP least along, or turn it about.
+        """The direction (3,) in the world in which, or about which, joints move the TCP least.
 
-        With words for it; None where no Jacobian was asked for.
+        With a description in words; None if no Jacobian was requested.
         """
         if self.differential is None:
             return None

@@ -1,7 +1,7 @@
-"""What would bring poses into reach: the shortest way to shift them, the least turn of the tool.
+"""What would make poses reachable: the shortest shift, the smallest turn of the tool.
 
-Searched by solving batches of poses, so joint limits count and every kind of arm is served; what is
-returned has been solved, not estimated.
+Found by solving batches of poses, so joint limits count and every kind of arm is supported; results
+have been solved, not estimated.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ _BATCH = 8192
 
 @dataclass(frozen=True, slots=True)
 class ToolTurn:
-    """A turn of the tool about one of its own axes through the TCP that brings it into reach."""
+    """A turn of the tool about one of its axes through the TCP that makes the pose reachable."""
 
     axis: Literal["x", "y", "z"]
     degrees: float
 
 
 def reachable(robot: Robot, base_from_flange: Transform) -> Mask:
-    """Which of some poses (k,) the arm reaches within its limits, in any configuration."""
+    """Which of the poses (k,) the arm reaches within its limits, in any configuration."""
     found = []
     for first in range(0, len(base_from_flange), _BATCH):
         branches = robot.inverse(base_from_flange[first : first + _BATCH])
@@ -57,9 +57,9 @@ def reachable(robot: Robot, base_from_flange: Transform) -> Mask:
 
 
 def nearest_shift(robot: Robot, base_from_flange: Transform) -> Array | None:
-    """The shortest shift (3,) [m] in base after which the arm reaches all of some poses (k,).
+    """The shortest shift (3,) [m] in base after which the arm reaches all poses (k,).
 
-    None where no shift up to `FARTHEST` does. The shift ends on a whole millimetre that works.
+    None if no shift up to `FARTHEST` works. The shift is rounded to whole millimetres that work.
     """
     bad = np.flatnonzero(~reachable(robot, base_from_flange))
     if not bad.size:
@@ -83,7 +83,7 @@ def nearest_shift(robot: Robot, base_from_flange: Transform) -> Array | None:
 def least_turn(
     robot: Robot, base_from_tcp: Transform, tcp_from_flange: Transform
 ) -> ToolTurn | None:
-    """The least turn of the tool about its own z, x or y with which the arm reaches a pose."""
+    """The smallest turn of the tool about its own z, x or y with which the arm reaches a pose."""
     turns: list[ToolTurn] = []
     vectors: list[Array] = []
     for axis, largest in (("z", 180.0), ("x", _LARGEST_TILT), ("y", _LARGEST_TILT)):

@@ -22,7 +22,7 @@ with as many digits as the way of the flange."""
 
 @dataclass(frozen=True, slots=True)
 class Unreachable:
-    """What keeps an arm from a pose: its geometry, or else the joint limit that gives least."""
+    """What keeps an arm from a pose: its geometry, or the joint limit with the smallest excess."""
 
     shortfall: float
     """How far [m] the wrist centre is outside what the arm can reach; 0 if a limit is the cause."""
@@ -43,7 +43,7 @@ class Unreachable:
 
     @property
     def message(self) -> str:
-        """The reason in the words of a shop floor: mm and degrees."""
+        """The reason in workshop units: mm and degrees."""
         off_mm, off_deg = 1000.0 * self.shortfall, degrees(self.tilt)
         if self.searched and self.joint is None:
             nearest = f"the search came no nearer than {off_mm:.3g} mm and {off_deg:.3g} deg"
@@ -62,9 +62,9 @@ class Unreachable:
 
 
 def turns_within_limits(robot: Robot, joints: Array) -> Array:
-    """Joint vectors (..., n) [rad] with each joint in the whole turn that is nearest to its range.
+    """Joint vectors (..., n) [rad] with each joint in the whole turn closest to its range.
 
-    What lies outside afterwards has no turn within the limits.
+    A joint still outside its range then has no turn within the limits.
     """
     endless = np.isinf(robot.lower) | np.isinf(robot.upper)
     lower, upper = (np.where(endless, 0.0, limits) for limits in (robot.lower, robot.upper))
@@ -73,7 +73,7 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
 
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
-    """How far joint vectors (..., n) [rad] are over their limits: + above, - below, 0 within."""
+    """By how much joint vectors (..., n) [rad] exceed limits: + above, - below, 0 within."""
     # What is over by more than is tolerated is over by all of it but rounding.
     tolerated = limit_tolerance(robot) - LIMIT_TOLERANCE
     above = joints - robot.upper - LIMIT_TOLERANCE
@@ -83,12 +83,12 @@ def limit_excess(robot: Robot, joints: Array) -> Array:
 
 
 def limit_tolerance(robot: Robot) -> Array:
-    """How little past its limits each joint (n,) [rad] may be."""
+    """The tolerance of each joint limit (n,) [rad]."""
     return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, LIMIT_TOLERANCE)
 
 
 def programmed_excess(robot: Robot, joints: Array) -> Array:
-    """As `limit_excess`, of axis positions that a program writes, which are rounded."""
+    """Like `limit_excess`, for axis positions written in programs, which are rounded."""
     excess = limit_excess(robot, joints)
     return np.where(np.abs(excess) > robot.axes.tolerances[: joints.shape[-1]], excess, 0.0)
 
@@ -96,12 +96,12 @@ def programmed_excess(robot: Robot, joints: Array) -> Array:
 def why_unreachable(
     robot: Robot, base_from_flange: Transform, branch: int | None = None
 ) -> Unreachable | None:
-    """The reason why one pose cannot be reached, None if it can.
+    """Why one pose cannot be reached; None if it can.
 
     Args:
         robot: The arm.
         base_from_flange: One pose.
-        branch: Look at this branch only; without it, at all.
+        branch: The only branch to consider; all if not given.
     """
     branches = robot.kinematics.inverse(base_from_flange)
     wanted = branches.exists.copy()
@@ -124,7 +124,7 @@ def why_unreachable(
 
 
 def over_limit(robot: Robot, branch: int, excess: Array) -> Unreachable:
-    """What a joint vector that is over its limits (n,) [rad] is told with: the worst of them."""
+    """The reason for a joint vector that exceeds limits (n,) [rad]: the worst of them."""
     joint = int(np.argmax(np.abs(excess)))
     measure = robot.axes.measure(joint)
     return Unreachable(0.0, branch, joint + 1, float(excess[joint]), measure)

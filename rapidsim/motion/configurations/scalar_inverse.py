@@ -1,6 +1,6 @@
-"""One pose of the TCP, one joint vector, in plain floats.
+"""Inverse kinematics of one TCP pose in plain floats.
 
-Programs come to their moves one at a time; arrays of one row cost several times what they compute.
+Programs produce moves one at a time; arrays of one row cost several times the computation itself.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from rapidsim.motion.kinematics.arm import Kinematics
 
 
 def base_from_tcp(kinematics: Kinematics, joints: Array, tcp_from_flange: Transform) -> Transform:
-    """Where joints (n,) [rad] put the TCP."""
+    """The TCP pose for joints (n,) [rad]."""
     base_from_flange = kinematics.single.forward(joints.tolist())
     flange_from_tcp = rigid.inverse(rigid.from_transform(tcp_from_flange))
     return rigid.to_transform(rigid.composed(base_from_flange, flange_from_tcp))
@@ -24,14 +24,14 @@ def joints_on_branch(
     branch: int,
     near: list[float],
 ) -> list[float] | None:
-    """Joints [rad] that put the TCP at a pose, on a branch; None where it does not get there.
+    """Joints [rad] that bring the TCP to a pose on a branch; None if it cannot get there.
 
     Args:
         kinematics: The arm.
         base_from_tcp: The pose.
         tcp_from_flange: The inverse of the tool frame.
         branch: See `Kinematics.inverse_on_branch`.
-        near: Joints before [rad]: each joint takes the whole turn that is nearest.
+        near: The previous joints [rad]: each joint takes the closest whole turn.
     """
     base_from_flange = rigid.composed(
         rigid.from_transform(base_from_tcp), rigid.from_transform(tcp_from_flange)

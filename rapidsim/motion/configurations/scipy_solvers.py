@@ -1,6 +1,6 @@
-"""SciPy's general solvers on one pose: slower than ours, and a second opinion.
+"""SciPy's general-purpose solvers for one pose: slower than ours, as a second opinion.
 
-The only module of the room that imports SciPy; it is imported when a solver is asked for by name.
+The only module of this room that imports SciPy, and only when such a solver is requested.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ MOST_EVALUATIONS = 400
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Search:
-    """How a search went."""
+    """The course of a search."""
 
     joints: Array
     """Shape (n,) [rad]: the solution, or the nearest the search came."""
@@ -47,14 +47,14 @@ class Search:
 def search(
     robot: Robot, base_from_flange: Transform, method: str, start: Array | None = None
 ) -> Search:
-    """Search for the joints of one pose from several starts until one is within the limits.
+    """Search for the joints of one pose from several starts until a solution is within the limits.
 
     Args:
         robot: The arm.
         base_from_flange: One pose.
-        method: `lm`, `trf` or `bfgs`. Only `trf` heeds the limits on its way; what the others
-            find is turned by whole turns and then compared with them.
-        start: Joints (n,) [rad] to begin from, before others are tried.
+        method: `lm`, `trf` or `bfgs`. Only `trf` observes the limits during the search; results of
+            the others are shifted by whole turns and then compared with them.
+        start: Joints (n,) [rad] to start from, before others are tried.
     """
     run = METHODS[method]
     target = _Target(robot.kinematics, base_from_flange)
@@ -87,7 +87,7 @@ class _Target:
     pose: Transform
 
     def residual(self, joints: Array) -> Array:
-        """Way [m] and difference of the rotation matrices, weighed, shape (12,)."""
+        """Position error [m] and difference of the rotation matrices, weighted, shape (12,)."""
         flange = self.kinematics.forward(joints)
         turned = (flange.rotation - self.pose.rotation).ravel() * (METRES_PER_RADIAN / np.sqrt(2.0))
         return np.concatenate([flange.translation - self.pose.translation, turned])
@@ -100,7 +100,7 @@ class _Target:
         return np.concatenate([jacobian[:3], turned])
 
     def left(self, joints: Array) -> tuple[float, float]:
-        """Way [m] and turn [rad] from the pose."""
+        """Distance [m] and angle [rad] from the pose."""
         flange = self.kinematics.forward(joints)
         turn = vector_from_rotation(self.pose.rotation @ flange.rotation.T)
         way = self.pose.translation - flange.translation

@@ -1,4 +1,4 @@
-"""Where a line ends that turns no joint far: one solution in place of a row of them."""
+"""The joints at the end of a line on which no joint turns far, with a single solution."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ _SHORT_TURN = 0.3
 def end_of_short_line(
     robot: Robot, near: Array, end: Transform, tcp_from_flange: Transform, branch: int
 ) -> Array | None:
-    """Joints (n,) [rad] at the end of a short line; None where it is not short, or out of limits.
+    """Joints (n,) [rad] at the end of a short line; None if it is not short, or exceeds limits.
 
-    No joint makes a whole turn on a straight way, so one that ends near its start has stayed near.
-    Most moves of long programs are such.
+    No joint makes a whole turn on a straight line, so one that ends near its start has stayed near
+    it. Most moves of long programs are like that.
 
     Args:
         robot: The arm with its limits.
-        near: Where the line starts: joints (n,) [rad] on the branch.
-        end: Where it ends: base_from_tcp.
+        near: The joints (n,) [rad] at the start of the line, on the branch.
+        end: The end of the line: base_from_tcp.
         tcp_from_flange: The inverse of the tool frame.
         branch: The branch that the line stays on.
     """

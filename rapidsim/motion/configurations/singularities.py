@@ -1,8 +1,9 @@
-"""How joint speeds and TCP velocity go together, and where they stop doing so: singularities.
+"""The relation of joint speeds to TCP velocity, and where it breaks down: singularities.
 
-Everything rests on the singular values of the Jacobian, which stay true where it has no inverse.
-Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not arms. A
-joint that slides has a column of its own unit here: m of the flange per m of the joint.
+Everything is based on the singular values of the Jacobian, which remain valid where it has no
+inverse. Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not
+different arms. Here a sliding joint has a column in its own unit: m of the flange per m of the
+joint.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ SMALL_SINGULAR_VALUE = 1e-10
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Differential:
-    """What the Jacobian says at one joint vector."""
+    """What follows from the Jacobian at one joint vector."""
 
     jacobian: Array
     """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s], of
@@ -36,14 +37,14 @@ class Differential:
 
     @property
     def near(self) -> tuple[str, ...]:
-        """Names of the singularities that are near."""
+        """Names of the nearby singularities."""
         return tuple(s.name for s in self.singularities if s.near)
 
 
 def differential(
     kinematics: Kinematics, joints: Array, flange_from_tcp: Transform | None = None
 ) -> Differential:
-    """The Jacobian of the TCP at joints (n,) [rad] and what follows from it."""
+    """The Jacobian of the TCP at joints (n,) [rad], and quantities derived from it."""
     jacobian = tcp_jacobian(kinematics, joints, flange_from_tcp or Transform.identity())
     jacobian = per_metre(kinematics, jacobian)
     values: Array = np.linalg.svd(jacobian, compute_uv=False).astype(np.float64)
@@ -67,20 +68,20 @@ def tcp_jacobian(kinematics: Kinematics, joints: Array, flange_from_tcp: Transfo
 
 
 def per_metre(kinematics: Kinematics, jacobian: Array) -> Array:
-    """Jacobians (..., 6, n) with the columns of joints that slide per m of these."""
+    """Jacobians (..., 6, n) with the columns of sliding joints per m."""
     slides = kinematics.slides
     return jacobian / np.where(slides, METRES_PER_UNIT, 1.0) if slides.any() else jacobian
 
 
 def rapid_speeds(kinematics: Kinematics, speeds: Array) -> Array:
-    """Joint speeds (..., n) [rad/s, m/s where one slides] in RAPID's units [deg/s, mm/s]."""
+    """Joint speeds (..., n) [rad/s, m/s for a sliding joint] in RAPID's units [deg/s, mm/s]."""
     return np.where(kinematics.slides, 1e3 * speeds, np.degrees(speeds))
 
 
 def pseudo_inverse(jacobian: Array) -> Array:
-    """The inverse (..., n, 6) of Jacobians (..., 6, n) that asks the least joint speeds.
+    """The pseudo-inverse (..., n, 6) of Jacobians (..., 6, n), which gives the least joint speeds.
 
-    Directions whose singular value counts as 0 are left out, so the result is finite in every
+    Directions whose singular value counts as 0 are left out, so the result is finite at every
     singularity, where the textbook's (J'J)^-1 J' does not exist.
     """
     inverse = np.linalg.pinv(jacobian, rcond=SMALL_SINGULAR_VALUE).astype(np.float64)
@@ -96,7 +97,7 @@ def joint_speeds(jacobian: Array, twist: Array) -> tuple[Array, Array]:
 
     Returns:
         Joint speeds (..., n), each in the unit of its column, and the part of the twist (..., 6)
-        that no joint speeds give.
+        that no joint speeds produce.
     """
     speeds = np.einsum("...ij,...j->...i", pseudo_inverse(jacobian), twist)
     return speeds, twist - np.einsum("...ij,...j->...i", jacobian, speeds)

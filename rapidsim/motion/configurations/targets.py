@@ -1,12 +1,12 @@
-"""From RAPID's frames to the arm's: the one place where mm become m.
+"""From RAPID's frames to the arm's: the one place that converts mm to m.
 
-Below this file everything is SI; above it RAPID's mm and degrees. The chains are
+Below this module everything is in SI units; above it in RAPID's mm and degrees. The chains are
 
     base_from_world @ world_from_user @ user_from_object @ object_from_tcp @ tcp_from_flange
     base_from_world @ world_from_tcp @ tcp_from_object @ object_from_user @ user_from_flange
 
-for a tool in the robot's hand, and for a stationary tool with the work object in the hand. A track
-moves the base in the world; a positioner moves the user frame.
+for a tool held by the robot, and for a stationary tool with the work object held by the robot. A
+track moves the base in the world; a positioner moves the user frame.
 
 Source: Technical reference manual RAPID Overview, "Coordinate systems"; data types tooldata and
     wobjdata.
@@ -58,14 +58,14 @@ _ROW = np.zeros(1, dtype=np.int64)
 
 @dataclass(frozen=True, slots=True)
 class NotSimulatedFrame:
-    """A frame set-up that is not plain, and why."""
+    """A frame set-up that is not supported, and why."""
 
     reason: str
 
 
 @dataclass(frozen=True, eq=False)
 class Placement:
-    """Where a pair of tool and work object puts targets, with all external axes at zero."""
+    """How a pair of tool and work object places targets, with all external axes at zero."""
 
     curve_from_object: Transform
     """base_from_object; for a stationary tool the identity, as curves are then in the object."""
@@ -79,7 +79,7 @@ class Placement:
         return rigid.from_transform(self.curve_from_object)
 
     def curve_from_tcp(self, target: RobTarget) -> Transform:
-        """Where a target puts the TCP on a curve; its orientation is of any length but 0."""
+        """The TCP pose of a target on a curve; its orientation may have any length but 0."""
         x, y, z = target.trans
         object_from_tcp = rigid.from_quaternion(target.rot, (x * MM, y * MM, z * MM))
         return rigid.to_transform(rigid.composed(self._curve_from_object, object_from_tcp))
@@ -87,7 +87,7 @@ class Placement:
     def base_from_flange(
         self, kinematics: Kinematics, curve_from_tcp: Transform, external: Array
     ) -> Transform:
-        """Where the flange must be for a pose of the TCP, with external axes (e,) [m or rad]."""
+        """The flange pose for a TCP pose, with external axes (e,) [m or rad]."""
         if self.carrier is None:
             return curve_from_tcp @ self.tcp_from_flange
         wide = np.concatenate([np.zeros(kinematics.joint_count), external])[None]
@@ -95,14 +95,14 @@ class Placement:
         return self._arms(kinematics).base_from_flange(motion, _ROW, wide)[0]
 
     def standing_at(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
-        """curve_from_tcp of joints (n,) [rad] and external axes (e,) [m or rad]."""
+        """curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad]."""
         if self.carrier is None:
             return scalar_inverse.base_from_tcp(kinematics, joints, self.tcp_from_flange)
         wide = np.concatenate([joints, external])[None]
         return self._arms(kinematics).curve_from_tcp(wide, _ROW)[0]
 
     def base_from_tcp(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
-        """Where the TCP is in base with joints (n,) [rad] and external axes (e,) [m or rad]."""
+        """The TCP pose in base for joints (n,) [rad] and external axes (e,) [m or rad]."""
         wide = np.concatenate([joints, external])[None]
         return self._arms(kinematics).base_from_tcp(wide, _ROW)[0]
 
@@ -116,21 +116,21 @@ def placement(
     base_from_world: Transform,
     external: Sequence[ExternalAxis] = (),
 ) -> Placement | NotSimulatedFrame:
-    """Where targets are with a tool and a work object.
+    """The placement of targets for a tool and a work object.
 
     Args:
         tool: The tool.
         wobj: The work object.
         base_from_world: With all external axes at zero.
-        external: The axes beside the arm.
+        external: The external axes.
 
     Returns:
-        A reason where nothing moves the tool against the work object: one of them must be in the
-        robot's hand.
+        A reason if nothing moves the tool relative to the work object: the robot must hold one of
+        them.
     """
     if tool.robhold is wobj.robhold:
-        both = "both in the robot's hand" if tool.robhold else "neither of them in the robot's hand"
-        return NotSimulatedFrame(f"tool and work object are {both} (robhold)")
+        both = "both tool and" if tool.robhold else "neither tool nor"
+        return NotSimulatedFrame(f"the robot holds {both} work object (robhold)")
     frame = (base_from_world.rotation, base_from_world.translation)
     on_track = [i for i, axis in enumerate(external) if axis.carries == "robot"]
     base_screws = screws_of(external, on_track, frame)
@@ -155,7 +155,7 @@ def placement(
 def standing_at(
     placements: Sequence[Placement], kinematics: Kinematics, standing: Sequence[Waypoint]
 ) -> Sequence[Transform]:
-    """curve_from_tcp of each row's tool and work object where the arm stands."""
+    """curve_from_tcp of each row's tool and work object at the arm's current position."""
     if len(placements) == 1:
         return [placements[0].standing_at(kinematics, standing[0].joints, standing[0].external)]
     tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in placements])
@@ -170,11 +170,11 @@ def standing_at(
 def world_from_base_at(
     external: Sequence[ExternalAxis], world_from_base: Transform, values: Array
 ) -> Transform:
-    """Where the robot stands (k,) with external axes (k, e) [m or rad]: tracks move it.
+    """The base frame (k,) with external axes (k, e) [m or rad]: tracks move it.
 
     Args:
-        external: The axes beside the arm.
-        world_from_base: With all of them at zero.
+        external: The external axes.
+        world_from_base: The base frame with all of them at zero.
         values: Such as `Samples.external`.
     """
     base_from_world = world_from_base.inverse()
@@ -188,10 +188,10 @@ def world_from_base_at(
 def world_from_unit_at(
     external: Sequence[ExternalAxis], on_unit: Sequence[int], values: Array
 ) -> Transform:
-    """Where what some axes of a positioner carry is (k,) with external axes (k, e) [m or rad].
+    """The frame (k,) carried by axes of a positioner, with external axes (k, e) [m or rad].
 
     Args:
-        external: The axes beside the arm.
+        external: The external axes.
         on_unit: Positions of those axes, the outermost first; the frame is that of the last.
         values: Such as `Samples.external`.
     """
@@ -202,12 +202,12 @@ def world_from_unit_at(
 
 
 def is_no_orientation(rotation: Orient) -> bool:
-    """Whether a quaternion is so far from a unit that it turns nothing."""
+    """Whether a quaternion is too far from unit length to be an orientation."""
     return abs(norm(rotation) - 1.0) > REFUSED_NORM_ERROR
 
 
 def unit_of(wobj: WobjData, external: Sequence[ExternalAxis]) -> tuple[str, ...]:
-    """The declared mechanical unit that moves the user frame of a work object; none or one."""
+    """The declared mechanical unit that moves the user frame of a work object, if any."""
     if wobj.ufprog:
         return ()
     names = dict.fromkeys(axis.unit for axis in external if axis.carries == "wobj")
@@ -231,7 +231,7 @@ def base_from_object(wobj: WobjData, base_from_world: Transform) -> Transform:
 
 
 def base_from_tcp(target: RobTarget, wobj: WobjData, base_from_world: Transform) -> Transform:
-    """Where a target puts the TCP."""
+    """The TCP pose of a target."""
     object_from_tcp = transform(Pose(target.trans, target.rot))
     return base_from_object(wobj, base_from_world) @ object_from_tcp
 
@@ -242,9 +242,9 @@ def tcp_from_flange(tool: ToolData) -> Transform:
 
 
 def joints(target: JointTarget, kinematics: Kinematics) -> Array:
-    """Axis positions [deg, mm where the arm's axis slides] of a target as joints (n,) [rad].
+    """Axis positions [deg, mm for a sliding axis] of a target as joints (n,) [rad].
 
-    The joint that seven-axis arms have more is `eax_a`; it stays 0 where that is not given.
+    The additional joint of seven-axis arms is `eax_a`; if that is not given, the joint is 0.
     """
     axes = np.array([*target.robax, _given(target.extax.eax_a)], dtype=np.float64)
     radians: Array = np.radians(axes[list(kinematics.rapid_axes)])
@@ -252,7 +252,7 @@ def joints(target: JointTarget, kinematics: Kinematics) -> Array:
 
 
 def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
-    """Joints (n,) [rad] as axis positions [deg, mm where one slides]; missing axes are 0."""
+    """Joints (n,) [rad] as axis positions [deg, mm for a sliding one]; missing axes are 0."""
     axes = [0.0] * 7
     for axis, angle in zip(kinematics.rapid_axes, np.degrees(joints).tolist(), strict=True):
         axes[axis] = angle
@@ -262,9 +262,9 @@ def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
 def external_values(
     extax: ExtJoint, external: Sequence[ExternalAxis], near: Array
 ) -> tuple[Array, tuple[ExternalAxis, ...]]:
-    """External axes (e,) [m or rad] of a target, and those of which it gives no value.
+    """External axes (e,) [m or rad] of a target, and those for which it gives no value.
 
-    The latter stay as they are in `near` (e,).
+    The latter keep their values in `near` (e,).
     """
     values, missing = near.copy(), []
     for i, axis in enumerate(external):
@@ -277,7 +277,7 @@ def external_values(
 
 
 def ext_joint(values: Array, external: Sequence[ExternalAxis]) -> ExtJoint:
-    """External axes (e,) [m or rad] as RAPID gives them; axes that are not there are 9E9."""
+    """External axes (e,) [m or rad] in RAPID's form; axes that do not exist are 9E9."""
     given = {a.component: single(float(v) * a.scale) for a, v in zip(external, values, strict=True)}
     return NO_EXTERNAL_AXES._replace(**given)
 

@@ -1,7 +1,7 @@
-r"""SingArea \LockAxis4: the posture nearest to a pose with axis 4 held at 0 or half a turn.
+r"""SingArea \LockAxis4: the posture closest to a pose with axis 4 held at 0 or half a turn.
 
-The TCP is exactly where it was programmed; five axes are left and give its orientation as nearly as
-they can.
+The TCP is exactly at its programmed position; the other five axes approximate its orientation as
+closely as possible.
 
 Source: Technical reference manual RAPID Instructions, "SingArea".
 """
@@ -25,16 +25,16 @@ _ARRIVED = 1e-10
 def lock_axis_4(
     kinematics: Kinematics, base_from_tcp: Transform, tcp_from_flange: Transform, near: Array
 ) -> Array | None:
-    """Joints (6,) [rad] with axis 4 locked that bring the TCP to its place.
+    """Joints (6,) [rad] with axis 4 locked that bring the TCP to its position.
 
     Args:
-        kinematics: Of a six-axis arm.
+        kinematics: A six-axis arm.
         base_from_tcp: The programmed pose.
         tcp_from_flange: The inverse of the tool frame.
-        near: Joints (6,) [rad] that reach the pose; axis 4 goes to the nearest half turn of theirs.
+        near: Joints (6,) [rad] that reach the pose; axis 4 goes to the closest half turn.
 
     Returns:
-        None where the place cannot be reached so.
+        None if the position cannot be reached like this.
     """
     joints = near.copy()
     joints[AXIS_4] = np.pi * np.round(near[AXIS_4] / np.pi)

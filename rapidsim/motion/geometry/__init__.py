@@ -1,1 +1,1 @@
-"""What the program draws: lines, arcs and joint moves of the TCP, and the blends between them."""
+"""Programmed geometry: lines, arcs and joint moves of the TCP, and the blends between them."""

@@ -1,6 +1,6 @@
-"""The shape of corner paths: what is left of the curve before, what is there of the one after.
+"""The shape of corner paths: how the curve before fades out and the one after fades in.
 
-Everything here runs on columns of NumPy arrays and, compiled, on single numbers; see
+Everything here works on columns of NumPy arrays and, compiled, on single numbers; see
 `line_formulas`.
 """
 
@@ -34,9 +34,9 @@ def parabola(t: Array) -> Three:
 
 
 def measured(t: Array) -> Three:
-    """Phi of `abb` likewise: phi'' rises from 1 to 5/2, is level over the middle third, and falls.
+    """Phi of `abb` likewise: phi'' rises from 1 to 5/2, is constant in the middle third, and falls.
 
-    Source: free fits to slow corners of a virtual controller, which it meets within 30 um.
+    Source: free fits to slow corners of a virtual controller, accurate to 30 um.
     """
     m = np.maximum(t - KNEE, 0.0)
     n = np.maximum(t - 2.0 * KNEE, 0.0)
@@ -53,13 +53,13 @@ def corner_sides(
     radius: Array,
     length: Array,
 ) -> tuple[Three, Three]:
-    """Places on the two curves that a corner path is blended from, with both derivatives.
+    """The points on the two curves that a corner path blends, with both derivatives.
 
     Args:
         shape: One of the numbers above.
-        past: How far past the middle of the corner [m], negative before.
-        radius: Of the corner [m].
-        length: Of the curve before it [m].
+        past: Distance past the middle of the corner [m], negative before.
+        radius: Radius of the corner [m].
+        length: Length of the curve before it [m].
     """
     t = np.minimum(np.maximum((past + radius) / (2.0 * radius), 0.0), 1.0)
     if shape == MEASURED:

@@ -34,7 +34,7 @@ _ZONE_ROUNDS = 4
 
 
 class Limit(IntEnum):
-    """What decided the radius of a corner."""
+    """What determined the radius of a corner."""
 
     ZONE = 0
     HALF = 1
@@ -46,7 +46,7 @@ class Limit(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Corner:
-    """What became of the end of a segment."""
+    """The corner at the end of a segment, as planned."""
 
     radius: float
     """Radius [m] around the programmed point in which the corner path runs; 0 if there is none, or
@@ -61,7 +61,7 @@ class Corner:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Corners:
-    """Corners between curves, row c between curves c and c + 1, shapes (m - 1,)."""
+    """Corners between curves; row c is between curves c and c + 1, shapes (m - 1,)."""
 
     radius: Array
     """In units of the path parameter, for the position or for the joints."""
@@ -77,13 +77,13 @@ def corners_of(
 ) -> Corners:
     """Find the corner between each two consecutive curves.
 
-    A zone is reduced to half of either curve, that of the orientation by itself. In version 1 with
+    A zone is reduced to half of either curve, the orientation zone separately. In version 1 with
     `orientation_zone` as documented both are also reduced by the share of the reorientation that
     its angle allows (a zone of 9 deg on a turn of 25 deg leaves 36 % of the curve). Where only one
     of the two curves moves the TCP there is no corner path.
 
-    Source: zonedata and the motion principles of the RAPID reference; that neither zone shrinks the
-    other, logs of large turns with small zones.
+    Source: zonedata and the motion principles of the RAPID reference; for neither zone shrinking
+    the other, logs of large turns with small zones.
     """
     count = len(segments) - 1
     zones = [segment.zone for segment in segments[:count]]
@@ -138,9 +138,9 @@ def corners_of(
 
 
 def without_skipped(corners: Corners, active: Index) -> Corners:
-    """Take the corner paths away where a segment without length lies in between.
+    """Remove corner paths where a segment of zero length lies in between.
 
-    `active` (m,) are the positions of the curves in the row of all segments.
+    `active` (m,) are the positions of the curves in the sequence of all segments.
     """
     skipped = np.diff(active) > 1
     return replace(
@@ -159,11 +159,11 @@ def describe(
     """Why a corner is not as programmed; empty if it is.
 
     Args:
-        limit: What decided.
+        limit: What determined the radius.
         programmed: Zone [m].
         radius: Radius used [m].
         angle: Zone for reorientation [rad].
-        turned: Larger reorientation of the two moves at the corner [rad].
+        turned: The larger reorientation of the two moves at the corner [rad].
         stops: Whether the arm comes to rest.
     """
     if limit is Limit.ZONE and not stops:
@@ -288,5 +288,5 @@ def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> np
 
 
 def describe_stop(limit: Limit) -> str:
-    """Why the arm stops where no corner was looked for."""
+    """Why the arm stops at a segment end where no corner was planned."""
     return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)

@@ -1,8 +1,9 @@
 """The programmed curves of segments, before corners cut them: TCP poses and derivatives.
 
-A curve runs in x from 0 to its length. For what moves the TCP the length is the TCP's travel [m].
-For what only turns it, it is the travel the TCP would have made in the same time at its programmed
-speed, so that x has one scale. Derivatives are with respect to x.
+The parameter x of a curve runs from 0 to its length. For a curve that moves the TCP the length is
+the TCP's travel [m]. For one that only turns it, the length is the distance that the TCP would
+travel in the same time at its programmed speed, so that x has one scale. Derivatives are with
+respect to x.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ _ONE_WAY_ONLY = math.radians(90.0)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Curves:
-    """Curves of segments, one row each; shapes (m,), (m, 3) and (m, 3, 3)."""
+    """Curves of segments, one per row; shapes (m,), (m, 3) and (m, 3, 3)."""
 
     in_joints: npt.NDArray[np.bool_]
     """Whether the curve is straight in joint space; then only its joints count."""
@@ -84,13 +85,13 @@ class Curves:
     """Shape (m, n + e): those at the end less those at the start."""
 
     def joints_at(self, row: Index, x: Array) -> Array:
-        """Joints (k, n + e) at places x (k,) of curves that are straight in joint space."""
+        """Joints (k, n + e) at x (k,) on curves that are straight in joint space."""
         share = x / np.maximum(self.length[row], STANDSTILL)
         joints: Array = self.start_joints[row] + share[:, None] * self.joint_travel[row]
         return joints
 
     def at(self, row: Index, x: Array) -> Twists:
-        """TCP motion at places x (k,) of curves (k,) that are lines or arcs."""
+        """TCP motion at x (k,) on curves (k,) that are lines or arcs."""
         scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
         share = (x * scale)[:, None]
         frame_turn = self.frame_turn[row]
@@ -116,7 +117,7 @@ class Curves:
         )
 
     def velocity(self, row: Index, x: Array) -> Array:
-        """The velocity (k, 3) of `at` alone."""
+        """Only the velocity (k, 3) of `at`."""
         scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
         velocity: Array = self.chord[row] * scale[:, None]
         frame_turn = self.frame_turn[row]
@@ -149,7 +150,7 @@ class Curves:
 
 
 def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
-    """Lay out the curves of segments; arcs must have passed `circle_fault`."""
+    """Build the curves of segments; arcs must have passed `circle_fault`."""
     m = len(segments)
     start, end, start_joints, end_joints = _ends(segments)
     joint_travel = end_joints - start_joints
@@ -212,16 +213,16 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
 
 
 def unsupported(kinematics: Kinematics) -> str | None:
-    """Why lines and arcs cannot be simulated, or None."""
+    """Why lines and arcs cannot be simulated; None if they can."""
     if kinematics.joint_count > 6:
         return "lines and arcs of arms with more than six axes are not simulated"
     return None
 
 
 def circle_fault(segment: Segment) -> str | None:
-    """Say why the circle of an arc is uncertain, or None.
+    """Why the circle of an arc is ill-defined; None if it is not.
 
-    Source: the controller's event 50063 lists these cases; the distances are estimates.
+    Source: the controller's event 50063 lists these cases; the thresholds are estimates.
     """
     if segment.geometry is not Geometry.ARC:
         return None

@@ -1,13 +1,13 @@
-r"""How the arm holds on to curves: joints and their derivatives from the motion of the TCP.
+r"""From curves to joints: joints and their derivatives from the motion of the TCP.
 
-The flange follows from a curve through whatever holds or carries tool and work object:
+The flange pose follows from the curve through whatever holds or carries tool and work object:
 
-    base_from_flange = base_from_curve @ curve_from_tcp @ tcp_from_flange            tool in hand
+    base_from_flange = base_from_curve @ curve_from_tcp @ tcp_from_flange            tool held
     base_from_flange = base_from_tool @ object_from_tcp^-1 @ object_from_flange     stationary tool
 
-where tracks and positioners make base_from_curve and base_from_tool move. With SingArea \Wrist the
-wrist turns evenly in joints instead, and the first three axes keep the TCP on its curve. With
-CirPathMode \Wrist45 and its kin two wrist axes lead the tool along an arc (`wrist_pair`).
+where tracks and positioners move base_from_curve and base_from_tool. With SingArea \Wrist the wrist
+axes are interpolated instead, and the first three axes keep the TCP on its curve. With CirPathMode
+\Wrist45 and the like, two wrist axes lead the tool along an arc (`wrist_pair`).
 
 Joint vectors here are wide: the n joints of the arm, then e external axes.
 """
@@ -40,7 +40,7 @@ _BY_MAIN_AXES, _BY_PAIR = -1, -2
 
 @dataclass(frozen=True, eq=False)
 class Arms:
-    """How the flange is found from TCP poses on curves, one row a curve."""
+    """The relation of TCP poses on curves to flange poses, one row per curve."""
 
     kinematics: Kinematics
     branch: Index
@@ -58,14 +58,14 @@ class Arms:
 
     @cached_property
     def wrist_rows(self) -> Mask:
-        """Shape (m,): the curves on which the wrist turns in joints."""
+        """Shape (m,): the curves on which the wrist axes are interpolated."""
         if self.turned_rows is None:
             return np.zeros(len(self.branch), dtype=bool)
         return self.turned_rows
 
     @cached_property
     def pair_rows(self) -> Mask:
-        """Shape (m,): the arcs that two wrist axes lead."""
+        """Shape (m,): the arcs led by two wrist axes."""
         if self.pairs is None:
             return np.zeros(len(self.branch), dtype=bool)
         led: Mask = self.pairs.axes[:, 0] >= 0
@@ -78,10 +78,10 @@ class Arms:
         return np.array([carrier is not None for carrier in carriers], dtype=bool)
 
     def joints(self, motion: Twists, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n + e) of TCP poses (k,) on curves (k,), and whether the branch reaches them.
+        """Joints (k, n + e) for TCP poses (k,) on curves (k,), and whether the branch reaches them.
 
-        Where it does not, `near` (k, n + e) stands instead. External axes, and wrists that turn in
-        joints, are those of `near`. Where two wrist axes lead, only the place of the TCP counts.
+        Rows that it does not reach contain `near` (k, n + e). External axes and interpolated wrist
+        axes are those of `near`. Where two wrist axes lead, only the position of the TCP counts.
         """
         n = self.kinematics.joint_count
         base_from_flange = self.base_from_flange(motion, row, near)
@@ -107,7 +107,7 @@ class Arms:
     def rates(
         self, motion: Twists, row: Index, course: ExternalCourse, near: Array
     ) -> tuple[Array, Array, Array]:
-        """Joints (k, n + e) of a TCP motion (k,) on curves (k,) and their derivatives."""
+        """Joints (k, n + e) for a TCP motion (k,) on curves (k,), and their derivatives."""
         n = self.kinematics.joint_count
         joints, _ = self.joints(motion, row, near)
         first, second = np.empty_like(joints), np.empty_like(joints)
@@ -124,7 +124,7 @@ class Arms:
         return joints, first, second
 
     def base_from_flange(self, motion: Twists, row: Index, joints: Array) -> Transform:
-        """Poses of the flange (k,) from those of the TCP on curves.
+        """Flange poses (k,) from TCP poses on curves.
 
         Of `joints` (k, n + e) only the external axes count.
         """
@@ -134,7 +134,7 @@ class Arms:
         return self._flange(motion, row, course).base_from_tcp
 
     def base_from_tcp(self, joints: Array, row: Index) -> Transform:
-        """Where the TCP is in base with joints (k, n + e) on curves (k,)."""
+        """TCP poses in base for joints (k, n + e) on curves (k,)."""
         n = self.kinematics.joint_count
         base_from_tcp = self.kinematics.forward(joints[:, :n]) @ self._flange_from_tcp[row]
         for i in np.unique(row[self.carried_rows[row]]):
@@ -147,7 +147,7 @@ class Arms:
         return base_from_tcp
 
     def curve_from_tcp(self, joints: Array, row: Index) -> Transform:
-        """The TCP on its curves with joints (k, n + e); in base where nothing is carried."""
+        """TCP poses on curves for joints (k, n + e); in base where nothing is carried."""
         if not self.carried_rows[row].any():
             return (
                 self.kinematics.forward(joints[:, : self.kinematics.joint_count])
@@ -158,7 +158,7 @@ class Arms:
     def curve_motion(self, joints: Array, first: Array, row: Index) -> Twists:
         """Motion of the TCP on its curves from joints and rates (k, n + e), without accelerations.
 
-        For tools in the hand of a robot that stands still this is the motion in base.
+        With the tool held by a stationary robot this is the motion in base.
         """
         n = self.kinematics.joint_count
         flange = self.kinematics.forward(joints[:, :n])
@@ -264,12 +264,12 @@ class Arms:
 def arms_of(
     segments: Sequence[Segment], kinematics: Kinematics, joint_travel: Array, length: Array
 ) -> Arms:
-    """How the arm holds on to the curves of segments.
+    """The relation of curves to flange poses for segments.
 
     Args:
-        segments: One a curve.
-        kinematics: Of the arm.
-        joint_travel: End joints less start joints (m, n + e) [rad].
+        segments: One per curve.
+        kinematics: The arm.
+        joint_travel: End joints minus start joints (m, n + e) [rad].
         length: Ranges of the curves' parameter (m,) [m].
     """
     carriers = tuple(segment.carrier for segment in segments)

@@ -1,8 +1,8 @@
-"""How the curves of a block and its corners lie along one path parameter s.
+"""How the curves of a block and its corners map to one path parameter s.
 
-s runs over the programmed curves one after the other, so the middle of a corner path is where the
-programmed point would be. Between breakpoints (zone edges and middles) the path is one smooth
-piece. Derivatives jump at breakpoints, therefore places are asked for together with their piece.
+s runs over the programmed curves one after the other, so the middle of a corner path has the s of
+the programmed point. Between breakpoints (zone edges and middles) the path is one smooth piece.
+Derivatives jump at breakpoints, so points are always given together with their piece.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ do at the most."""
 
 
 class Sides(NamedTuple):
-    """Places on the two curves that a corner path is blended from, and their rates.
+    """Points on the two curves that a corner path blends, and their rates.
 
-    `before` and `after` hold x, dx/ds and d2x/ds2, shape (k,) each.
+    `before` and `after` contain x, dx/ds and d2x/ds2, shape (k,) each.
     """
 
     before: tuple[Array, Array, Array]
@@ -39,7 +39,7 @@ class Sides(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
-    """Pieces of a path of m curves; -1 stands for no corner."""
+    """Pieces of a path of m curves; -1 means no corner."""
 
     curves: Curves
     corners: Corners
@@ -56,12 +56,12 @@ class Layout:
 
     @property
     def shape(self) -> int:
-        """Of corners for the position and in joint space; see `blend_shape`."""
+        """The blend shape of corners for position and in joint space; see `blend_shape`."""
         return CODES[self.corner_shape]
 
     @property
     def turn_shape(self) -> int:
-        """Of corners for orientation and external axes.
+        """The blend shape of corners for orientation and external axes.
 
         Where the position has the measured shape, logs show a parabola, within 0.1 mdeg.
         """
@@ -69,25 +69,25 @@ class Layout:
 
     @property
     def in_corner(self) -> Index:
-        """The corner (p,) of any kind in which each piece lies, or -1."""
+        """The corner (p,) of any kind that contains each piece, or -1."""
         return np.maximum(
             np.maximum(self.position_corner, self.orientation_corner), self.joint_corner
         )
 
     def piece_at(self, s: Array) -> Index:
-        """The piece (k,) that holds each place (k,); at a breakpoint the one that starts there."""
+        """The piece (k,) that contains each s (k,); at a breakpoint the one that starts there."""
         piece = np.searchsorted(self.bounds, s, side="right") - 1
         return np.clip(piece, 0, len(self.row) - 1).astype(np.int64)
 
     def sides(self, corner: Index, radius: Array, s: Array, shape: int) -> Sides:
-        """Where places s (k,) within corners (k,) come from on the curves before and after."""
+        """The points on the curves before and after for s (k,) within corners (k,)."""
         past = s - self.places[corner + 1]
         return Sides(*corner_sides(shape, past, radius, self.curves.length[corner]))
 
     def motion(self, s: Array, piece: Index) -> Twists:
-        """TCP motion at places (k,) of pieces (k,) that are made in Cartesian space.
+        """TCP motion at s (k,) on pieces (k,) defined in Cartesian space.
 
-        In corners made in joint space this is the programmed curve.
+        In corners defined in joint space this is the programmed curve.
         """
         row = self.row[piece]
         x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
@@ -103,7 +103,7 @@ class Layout:
         return motion
 
     def velocity(self, s: Array, piece: Index) -> Array:
-        """The velocity (k, 3) of `motion` alone."""
+        """Only the velocity (k, 3) of `motion`."""
         row = self.row[piece]
         x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
         velocity = self.curves.velocity(row, x)
@@ -117,7 +117,7 @@ class Layout:
         return velocity
 
     def course(self, s: Array, piece: Index) -> ExternalCourse:
-        """External axes (k, e) at places (k,) of pieces (k,) that are made in Cartesian space."""
+        """External axes (k, e) at s (k,) on pieces (k,) defined in Cartesian space."""
         row, count = self.row[piece], self.curves.external.shape[1]
         if not count:
             nothing = np.zeros((len(s), 0))
@@ -188,7 +188,7 @@ def _straight_on(curves: Curves) -> Mask:
 
 
 def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Layout:
-    """Cut a row of curves and their corners into pieces."""
+    """Divide a sequence of curves and their corners into pieces."""
     count = len(curves.length)
     places = np.concatenate([[0.0], np.cumsum(curves.length)])
     middles = places[1:-1]
@@ -216,7 +216,7 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Lay
     row = np.clip(np.searchsorted(places, middle, side="right") - 1, 0, count - 1)
 
     def within(radius: Array, wanted: Mask) -> Index:
-        """The corner of each piece within which it lies, or -1."""
+        """The corner that contains each piece, or -1."""
         corner = np.full(len(row), -1, dtype=np.int64)
         for candidate in (row - 1, row):
             valid = (candidate >= 0) & (candidate < count - 1)

@@ -1,6 +1,6 @@
-"""A programmed move, resolved to the arm: where it starts and ends and how it gets there.
+"""A programmed move resolved for the arm: its start, its end and the path between.
 
-Segments are what geometry and timing are planned from. All units are SI.
+Segments are the input of path and time planning. All units are SI.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def _no_axes() -> Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Waypoint:
-    """A joint vector and the pose of the TCP it gives."""
+    """A joint vector and the TCP pose it gives."""
 
     joints: Array
     """Shape (n,) [rad]."""
@@ -71,11 +71,11 @@ class Waypoint:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Carrier:
-    """What else than the arm moves or holds tool and work object.
+    """Anything besides the arm that moves or holds tool or work object.
 
-    Poses of curves are given with all external axes at zero. With a tool in the hand they are
-    base_from_tcp. With a stationary tool they are object_from_tcp, and `Segment.tcp_from_flange` is
-    object_from_flange of the work object in the hand.
+    Poses of curves are given with all external axes at zero. With the tool held by the robot they
+    are base_from_tcp. With a stationary tool they are object_from_tcp, and
+    `Segment.tcp_from_flange` is object_from_flange of the held work object.
     """
 
     base_from_tool: Transform | None = None
@@ -104,7 +104,7 @@ class Zone:
 
 @dataclass(frozen=True, slots=True)
 class Speed:
-    """Programmed speeds; the slowest wins."""
+    """Programmed speeds; the one that takes longest counts."""
 
     tcp: float
     """[m/s]"""
@@ -114,7 +114,7 @@ class Speed:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Segment:
-    """One move from the end of the last to its own end."""
+    """One move from the end of the previous one to its own end."""
 
     index: int
     """Number of the move in the run; segments of one path are consecutive."""
@@ -162,5 +162,5 @@ class Segment:
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:
-        """Positions of the two joints that lead an arc while the others stand; None elsewhere."""
+        """Positions of the two joints that lead an arc while the others rest; None elsewhere."""
         return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None

@@ -1,15 +1,16 @@
 r"""CirPathMode \Wrist45, \Wrist46, \Wrist56: two wrist axes lead the tool's z axis along a circle.
 
-All other axes stand still. What follows the circle is where the z axis of the tool passes the cut
-plane, the plane of the circle; the TCP leaves that plane a little and the tool turns.
+All other axes stand still. The circle is followed by the intersection of the tool's z axis with the
+cut plane, the plane of the circle; the TCP leaves that plane a little and the tool turns.
 
-Both axes pass through one point, the centre. The point of the z axis that comes to a place u of the
-circle (both from the centre) is the one that is as far from the centre, so it is known, and so are
-the two turns, a about the axis nearer to the base and b about the other, both as at the start:
+Both axes pass through one point, the centre. The point m of the z axis that reaches a point u of
+the circle (both relative to the centre) has the same distance from the centre, so it is known, and
+with it the turns alpha about the axis a nearer to the base and beta about the other, b, both axes
+as at the start:
 
     turn(a, alpha) turn(b, beta) m = u
 
-There are two solutions, told apart by the side of the plane through both axes on which u is; in
+There are two solutions, one for either side of the plane through both axes on which u may lie; in
 that plane the pair is singular.
 
 Source: Technical reference manual RAPID Instructions, "CirPathMode"; Murray, Li, Sastry (1994), A
@@ -47,7 +48,7 @@ FLATTEST = np.radians(10.0)
 
 
 class PairTurns(NamedTuple):
-    """How a pair takes the tool's z axis to some places (k,)."""
+    """The turns by which a pair takes the tool's z axis to some points (k,)."""
 
     turns: Array
     """Shape (k, 2) [rad]: from the start of the curve."""
@@ -62,7 +63,7 @@ class PairTurns(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class WristPairs:
-    """The pairs that lead some of m curves, one row a curve; rows of other curves hold nothing."""
+    """The pairs that lead some of m curves, one row per curve; rows of other curves are empty."""
 
     axes: Index
     """Shape (m, 2): positions of both joints, -1 where no pair leads."""
@@ -82,9 +83,9 @@ class WristPairs:
     """Shape (m, 3): of the cut plane."""
 
     def joints(self, place: Array, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n) that take the z axis to places (k, 3) in base, in the turns of `near`.
+        """Joints (k, n) that take the z axis to points (k, 3) in base, in the turns of `near`.
 
-        Where there are none, `near` (k, n) stands instead.
+        Where there are none, the row contains `near` (k, n).
         """
         aimed = self.aimed(place, row)
         joints = self.start[row].copy()
@@ -97,11 +98,11 @@ class WristPairs:
     def rates(
         self, joints: Array, row: Index, place: Array, velocity: Array, acceleration: Array
     ) -> tuple[Array, Array]:
-        """Derivatives (k, n) of joints (k, n) that take the z axis along moving places (k, 3).
+        """Derivatives (k, n) of joints (k, n) that take the z axis along moving points (k, 3).
 
-        The place is a point of the z axis that turns with the tool and slides along it at a rate
+        Each is a point of the z axis that turns with the tool and slides along it at a rate
         l: u' = w x u + l z with w = a alpha' + b beta'. Across u this gives both turns, along u it
-        gives l; the second derivative has the same two unknowns and terms that are known by then.
+        gives l; the second derivative has the same unknowns and otherwise known terms.
         """
         at, axes = np.arange(len(row))[:, None], self.axes[row]
         turns = joints[at, axes] - self.start[row][at, axes]
@@ -113,7 +114,7 @@ class WristPairs:
         volume = _dot(u, between)
 
         def both(motion: Array) -> tuple[Array, Array]:
-            """Turns (k, 2) and slide (k, 1) that move the place so."""
+            """Turns (k, 2) and slide (k, 1) that give this motion of the point."""
             slide = _dot(u, motion) / along
             across = motion - slide * z
             return np.hstack([-_dot(b, across), _dot(a, across)]) / volume, slide
@@ -127,7 +128,7 @@ class WristPairs:
         return first, second
 
     def aimed(self, place: Array, row: Index) -> PairTurns:
-        """How the pairs of rows (k,) take the z axis to places (k, 3) in base."""
+        """The turns by which the pairs of rows (k,) take the z axis to points (k, 3) in base."""
         a, b, z = self.first[row], self.second[row], self.tool_z[row]
         aim, u = self.aim[row], place - self.centre[row]
         distance = np.maximum(np.linalg.norm(u, axis=-1, keepdims=True), 1e-12)
@@ -168,7 +169,7 @@ class WristPairs:
 
 
 def wrist_pairs_of(segments: Sequence[Segment], kinematics: Kinematics) -> WristPairs | None:
-    """The pairs that lead the curves of segments; None where there is none."""
+    """The pairs that lead the curves of segments; None if there are none."""
     count, n = len(segments), kinematics.joint_count
     axes = np.full((count, 2), -1)
     start, vectors = np.zeros((count, n)), np.zeros((6, count, 3))
@@ -193,7 +194,7 @@ def wrist_pairs_of(segments: Sequence[Segment], kinematics: Kinematics) -> Wrist
 
 
 def wrist_meets(kinematics: Kinematics, joints: Array) -> bool:
-    """Whether an arm has six axes, the last three of which meet in one point."""
+    """Whether an arm has six axes, the last three of which intersect in one point."""
     if kinematics.joint_count != _SIX_AXES:
         return False
     return _meeting(*_axes_of(kinematics, joints))[1] < _MEET

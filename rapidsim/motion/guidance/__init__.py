@@ -1,1 +1,1 @@
-"""A robot that a sensor guides: from goals that come every few milliseconds to joints."""
+"""A robot guided by a sensor: from goals that come every few milliseconds to joints."""

@@ -1,8 +1,8 @@
-"""What a guidance aims at: joints or a pose of the TCP, axis by axis, and how near it is.
+"""Goals of a guidance: joints or a pose of the TCP, axis by axis, and how close the robot is.
 
-An axis that the program does not choose keeps its place; of a pose these are the axes of the
-correction frame, x to rz. How poses are led between two goals is ours: the goal passes its filters
-as a pose, and the joints that reach it are what the axes go for.
+An axis that the program does not select keeps its position; for a pose these are the axes of the
+correction frame, x to rz. The interpolation of poses between goals is our own: the goal passes its
+filters as a pose, and the axes follow the joints that reach it.
 """
 
 from __future__ import annotations
@@ -26,34 +26,34 @@ Chosen = npt.NDArray[np.bool_]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Band:
-    """Which axes count, and between what [rad, m] the rest of their way is for them to be there."""
+    """The selected axes, and the range [rad, m] of deviation within which they have arrived."""
 
     chosen: Chosen
     lowest: Array
     highest: Array
 
     def holds(self, left: Array) -> bool:
-        """Whether what is left of the way is little enough, of the axes that are chosen."""
+        """Whether the remaining deviation of the selected axes is within the range."""
         inside = (self.lowest <= left) & (left <= self.highest)
         return bool(np.all(inside | ~self.chosen))
 
 
 class Aim(Protocol):
-    """Where the sensor wants the robot."""
+    """The sensor's goal for the robot."""
 
     def hear(self, answer: SensorAnswer) -> bool:
-        """Take what a sensor says; whether it was a goal of this kind."""
+        """Take an answer of the sensor; whether it was a goal of this kind."""
         ...
 
     def goal(self, joints: Array) -> tuple[Array, Array] | None:
-        """Joints (n,) [rad] and how fast they move by themselves (n,) [rad/s], a cycle later.
+        """Joints (n,) [rad] and the goal's own speed (n,) [rad/s], a cycle later.
 
         None if the arm cannot get there.
         """
         ...
 
     def is_met(self, joints: Array) -> bool:
-        """Whether joints (n,) [rad] are near enough."""
+        """Whether joints (n,) [rad] are close enough to the goal."""
         ...
 
 
@@ -96,7 +96,7 @@ class JointAim:
 
 @dataclass(slots=True, eq=False)
 class PoseAim:
-    """Goals are poses of the TCP in a frame of the sensor."""
+    """Goals are poses of the TCP in a frame given by the sensor."""
 
     kinematics: Kinematics
     tcp_from_flange: Transform
@@ -123,7 +123,7 @@ class PoseAim:
         self._stages = [self._start.rotation for _ in self.filters_hz]
 
     def tcp(self, joints: Array) -> Transform:
-        """base_from_tcp of joints (n,) [rad]."""
+        """The TCP pose for joints (n,) [rad]."""
         return self.kinematics.forward(joints) @ self.tcp_from_flange.inverse()
 
     def hear(self, answer: SensorAnswer) -> bool:

@@ -1,4 +1,4 @@
-"""What a sensor is told of the robot that it guides, in its units."""
+"""Feedback to a sensor about the robot that it guides, in the sensor's units."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rapidsim.values import dataclass
 
 
 class Guided(Enum):
-    """What is told of the guidance."""
+    """Feedback about the guidance."""
 
     NOT_YET = auto()
     RUNNING = auto()
@@ -25,7 +25,7 @@ class Guided(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Feedback:
-    """The robot at a time."""
+    """The state of the robot at a time."""
 
     time_s: float
     joints: tuple[float, ...]
@@ -47,7 +47,7 @@ class Feedback:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Frames:
-    """In which frame the TCP is told."""
+    """The frame in which the TCP is reported."""
 
     kinematics: Kinematics
     tcp_from_flange: Transform
@@ -61,7 +61,7 @@ class Frames:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GuidedFeedback:
-    """What is told while the robot is guided."""
+    """Feedback while the robot is guided."""
 
     frames: Frames
     external: tuple[float, ...]
@@ -85,7 +85,7 @@ def standing_feedback(
     guided: Guided,
     utilisation: float,
 ) -> Feedback:
-    """What is told of joints (n,) [rad] at a time [s]; see `Feedback`."""
+    """Feedback for joints (n,) [rad] at rest at a time [s]; see `Feedback`."""
     position, orientation = frames.pose(joints)
     return Feedback(
         time_s,

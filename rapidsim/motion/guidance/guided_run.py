@@ -1,7 +1,7 @@
-"""A guidance from its start to its end, a cycle at a time: a function of what the sensor says.
+"""A guidance from start to end, cycle by cycle: a function of the sensor's answers.
 
-Whoever has the cycles and the answers has the motion: the engine that lets the robot move, the
-process beside it that talks to the sensor, and a journal that is lived again, all to the last bit.
+The cycles and the answers determine the motion to the last bit: in the engine that moves the robot,
+in the process beside it that talks to the sensor, and when a journal is replayed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rapidsim.values import dataclass
 
 
 class Ended(Enum):
-    """What has ended the guidance."""
+    """What ended the guidance."""
 
     CONVERGED = auto()
     STOPPED = auto()
@@ -33,7 +33,7 @@ class Ended(Enum):
 
     @property
     def is_failure(self) -> bool:
-        """Whether nobody wanted it to end."""
+        """Whether the end was not requested."""
         return self in (Ended.SILENT, Ended.OUT_OF_REACH)
 
 
@@ -57,7 +57,7 @@ class Terms:
 
 @dataclass(slots=True, eq=False)
 class GuidedRun:
-    """The motion of a robot under guidance; `step` goes on by a cycle."""
+    """The motion of a robot under guidance; `step` advances it by a cycle."""
 
     motion: JointMotion
     aim: Aim
@@ -87,7 +87,7 @@ class GuidedRun:
         self.start = self.motion.joints
 
     def step(self, answer: SensorAnswer | None) -> None:
-        """Go on for a cycle with what the sensor has said since the last one."""
+        """Advance by a cycle with the sensor's answer since the last one."""
         self._cycles += 1
         if self.ended is None:
             self._guide(answer)
@@ -95,12 +95,12 @@ class GuidedRun:
             self._come_to_rest()
 
     def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
-        """End the guidance: the robot comes to rest, or goes back to where it began."""
+        """End the guidance: the robot comes to rest, or returns to where it began."""
         if self.ended is None:
             self._end(Ended.STOPPED, goes_back=goes_back, ramp_out_s=ramp_out_s)
 
     def give_up_way_back(self) -> None:
-        """Come to rest where the robot is."""
+        """Come to rest at the current position instead of returning."""
         self._goes_back, self._back = False, None
 
     def _guide(self, answer: SensorAnswer | None) -> None:

@@ -1,8 +1,8 @@
 """How joints follow a goal that comes every few milliseconds: filter, gain, limits.
 
-ABB publishes what its parameters mean, not its control law. This is ours: the goal passes a
-low-pass, the speed is proportional to what is left and never more than lets the axis brake in time,
-and each axis keeps its limits of speed and acceleration by itself.
+ABB documents the meaning of its parameters, not its control law. This one is our own: the goal
+passes a low-pass filter, the speed is proportional to the remaining distance and never too high to
+brake in time, and each axis keeps its own speed and acceleration limits.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ BRAKING_SHARE: Final = 0.9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GuidedAxes:
-    """What axes (n,) can do [rad, s]."""
+    """Limits of the axes (n,) [rad, s]."""
 
     lower: Array
     upper: Array
@@ -34,7 +34,7 @@ class GuidedAxes:
 
 @dataclass(frozen=True, slots=True)
 class Tuning:
-    """How strongly the axes are drawn to their goal."""
+    """How strongly the axes follow their goal."""
 
     gain: float
     """Speed [rad/s] per rad that is left: Kp times PosCorrGain; 0 leaves them to speeds alone."""
@@ -44,7 +44,7 @@ class Tuning:
 
 @dataclass(slots=True, eq=False)
 class LowPass:
-    """Filters of first order in a row, at rest at a start."""
+    """Low-pass filters of first order in series, initially at rest."""
 
     frequencies_hz: tuple[float, ...]
     """0 is none."""
@@ -72,7 +72,7 @@ def _share(hertz: float) -> float:
 
 @dataclass(slots=True, eq=False)
 class JointMotion:
-    """Axes that move in steps of a cycle, with constant accelerations in between."""
+    """Axes that move in steps of one cycle, with constant acceleration within each."""
 
     axes: GuidedAxes
     joints: Array
@@ -81,20 +81,20 @@ class JointMotion:
     """Shape (n,) [rad/s]."""
 
     def towards(self, goal: Array, tuning: Tuning, speed: Array, share: float = 1.0) -> None:
-        """Go on for a cycle.
+        """Advance by a cycle towards a goal.
 
         Args:
-            goal: Where to (n,) [rad].
-            tuning: How strongly.
-            speed: What is added (n,) [rad/s]: how fast the goal itself moves.
-            share: Of their greatest speed that axes may have, while the guidance begins; 0..1.
+            goal: The goal (n,) [rad].
+            tuning: How strongly to follow it.
+            speed: Feed-forward (n,) [rad/s]: the goal's own speed.
+            share: Share of their maximum speed that axes may use, while the guidance begins; 0..1.
         """
         wanted = self._approach(goal - self.joints, tuning.gain) if tuning.gain else 0.0
         most = share * np.minimum(self.axes.max_speed, tuning.max_speed)
         self.at_speed(np.clip(wanted + speed, -most, most))
 
     def at_speed(self, wanted: Array) -> None:
-        """Go on for a cycle and come as near to a speed (n,) [rad/s] as the axes can."""
+        """Advance by a cycle and get as close to a speed (n,) [rad/s] as the axes can."""
         axes = self.axes
         wanted = np.clip(wanted, -axes.max_speed, axes.max_speed)
         brakes = 2.0 * BRAKING_SHARE * axes.max_acceleration
@@ -111,7 +111,7 @@ class JointMotion:
 
     @property
     def stands(self) -> bool:
-        """Whether no axis moves."""
+        """Whether all axes are at rest."""
         return not self.speed.any()
 
     def _approach(self, left: Array, gain: float) -> Array:

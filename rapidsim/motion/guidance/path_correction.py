@@ -1,8 +1,8 @@
-"""How the TCP comes beside its path as a sensor wants it: path coordinates, filter, gain, limits.
+"""Path corrections by a sensor: path coordinates, filter, gain, limits.
 
 x is along the path, y the cross product of the tool's z and x, z that of x and y. A sensor corrects
-y and z. As of guidance, ABB publishes no law: here the correction passes the filters of its
-configuration, the way off goes for it as the axes of `joint_law` do, and turns with the path.
+y and z. As for guidance, ABB publishes no control law: here the correction passes the filters of
+its configuration, the offset follows it as the axes of `joint_law` do, and turns with the path.
 
 Source of the coordinates: Technical reference manual RAPID Instructions, Functions and Data types,
 "CorrCon"; of what may be corrected: Application manual Externally Guided Motion.
@@ -29,7 +29,7 @@ _LEAST_SINE: Final = 1e-6
 
 @dataclass(slots=True, eq=False)
 class PathCorrection:
-    """The way of a TCP beside its path; `follow` goes on with it."""
+    """The offset of a TCP from its path over time; `follow` advances it."""
 
     gain: float
     """Speed [m/s] per m that is left: Kp."""
@@ -54,7 +54,7 @@ class PathCorrection:
         self._axes = np.zeros((3, 3))
 
     def hear(self, answer: SensorAnswer) -> bool:
-        """Take what a sensor says; whether it was a correction."""
+        """Take an answer of the sensor; whether it was a correction."""
         if len(answer.correction) != 3:
             return False
         _, y, z = answer.correction
@@ -62,10 +62,10 @@ class PathCorrection:
         return True
 
     def follow(self, directions: Array, tool_z: Array, counts: Array) -> list[Array]:
-        """Go on by a cycle for each row; the way off (3,) [m] at the end of each, in base.
+        """Advance by one cycle per row; the offset (3,) [m] at the end of each, in base.
 
         Args:
-            directions: Where to the path leads at the end of each (k, 3), in base; 0 for nowhere.
+            directions: Path directions at the end of each cycle (k, 3), in base; 0 for none.
             tool_z: The tool's z (k, 3), likewise.
             counts: Whether (k,) the path is corrected there.
         """
@@ -79,7 +79,7 @@ class PathCorrection:
         return ways
 
     def rest(self) -> list[Array]:
-        """Come to rest where the TCP is; the way off at the end of each cycle."""
+        """Bring the offset to rest at its current value; the offset at the end of each cycle."""
         ways = []
         while not self._way.stands:
             self._way.at_speed(np.zeros(3))

@@ -1,6 +1,6 @@
-"""What a sensor answers, as it says it: in mm and degrees; and the same in m and rad.
+"""A sensor's answer, as sent in mm and degrees, and in m and rad.
 
-The one place beside `configurations/targets.py` where a program's units become those of the arm.
+The only place besides `configurations/targets.py` that converts a program's units to the arm's.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ _LEAST_NORM = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class SensorAnswer:
-    """The last word of a sensor; what it does not say is empty."""
+    """The last message of a sensor; missing parts are empty."""
 
     joints: tuple[float, ...] = ()
     """Goal of the arm's axes, the external ones behind them [deg]."""
@@ -35,12 +35,12 @@ class SensorAnswer:
 
 
 def radians(degrees: tuple[float, ...], count: int) -> Array | None:
-    """The first of so many axes [rad]; None if they are not all there."""
+    """The given number of leading axes [rad]; None if they are not all there."""
     return None if len(degrees) < count else np.radians(np.array(degrees[:count]))
 
 
 def pose_of(answer: SensorAnswer) -> tuple[Array | None, Array | None]:
-    """Position (3,) [m] and rotation (3, 3) of the goal; None for what it does not say."""
+    """Position (3,) [m] and rotation (3, 3) of the goal; None for missing parts."""
     position = MM * np.array(answer.position) if len(answer.position) == 3 else None
     rotation = None
     if len(answer.orientation) == 4:
@@ -51,7 +51,7 @@ def pose_of(answer: SensorAnswer) -> tuple[Array | None, Array | None]:
 
 
 def twist_of(answer: SensorAnswer) -> Array | None:
-    """Speed of the TCP (6,) [m/s, rad/s]; None if it says none."""
+    """Speed of the TCP (6,) [m/s, rad/s]; None if missing."""
     if len(answer.tcp_speed) != 6:
         return None
     twist = np.array(answer.tcp_speed)
@@ -59,10 +59,10 @@ def twist_of(answer: SensorAnswer) -> Array | None:
 
 
 def in_degrees(joints: Array) -> tuple[float, ...]:
-    """Axes (n,) [rad] as they are told [deg]."""
+    """Axes (n,) [rad] as sent [deg]."""
     return tuple(np.degrees(joints).tolist())
 
 
 def in_millimetres(pose: Transform) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """A pose as it is told: x, y, z [mm] and q1..q4."""
+    """A pose as sent: x, y, z [mm] and q1..q4."""
     return tuple((pose.translation / MM).tolist()), tuple(pose.quaternion.tolist())

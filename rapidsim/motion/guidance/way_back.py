@@ -1,4 +1,4 @@
-"""The way back to where a guidance began, in a given time or as fast as the axes can."""
+"""The return to where a guidance began, in a given time or as fast as the axes can."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _TOP_ACCELERATION = 5.7735
 
 @dataclass(frozen=True, slots=True, eq=False)
 class WayBack:
-    """All axes together, from rest to rest."""
+    """All axes in sync, from rest to rest."""
 
     start: Array
     end: Array
@@ -33,13 +33,13 @@ class WayBack:
 
 
 def way_back(axes: GuidedAxes, start: Array, end: Array, duration_s: float) -> WayBack:
-    """From a standstill to another, in so long [s] or what the axes need.
+    """A motion between two positions at rest, in the given time or what the axes need.
 
     Args:
         axes: Their limits.
         start: Joints (n,) [rad].
         end: Joints (n,) [rad].
-        duration_s: The time that is asked for [s].
+        duration_s: The requested time [s].
     """
     way = np.abs(end - start)
     by_speed = float(np.max(_TOP_SPEED * way / axes.max_speed, initial=0.0))

@@ -1,1 +1,1 @@
-"""Joints to flange and back: the protocol of an arm, and what all arms share."""
+"""Forward and inverse kinematics: the protocol of an arm, and what all arms share."""

@@ -1,11 +1,12 @@
-"""What path planning needs of an arm: forward, inverse on a branch, all branches.
+"""What path planning needs from an arm: forward, inverse on a branch, all branches.
 
 Everything is batch first: N poses in one call, one pose is N = 1. `Kinematics.single` is for one
-pose at a time. What any arm can be asked has an answer here; an arm with formulas has a better one.
+pose at a time. Every query has a default implementation here, which an arm with formulas can
+replace by a better one.
 
-A joint that slides stands among joints that turn, and wherever these are rad and degrees it counts
-one of RAPID's millimetres as they count a degree: `value [rad] = way [mm] * pi / 180`. So the same
-conversion gives RAPID's number of every joint. `Kinematics.slides` tells which they are.
+A sliding joint appears among rotating joints, and wherever these are in rad or degrees its
+millimetres are treated like degrees: `value [rad] = distance [mm] * pi / 180`. So the same
+conversion gives RAPID's number for every joint. `Kinematics.slides` tells which joints slide.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ class Branches:
 
 @dataclass(frozen=True, slots=True)
 class BranchJoints:
-    """Joint vectors along a row of poses on one branch."""
+    """Joint vectors along a sequence of poses on one branch."""
 
     joints: Array
     """Shape (k, n) [rad]; continuous, whole turns included."""
@@ -65,7 +66,7 @@ class BranchJoints:
 
 
 class Single(Protocol):
-    """The same questions for one pose or joint vector, in plain floats."""
+    """The same queries for one pose or joint vector, in plain floats."""
 
     def forward(self, joints: Sequence[float]) -> Rigid:
         """base_from_flange of a joint vector [rad]."""
@@ -74,10 +75,10 @@ class Single(Protocol):
     def inverse_on_branch(
         self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
     ) -> list[float] | None:
-        """Joints [rad] on a branch, each in the turn nearest to `near`; None where there are none.
+        """Joints [rad] on a branch, each in the turn closest to `near`; None if there are none.
 
-        Without `near` they are in their principal turns, and there are none where the pose leaves
-        an axis undetermined or the arm has no formulas for one pose.
+        Without `near` they are in their principal turns, and there are none if the pose leaves an
+        axis undetermined or the arm has no formulas for one pose.
         """
         ...
 
@@ -91,16 +92,16 @@ class Kinematics(Protocol):
 
     @property
     def spherical_wrist(self) -> bool:
-        """Whether the last three axes meet, so that with axis 5 at 0 axes 4 and 6 are one."""
+        """Whether the last three axes intersect, so that with axis 5 at 0 axes 4 and 6 coincide."""
         return False
 
     @property
     def posture(self) -> Array | None:
-        """Joints (n,) [rad] away from singularities to begin in; None where none stands out."""
+        """Joints (n,) [rad] to start in, away from singularities; None without a preference."""
         return None
 
     def stance(self, joints: Array) -> Array:
-        """How arms (k, n) [rad] stand, shape (k, 4); see `PathRates`. Zeros where none is known."""
+        """How arms (k, n) [rad] stand, shape (k, 4); see `PathRates`. Zeros if not known."""
         return np.zeros((len(joints), 4))
 
     @property
@@ -110,9 +111,9 @@ class Kinematics(Protocol):
 
     @property
     def turns(self) -> Array:
-        """What each joint (n,) [rad] may be moved by with the arm standing as before.
+        """By how much each joint (n,) [rad] may be shifted without changing the arm's pose.
 
-        A whole turn; `ENDLESS` for a joint that slides, which has none.
+        A whole turn; `ENDLESS` for a sliding joint, which has none.
         """
         return np.where(self.slides, ENDLESS, TURN)
 
@@ -120,14 +121,14 @@ class Kinematics(Protocol):
     def rapid_axes(self) -> tuple[int, ...]:
         """Which of RAPID's axes each joint is, from base to flange: 0 to 5 `robax`, 6 `eax_a`.
 
-        The additional joint of seven-axis arms stands third in their chain. The last of four joints
+        The additional joint of seven-axis arms is the third in their chain. The last of four joints
         is axis 6, as on palletizers, unless the arm says otherwise.
         """
         return _RAPID_AXES.get(self.joint_count) or tuple(range(self.joint_count))
 
     @property
     def single(self) -> Single:
-        """The same for one pose."""
+        """The same queries for one pose."""
         return BatchOfOne(self)
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
@@ -135,7 +136,7 @@ class Kinematics(Protocol):
         return by_idle_motion(self.jacobian(joints))
 
     def limiting_length(self, base_from_flange: Transform) -> str | None:
-        """Which part of the arm keeps it from one pose, with lengths; None if that is not told."""
+        """Which part of the arm keeps it from one pose, with lengths; None if not known."""
         del base_from_flange
         return None
 
@@ -160,7 +161,7 @@ class Kinematics(Protocol):
     def jacobian(self, joints: Array) -> Array:
         """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base.
 
-        For a joint that slides, m per unit of its value and no turn.
+        For a sliding joint, m per unit of its value and no rotation.
         """
         ...
 
@@ -176,10 +177,10 @@ class Kinematics(Protocol):
         Args:
             base_from_flange: Poses (k,).
             branch: Index into `Branches.joints`.
-            near: Joint vectors (k, n) [rad], or one (n,) that stands before the row. Each joint
-                takes the whole turn nearest to its own row of `near`, or, with a single vector, to
-                the row before it. What the pose leaves undetermined (axes 4 and 6 where axis 5 is
-                0, axis 1 where the wrist centre is on it) keeps that value.
+            near: Joint vectors (k, n) [rad], or one (n,) that precedes the first row. Each joint
+                takes the whole turn closest to its own row of `near`, or, with a single vector, to
+                the previous row. What the pose leaves undetermined (axes 4 and 6 where axis 5 is 0,
+                axis 1 where the wrist centre is on it) keeps that value.
         """
         ...
 
@@ -190,7 +191,7 @@ class Kinematics(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class BatchOfOne:
-    """`Single` for arms that have no formulas of their own for one pose."""
+    """`Single` for arms without formulas of their own for one pose."""
 
     kinematics: Kinematics
 

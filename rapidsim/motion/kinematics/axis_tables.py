@@ -1,8 +1,8 @@
-"""The axes of an arm as tables that textbooks have: screws of the product of exponentials, and DH.
+"""The axes of an arm as textbook tables: screws of the product of exponentials, and DH.
 
-Both come from where the axes stand at joint values 0, so they hold for any arm in which each joint
-turns one axis, or slides along it, and carries the next. Where rods hold a link level there is no
-such table.
+Both are derived from the positions of the axes at joint values 0, so they apply to any arm in which
+each joint turns about, or slides along, one axis and carries the next. An arm with rods that hold a
+link level has no such table.
 """
 
 from __future__ import annotations
@@ -39,17 +39,17 @@ class Screws:
 
     @property
     def turns(self) -> Array:
-        """The angular velocities (n, 3) of S; 0 of a joint that slides."""
+        """The angular velocities (n, 3) of S; 0 for a sliding joint."""
         return np.where(self.slides[:, None], 0.0, self.directions)
 
     @property
     def moments_mm(self) -> Array:
-        """The velocities (n, 3) of S [mm per rad], of a joint that slides [mm per mm]."""
+        """The velocities (n, 3) of S [mm per rad], for a sliding joint [mm per mm]."""
         turning: Array = -1e3 * np.cross(self.directions, self.points)
         return np.where(self.slides[:, None], self.directions, turning)
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]; see `Kinematics` for those that slide."""
+        """base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
         moved = Transform.identity()
         rows = zip(self.directions, self.points, joints.tolist(), self.slides, strict=True)
         for direction, point, value, slides in rows:
@@ -63,7 +63,7 @@ class Screws:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class DhTable:
-    """Each row turns by theta about z, goes d along z and a along x, turns by alpha about x.
+    """Each row rotates by theta about z, moves d along z and a along x, rotates by alpha about x.
 
     Source:
         Denavit, Hartenberg (1955), in the standard form.
@@ -84,7 +84,7 @@ class DhTable:
     """Shape (n,): which joints slide along their axis; the others turn."""
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]; see `Kinematics` for those that slide."""
+        """base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
         moved = self.base
         thetas = self.theta + np.where(self.slides, 0.0, joints)
         ways = self.d + np.where(self.slides, METRES_PER_UNIT * joints, 0.0)
@@ -97,7 +97,7 @@ class DhTable:
 
 
 def screws_of(kinematics: Kinematics) -> Screws | None:
-    """The screws of an arm; None where its joints do not each turn one axis, or slide along it."""
+    """The screws of an arm; None if its joints do not each turn about or slide along one axis."""
     zero = np.zeros(kinematics.joint_count)
     flange = kinematics.forward(zero)
     jacobian = kinematics.jacobian(zero)
@@ -116,7 +116,7 @@ def screws_of(kinematics: Kinematics) -> Screws | None:
 
 
 def dh_table_of(kinematics: Kinematics) -> DhTable | None:
-    """The standard DH table of an arm; None where it has no screws."""
+    """The standard DH table of an arm; None if it has no screws."""
     screws = screws_of(kinematics)
     if screws is None:
         return None

@@ -1,6 +1,7 @@
-"""Forward kinematics of any row of turning axes, from where the axes stand at joint values 0.
+"""Forward kinematics of any chain of axes, from their positions at joint values 0.
 
-The same few lines serve every arm that has no formulas of its own, and those whose inverse has.
+The same few lines serve every arm without formulas of its own, and those with a closed-form
+inverse.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AxesAtZero:
-    """Axes of rotation with all joints at 0, in base, from foot to flange."""
+    """Axes of rotation with all joints at 0, in base, from base to flange."""
 
     directions: Array
     """Unit vectors (m, 3)."""
@@ -29,7 +30,7 @@ class AxesAtZero:
 
 @dataclass(frozen=True, eq=False)
 class SerialChain:
-    """A row of axes, each of which carries the next.
+    """A chain of axes, each of which carries the next.
 
     Source:
         Brockett (1984), Robotic manipulators and the product of exponentials formula.
@@ -44,7 +45,7 @@ class SerialChain:
 
     @staticmethod
     def uncoupled(axes: AxesAtZero) -> SerialChain:
-        """A chain with one joint an axis."""
+        """A chain with one joint per axis."""
         count = len(axes.points)
         return SerialChain(axes, np.eye(count), tuple(range(count)))
 
@@ -77,7 +78,7 @@ class SerialChain:
         return self.forward_and_jacobian(joints)[1]
 
     def forward_and_jacobian(self, joints: Array) -> tuple[Transform, Array]:
-        """Both at the price of one; what a search asks at every step."""
+        """Both at the cost of one; needed at every step of a search."""
         moved = self._moved(joints)
         flange = moved[-1] @ self.axes.base_from_flange
         columns = []

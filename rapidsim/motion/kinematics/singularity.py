@@ -1,4 +1,4 @@
-"""A singularity, how far an arm is from it, and how one shows without formulas."""
+"""A singularity, an arm's distance from it, and its detection without formulas."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TAKES_PART = 0.2
 
 @dataclass(frozen=True, slots=True)
 class Singularity:
-    """A singularity and how far the arm is from it."""
+    """A singularity and the arm's distance from it."""
 
     name: str
     """`wrist`, `elbow` or `shoulder`."""
@@ -28,14 +28,14 @@ class Singularity:
 
     @property
     def near(self) -> bool:
-        """Whether joint speeds grow much beyond those of usual poses."""
+        """Whether joint speeds become much larger than in ordinary poses."""
         return self.distance < NEAR
 
 
 def by_idle_motion(jacobian: Array) -> tuple[Singularity, ...]:
-    """What singularity a weak Jacobian (6, n) stands for, by the joints that move in vain.
+    """The singularity behind a weak Jacobian (6, n), named by the joints whose motions cancel.
 
-    Arms with more than six joints always have such motions; only those that come on top count.
+    Arms with more than six joints always have such motions; only additional ones count.
     """
     _, values, directions = np.linalg.svd(jacobian)
     weakest = min(jacobian.shape) - 1

@@ -1,7 +1,6 @@
-"""Whole turns of joints: a pose tells angles, the way to it tells how often they went round.
+"""Unwrapping of joints: a pose determines angles, the path to it determines whole turns.
 
-A joint that slides has no turns. Where turns are asked of a joint vector, its turn is `ENDLESS`:
-then nothing is ever added to it.
+A sliding joint has no turns: its turn is `ENDLESS`, so nothing is ever added to it.
 """
 
 from __future__ import annotations
@@ -19,17 +18,17 @@ way, so that always none of them is nearest."""
 
 
 def whole_turns(way: Array, turn: float | Array = TURN) -> Array:
-    """The whole turns [rad] that come nearest to ways (..., n) [rad] of joints.
+    """The multiples of a whole turn [rad] closest to joint displacements (..., n) [rad].
 
     Args:
-        way: Between two values of a joint.
+        way: Displacement between two values of a joint.
         turn: Of all joints, or of each (n,): see `Kinematics.turns`.
     """
     return turn * np.round(way / turn)
 
 
 def turning(steps: Array, turn: Array) -> Array:
-    """Steps (..., n) [rad] of joints, 0 for those that slide: these are smooth wherever a pose is.
+    """Steps (..., n) [rad] of joints, 0 for sliding ones, which are smooth wherever a pose is.
 
     Args:
         steps: From one joint vector to the next.
@@ -46,12 +45,12 @@ def principal(joints: Array, turn: float | Array = TURN) -> Array:
 def in_turn_of(
     joints: Array, exists: npt.NDArray[np.bool_], near: Array, turn: float | Array = TURN
 ) -> Array:
-    """Joint vectors (k, n) [rad], each joint in the whole turn that is nearest.
+    """Joint vectors (k, n) [rad], each joint in the closest whole turn.
 
     Args:
         joints: Shape (k, n) [rad].
-        exists: Shape (k,): rows that are joints at all; the others come out as 0.
-        near: Shape (k, n) [rad], a row for each, or (n,), which stands before the first row.
+        exists: Shape (k,): rows with valid joints; the others are returned as 0.
+        near: Shape (k, n) [rad], a row for each, or (n,), which precedes the first row.
         turn: Of all joints, or of each (n,): see `Kinematics.turns`.
     """
     turned = np.zeros_like(joints)
@@ -73,7 +72,7 @@ def _unwrapped(row: Array, turn: float | Array) -> Array:
 
 
 def turned_towards(before: float, angle: float) -> float:
-    """An angle [rad] in the whole turn that is nearest to another; half a turn stays as it is."""
+    """An angle [rad] in the whole turn closest to another; at half a turn it stays as it is."""
     away = angle - before
     if -HALF_TURN < away < HALF_TURN:
         return angle

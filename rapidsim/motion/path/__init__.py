@@ -1,1 +1,1 @@
-"""The same curves in joints, over one path parameter s."""
+"""Paths in joint space, over one path parameter s."""

@@ -1,7 +1,7 @@
-"""Joints along curves of the TCP, at nodes as dense as the joints turn.
+"""Joints along curves of the TCP, at nodes as dense as the joint motion requires.
 
-Near a singularity a few micrometres may ask for half a turn of a wrist axis; only nodes that lie
-close enough there tell a steep passage from a jump.
+Near a singularity a few micrometres may require half a turn of a wrist axis; only nodes close
+together distinguish a steep passage from a jump there.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _JUMP = 0.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Nodes:
-    """Joints along curves, rows in the order of curves and places."""
+    """Joints along curves, rows in the order of curves and positions."""
 
     place: Array
     """Shape (k,)."""
@@ -45,7 +45,7 @@ class Nodes:
     """Shape (k,): where the branch of the curve reaches the place."""
 
     def jumps(self, turns: Array) -> Mask:
-        """Whether (k - 1,) a joint of the arm jumps from a node to the next.
+        """Whether (k - 1,) a joint of the arm jumps between successive nodes.
 
         Args:
             turns: Of each joint (n,), see `Kinematics.turns`.
@@ -57,14 +57,14 @@ class Nodes:
 
 
 def spread(cells: Index, closed: Mask) -> tuple[Index, Array]:
-    """Evenly spread nodes over parts (p,).
+    """Evenly spaced nodes over parts (p,).
 
     Args:
-        cells: How many cells each part has, shape (p,).
+        cells: Number of cells of each part, shape (p,).
         closed: Whether (p,) there is a node at the end of a part, as there is at its beginning.
 
     Returns:
-        The part of each node, and its share of the part, 0 to 1.
+        The part of each node, and its position as a share of the part, 0 to 1.
     """
     count = cells + closed
     part = np.repeat(np.arange(len(cells)), count)
@@ -80,13 +80,13 @@ def nodes_along(
     solve: Solve,
     turns: Array,
 ) -> Nodes:
-    """Solve nodes, and put others between where joints turn far.
+    """Solve nodes, and insert others where joints turn far in between.
 
     Args:
         place: The first nodes (k,), those of a curve in order.
-        part: The part (k,) that each lies in.
+        part: The part (k,) that contains each.
         curve_of: The curve of each part (p,).
-        shortest: Cells of a curve (m,) that are as short as this are not halved.
+        shortest: Cells of a curve (m,) no longer than this are not halved.
         solve: Finds joints.
         turns: Of each joint of the arm (n,), see `Kinematics.turns`; other axes need no nodes.
     """

@@ -1,8 +1,8 @@
-"""Many programmed lines and arcs at once: can the arm follow each, and where is it held up?
+"""Whether the arm can follow many programmed lines and arcs, and where it is slowed down.
 
-A survey for checking: each way is taken by itself, from its start joints on their branch, without
-corners and without dynamics. Poses are put as densely as the joints turn. What looks broken here is
-told exactly by `path.build_path`, which takes one way at a time.
+A survey for checking: each path is taken by itself, from its start joints on their branch, without
+corners and without dynamics. Poses are as dense as the joint motion requires. For failures found
+here, `path.build_path` gives the exact place, one path at a time.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "s
 
 @dataclass(frozen=True, slots=True)
 class HoldUp:
-    """Where an axis keeps the arm from the programmed speed most."""
+    """Where an axis limits the programmed speed most."""
 
     axis: int
     """Counted from 1."""
@@ -51,7 +51,7 @@ class HoldUp:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SurveyedWay:
-    """What a survey saw of one line or arc."""
+    """Survey result for one line or arc."""
 
     travel: float
     """Way of the TCP [m]."""
@@ -72,8 +72,8 @@ def survey_ways(
 
     Args:
         robot: The arm.
-        segments: What is surveyed; the joints at their ends do not count.
-        max_speed: Axis speeds (n,) [rad/s]; None where they are not known.
+        segments: The paths to survey; the joints at their ends do not count.
+        max_speed: Axis speeds (n,) [rad/s]; None if they are not known.
     """
     found: list[SurveyedWay] = []
     for first in range(0, len(segments), _BATCH):
@@ -165,7 +165,7 @@ def _hold_ups(
 
 
 def near_singularity(robot: Robot, joints: Array) -> str | None:
-    """Which singularity joints (n,) [rad] are near; None if none, or the arm is one of searches."""
+    """The singularity that joints (n,) [rad] are near; None if none, or if solved by search."""
     if not told_apart(robot.kinematics):
         return None
     found = robot.kinematics.singularities(joints)

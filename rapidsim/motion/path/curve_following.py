@@ -1,4 +1,4 @@
-"""Follow the Cartesian curves of a path on their branches, or say where the arm cannot."""
+"""Follows the Cartesian curves of a path on their branches, or finds where the arm cannot."""
 
 from __future__ import annotations
 
@@ -79,14 +79,14 @@ def follow(
     Args:
         layout: The path.
         arms: Branch and tool of each curve.
-        lines: Those that have closed forms.
+        lines: The lines with closed-form derivatives.
         segments: The segment of each curve.
-        axes: Limits of the arm's joints and the external axes.
+        axes: Limits of the arm's joints and of the external axes.
         look: Called now and then.
 
     Returns:
-        The joints, or the first place where the branch ends, jumps, misses the joints of a
-        segment's start or end, or leaves the limits. `PathFault.segment` counts curves.
+        The joints, or the first point where the branch ends, jumps, does not match the joints at a
+        segment's start or end, or exceeds the limits. `PathFault.segment` counts curves.
     """
     place, piece = _first_nodes(layout)
     shortest = np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length)
@@ -116,7 +116,7 @@ def follow(
 def limit_fault(
     layout: Layout, s: Array, row: Index, joints: Array, axes: Axes
 ) -> PathFault | None:
-    """The first of some places (k,) whose joints (k, n + e) are outside the limits."""
+    """The first of some points (k,) whose joints (k, n + e) are outside the limits."""
     lower, upper = axes.lower, axes.upper
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))

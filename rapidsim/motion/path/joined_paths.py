@@ -1,7 +1,7 @@
-"""Paths laid end to end as one, for places on many short paths cost as much as on one long path.
+"""Paths joined end to end, because points on many short paths cost as much as on one long path.
 
-Between two paths lies a gap in which the arm stands at the end of the one before, so that the end
-of a path and the start of the next stay two places.
+Between two paths there is a gap in which the arm rests at the end of the first, so that the end of
+one path and the start of the next remain distinct points.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _NO_CORNER = -1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class JoinedPaths:
-    """Some paths (k,) of one arm, the short ones laid end to end."""
+    """Some paths (k,) of one arm, the short ones joined end to end."""
 
     paths: tuple[Path, ...]
     on: Index
@@ -40,10 +40,10 @@ class JoinedPaths:
 
 
 def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
-    """Lay paths of one arm end to end.
+    """Join paths of one arm end to end.
 
     Joints, poses and travel are those of the paths, within the rounding of their common length.
-    What is joined is for evaluation alone.
+    Joined paths serve evaluation only.
     """
     rows: list[list[Path]] = []
     size = _MOST_CURVES
@@ -97,7 +97,7 @@ def _layout(layouts: Sequence[Layout], starts: Array) -> Layout:
     bounds = [layout.bounds + start for layout, start in zip(layouts, starts, strict=True)]
 
     def pieces(values: Sequence[Index], in_gap: Sequence[int]) -> Index:
-        """What pieces have, and the gap behind each path but the last."""
+        """Values of pieces, with an entry for the gap after each path but the last."""
         with_gaps = [np.append(*both) for both in zip(values, in_gap, strict=True)]
         return np.concatenate(with_gaps)[:-1]
 

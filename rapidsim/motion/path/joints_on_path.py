@@ -1,6 +1,6 @@
-"""Joints at places of a path and nothing beside them: what smoothing asks for by the thousand.
+"""Joints alone at points of a path: what smoothing needs by the thousand.
 
-They are those of `Path.evaluate`; without derivatives and poses they cost a third.
+They equal those of `Path.evaluate`; without derivatives and poses they cost a third.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class InJointSpace:
-    """Places (k,) of joint moves, and of corners made in joint space, on the curves they are of.
+    """Points (k,) on joint moves, and in corners made in joint space, mapped to their curves.
 
-    In a corner the joints are those of both curves that it joins, less those where they meet. All
-    are asked for at once, for few places cost as much as many.
+    In a corner the joints are the sum of both curves that it joins, minus those where they meet.
+    All are evaluated at once, because few points cost as much as many.
     """
 
     whole: Index
@@ -38,12 +38,12 @@ class InJointSpace:
     """Derivatives by s of where it is on the curve before each corner, and on the one behind."""
 
     def split(self, values: Array) -> list[Array]:
-        """Values of the curves that were asked: on joint moves, before corners, behind them."""
+        """Split values on curves into those on joint moves, before corners, after them."""
         return np.split(values, np.cumsum([len(self.whole), len(self.cut)]))
 
 
 def in_joint_space(layout: Layout, s: Array, piece: Index) -> InJointSpace:
-    """Which curves places (k,) of joint moves, and of corners made in joint space, ask for."""
+    """The curves on which points (k,) of joint moves, and of corners in joint space, depend."""
     corner, row = layout.joint_corner[piece], layout.row[piece]
     whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
     at = corner[cut]
@@ -69,7 +69,7 @@ class JointsOnPath:
     def spaces(self, piece: Index) -> tuple[Index, Index]:
         """Which of some pieces (k,) are made in Cartesian space and which in joint space.
 
-        A wrist that turns in joints counts as joint space: only then do the joints tell the pose.
+        Interpolated wrist axes count as joint space: only then do the joints determine the pose.
         """
         row = self.layout.row[piece]
         joint = self.layout.curves.in_joints[row]
@@ -78,7 +78,7 @@ class JointsOnPath:
         return np.flatnonzero(~joint), np.flatnonzero(joint)
 
     def near(self, s: Array, external: Array) -> Array:
-        """Joints (k, n + e) close to those at places (k,) of Cartesian curves."""
+        """Joints (k, n + e) close to those at points (k,) of Cartesian curves."""
         nodes = self.nodes
         joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
         near = np.stack(joints, axis=-1)
@@ -86,13 +86,13 @@ class JointsOnPath:
         return near
 
     def in_space(self, s: Array, piece: Index) -> tuple[Twists, Array]:
-        """The motion at places (k,) of Cartesian curves and corners, and the joints (k, n + e)."""
+        """The motion at points (k,) of Cartesian curves and corners, and the joints (k, n + e)."""
         motion = self.layout.motion(s, piece)
         near = self.near(s, self.layout.course(s, piece).value)
         return motion, self.arms.joints(motion, self.layout.row[piece], near)[0]
 
     def at(self, s: Array) -> Array:
-        """Joints, external axes behind them, (k, n + e) at places s (k,) [m] of the path."""
+        """Joints, followed by external axes, (k, n + e) at s (k,) [m] on the path."""
         piece = self.layout.piece_at(s)
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         on_curve, in_joints = self.spaces(piece)

@@ -1,7 +1,7 @@
-"""Derivatives on lines of ortho-parallel arms in closed form, many times as fast as in general.
+"""Closed-form derivatives on lines of ortho-parallel arms, much faster than the general method.
 
-Programs of many moves are lines. What is not a line of an arm that holds its tool and stands still
-is left to the general way (`Arms.rates`), and so are places where the arm is close to singular.
+Programs of many moves consist of lines. Anything but a line of a stationary arm holding its tool is
+left to the general method (`Arms.rates`), and so are points where the arm is close to singular.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _ROTATION, _LEVER, _ARM = slice(9, 18), slice(18, 21), slice(21, 24)
 
 @dataclass(frozen=True, eq=False)
 class Lines:
-    """The lines of a path, in the frame of the formulas of its arm."""
+    """The lines of a path, in the frame of the arm's formulas."""
 
     arm: OrthoParallel
     layout: Layout
@@ -59,9 +59,9 @@ class Lines:
         return replace(self, layout=layout, pieces=self.rows, turns_with_position=True)
 
     def rates(self, s: Array, piece: Index) -> tuple[PathRates, Mask]:
-        """Derivatives at places s (k,) of pieces (k,), and where (k,) they hold.
+        """Derivatives at s (k,) on pieces (k,), and where (k,) they are valid.
 
-        They hold on lines where the arm is not close to a singularity; elsewhere they are nothing.
+        They are valid on lines where the arm is not close to a singularity.
         """
         in_line = self.pieces[piece]
         rates = PathRates.not_filled(len(s), 6)
@@ -91,9 +91,9 @@ class Lines:
         return rates, regular
 
     def joints(self, s: Array, piece: Index) -> tuple[Array, Mask]:
-        """Joints (k, 6) [rad] at places s (k,) of pieces (k,), and where they hold; see `rates`.
+        """Joints (k, 6) [rad] at s (k,) on pieces (k,), and where they are valid; see `rates`.
 
-        Each is in the whole turn that is nearest to the straight way in joint space.
+        Each is in the whole turn closest to linear interpolation in joint space.
         """
         in_line = self.pieces[piece]
         joints = np.empty((len(s), 6))
@@ -195,7 +195,7 @@ class Lines:
 
 
 def lines_of(layout: Layout, arms: Arms) -> Lines | None:
-    """The lines of a path, or None where there are none of an arm with closed forms."""
+    """The lines of a path; None if it has none of an arm with closed forms."""
     arm, curves = arms.kinematics, layout.curves
     if not isinstance(arm, OrthoParallel) or curves.start_joints.shape[1] != arm.joint_count:
         return None

@@ -1,11 +1,12 @@
-"""Derivatives of an ortho-parallel arm along lines and their corners, number by number.
+"""Derivatives of an ortho-parallel arm along lines and their corners, in scalar formulas.
 
-Everything here is written once and runs twice: on columns of NumPy arrays (`line_derivatives`),
-and, where numba is installed, compiled, on single numbers (`line_loops`). Therefore vectors are
-tuples of three columns and matrices of nine, row by row, and nothing branches on a value.
+Everything here is written once and runs in two ways: on columns of NumPy arrays
+(`line_derivatives`) and, if numba is installed, compiled, on single numbers (`line_loops`).
+Therefore vectors are tuples of three columns and matrices of nine, row by row, and nothing branches
+on a value.
 
-Frames: all is seen in the base of the arm's formulas; rotations are those of the last frame of the
-formulas, whose origin is the wrist centre.
+Frames: everything is expressed in the base of the arm's formulas; rotations are those of the last
+frame of the formulas, whose origin is the wrist centre.
 """
 
 from __future__ import annotations
@@ -74,12 +75,12 @@ def rotation(v: Vector) -> Matrix:
 def turned_twice(
     turn: tuple[Matrix, Vector, Matrix, Vector], before: Array, after: Array
 ) -> tuple[Matrix, Matrix]:
-    """How a corner turns the tool: from the corner back by the line before, on by the one after.
+    """The rotation in a corner: from the corner back along the line before, on along the one after.
 
     Args:
-        turn: Rotation at the start of the line before and its turning [rad/m], and after.
-        before: Place on the line before [m].
-        after: Place on the line after.
+        turn: Rotation at the start of the line before and its rate [rad/m], and likewise after.
+        before: Position on the line before [m].
+        after: Position on the line after.
     """
     start, rate, next_start, next_rate = turn
     backwards = product(product(rotation(scaled(rate, before)), start), transposed(next_start))
@@ -98,10 +99,10 @@ def turning_on(
 
     Args:
         start: Rotation at the start of the line before.
-        rate: Its turning [rad/m].
+        rate: Its rotation rate [rad/m].
         next_start: Rotation at the start of the line after.
-        next_rate: Its turning.
-        before: Place on the line before with both derivatives; see `layout.Sides`.
+        next_rate: Its rotation rate.
+        before: Position on the line before with both derivatives; see `layout.Sides`.
         after: The same on the line after.
     """
     backwards, forwards = turned_twice((start, rate, next_start, next_rate), before[0], after[0])
@@ -129,9 +130,9 @@ def lever_motion(
 
     Args:
         start: TCP at the start of the line before [m].
-        rate: Its direction, times TCP travel per unit of the parameter.
+        rate: Its direction times TCP travel per unit of the parameter.
         next_rate: The same of the line after.
-        before: Place on the line before with both derivatives.
+        before: Position on the line before with both derivatives.
         after: The same on the line after.
         lever: From the TCP to the wrist centre [m], turned as the tool is now.
         turning: Angular velocity.
@@ -152,21 +153,21 @@ def lever_motion(
 def main_axes(
     lengths: Lengths, side: Array, bend: Array, centre: Vector
 ) -> tuple[Pair, Pair, Pair, Pair, Array, Mask]:
-    """Where axis 1 turns the arm and how lower arm and forearm stand in its vertical plane.
+    """The rotation of axis 1, and lower arm and forearm in the arm's vertical plane.
 
-    Nothing here is an angle: derivatives ask for sines and cosines only, and these follow from the
+    Nothing here is an angle: derivatives need only sines and cosines, which follow from the
     triangle of both arms by the law of cosines.
 
     Args:
         lengths: a1, a2, b, c1, c2, c3 of `OpwGeometry` [m].
-        side: 1 where the wrist centre is in front of axis 1, -1 where behind.
-        bend: 1 where it is in front of the lower arm, -1 where behind.
+        side: 1 if the wrist centre is in front of axis 1, -1 if behind.
+        bend: 1 if it is in front of the lower arm, -1 if behind.
         centre: Wrist centre [m].
 
     Returns:
-        Cosine and sine of axis 1; lower arm and what is above it, each how far ahead and up [m];
-        cosine and sine of the forearm's angle from straight up; how far forward of axis 1 the wrist
-        centre is [m]; and whether it is within reach and away from axis 1.
+        Cosine and sine of axis 1; lower arm and the rest above it, each with its forward and upward
+        extent [m]; cosine and sine of the forearm's angle from vertical; the distance [m] of the
+        wrist centre in front of axis 1; and whether it is within reach and away from axis 1.
     """
     a1, a2, b, c1, c2, c3 = lengths
     x, y, z = centre
@@ -198,7 +199,7 @@ def main_axes(
 
 
 def forearm_from_base(axis_1: Pair, forearm: Pair) -> Matrix:
-    """Turns what is seen in the base into the frame of the forearm, in which axis 4 is z."""
+    """The rotation from base to the forearm frame, in which axis 4 is z."""
     cos1, sin1 = axis_1
     cos23, sin23 = forearm
     return (
@@ -217,13 +218,13 @@ def forearm_from_base(axis_1: Pair, forearm: Pair) -> Matrix:
 def angles_of_arm(
     lengths: Lengths, arm: Vector, centre: Vector, rotation_6: Matrix
 ) -> tuple[Six, Mask]:
-    """The angles of the formulas [rad], in no turn in particular, and whether they are regular.
+    """The angles of the formulas [rad], in no particular turn, and whether they are regular.
 
     Args:
         lengths: See `main_axes`.
-        arm: Side and bend as in `main_axes`; flip is 1 where axis 5 is positive, -1 where negative.
+        arm: Side and bend as in `main_axes`; flip is 1 if axis 5 is positive, -1 if negative.
         centre: Wrist centre [m].
-        rotation_6: Of the last frame.
+        rotation_6: Rotation of the last frame.
     """
     axis_1, lower, _, forearm, _, regular = main_axes(lengths, arm[0], arm[1], centre)
     m = product(forearm_from_base(axis_1, forearm), rotation_6)
@@ -255,8 +256,8 @@ def rates_of_arm(
 
     The stance is that of `PathRates`.
 
-    The wrist centre gives axes 1 to 3, in the vertical plane of the arm that axis 1 turns; what is
-    left of the turning gives axes 4 to 6.
+    The wrist centre determines axes 1 to 3, in the vertical plane of the arm that axis 1 turns; the
+    remaining rotation determines axes 4 to 6.
 
     Args:
         lengths: See `main_axes`.
@@ -266,7 +267,7 @@ def rates_of_arm(
         centre: Wrist centre [m], with its derivatives.
         velocity: First.
         acceleration: Second.
-        rotation_6: Of the last frame.
+        rotation_6: Rotation of the last frame.
         turning: Its angular velocity.
         turning_change: The derivative of that.
     """
@@ -328,20 +329,20 @@ def rates_on_lines(
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
 ) -> tuple[Six, Six, Array, Array, Four, Mask]:
-    """All that timing asks of a place on a line or in a corner between two.
+    """Everything that timing needs at a point on a line or in a corner between two.
 
     Args:
         lengths: See `main_axes`.
         arm: Side, bend and flip there.
         lever: From the TCP to the wrist centre in the last frame of the formulas [m].
         line: Start and rate of the line before, rate of the line after.
-        sides: Places on both with their derivatives; on a line alone the second is zero.
-        turn: Start and rate of the turning before, and after.
-        turn_sides: Places on both.
+        sides: Positions on both with their derivatives; on a line alone the second is zero.
+        turn: Start and rate of the rotation before, and after.
+        turn_sides: Positions on both.
 
     Returns:
-        Both derivatives of the angles, TCP travel and turning per unit of the parameter, how the
-        arm stands, and whether it is regular; where it is not, the derivatives are worth nothing.
+        Both derivatives of the angles, TCP travel and rotation per unit of the parameter, the
+        stance of the arm, and whether it is regular; if not, the derivatives are meaningless.
     """
     rotation_6, turning, change = turning_on(
         turn[0], turn[1], turn[2], turn[3], turn_sides[0], turn_sides[1]
@@ -389,7 +390,7 @@ def rates_of_joints(signs: OfJoints, coupling: float, rates: Six) -> Six:
 def joints_near(
     signs: OfJoints, offsets: OfJoints, coupling: float, angles: Six, near: tuple[Array, ...]
 ) -> Six:
-    """Joints [rad] from angles of the formulas, each in the whole turn that is nearest."""
+    """Joints [rad] from angles of the formulas, each in the closest whole turn."""
     joints = rates_of_joints(
         signs,
         coupling,
@@ -421,7 +422,7 @@ def joints_on_lines(
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
 ) -> tuple[Six, Mask]:
-    """The angles of the formulas at a place; see `rates_on_lines` and `angles_of_arm`."""
+    """The angles of the formulas at a point; see `rates_on_lines` and `angles_of_arm`."""
     backwards, forwards = turned_twice(turn, turn_sides[0][0], turn_sides[1][0])
     rotation_6 = product(backwards, forwards)
     way = plus(scaled(line[1], sides[0][0]), scaled(line[2], sides[1][0]))

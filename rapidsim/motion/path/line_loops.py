@@ -1,8 +1,8 @@
-"""The formulas on lines place after place, to be compiled; without numba they run in columns.
+"""Point-by-point loops over the formulas for lines, to be compiled; columns replace them otherwise.
 
-A `CurveColumns` is what both loops need of a layout, as arrays: the table of `line_rates.Lines`, s
-at the start of each curve, lengths of curves, radii of corners for the position and for the
-turning, and for each piece its curve and the corners in which position and orientation are, or -1.
+`CurveColumns` is what both loops need of a layout, as arrays: the table of `line_rates.Lines`, s at
+the start of each curve, lengths of curves, radii of corners for position and for orientation, and
+for each piece its curve and the corners that contain its position and orientation, or -1.
 """
 
 from __future__ import annotations
@@ -48,22 +48,22 @@ def rates_one_by_one(
     stance: Array,
     regular: Mask,
 ) -> None:
-    """Fill in derivatives at places.
+    """Fill in derivatives at points.
 
     Args:
         lengths: See `line_formulas.main_axes`.
-        signs: Of the joints against the angles of the formulas.
+        signs: Signs of the joints relative to the angles of the formulas.
         coupling: See `OpwGeometry`.
-        shapes: Of corners for the position and for the turning; see `corner_sides`.
+        shapes: Blend shapes of corners for position and orientation; see `corner_sides`.
         course: See above.
-        s: Places (k,) [m].
+        s: Points (k,) [m].
         piece: Their pieces (k,).
         first: Filled with first derivatives of the joints (k, 6).
         second: Filled with second derivatives (k, 6).
         tcp_rate: Filled with TCP travel (k,) per unit of s.
-        turn_rate: Filled with turning (k,) per unit of s.
-        stance: Filled with how the arm stands (k, 4); see `PathRates`.
-        regular: Filled with where (k,) they hold.
+        turn_rate: Filled with rotation (k,) per unit of s.
+        stance: Filled with the arm's stance (k, 4); see `PathRates`.
+        regular: Filled with where (k,) they are valid.
     """
     for k in range(len(s)):
         arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
@@ -92,7 +92,7 @@ def joints_one_by_one(
     joints: Array,
     regular: Mask,
 ) -> None:
-    """Fill in joints (k, 6) at places, each in the turn nearest to the straight way there.
+    """Fill in joints (k, 6) at points, each in the turn closest to linear interpolation.
 
     Args:
         lengths: See `rates_one_by_one`.
@@ -102,11 +102,11 @@ def joints_one_by_one(
         shapes: Likewise.
         course: Likewise.
         start_joints: Joints (m, 6) [rad] at the start of each curve.
-        joint_travel: Those at its end less those.
-        s: Places (k,) [m].
+        joint_travel: Those at its end minus those at its start.
+        s: Points (k,) [m].
         piece: Their pieces (k,).
         joints: Filled with joints (k, 6) [rad].
-        regular: Filled with where (k,) they hold.
+        regular: Filled with where (k,) they are valid.
     """
     for k in range(len(s)):
         arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
@@ -141,7 +141,7 @@ def place_on_lines(
     tuple[Matrix, Vector, Matrix, Vector],
     tuple[Vector, Vector],
 ]:
-    """What `rates_on_lines` asks of one place: arm, lever, line, sides, turn and its sides."""
+    """The arguments of `rates_on_lines` at one point: arm, lever, line, sides, turn, its sides."""
     table, _, _, radii, turn_radii, rows, corners, turn_corners = course
     row, corner, turn_corner = rows[piece], corners[piece], turn_corners[piece]
     a, b, before, after = sides_at(course, radii, shapes[0], corner, row, s)
@@ -170,9 +170,9 @@ def sides_at(
     row: int,
     s: float,
 ) -> tuple[int, int, Any, Any]:
-    """Lines before and after a corner, and places on both with derivatives; see `corner_sides`.
+    """Lines before and after a corner, and positions on both with derivatives; see `corner_sides`.
 
-    Away from corners both are the line itself, and the one after adds nothing.
+    Away from corners both are the line itself, and the one after contributes nothing.
     """
     if corner < 0:
         return row, row, (s - course[1][row], 1.0, 0.0), (0.0, 0.0, 0.0)

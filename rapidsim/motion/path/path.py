@@ -52,7 +52,7 @@ _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A row of segments with their corners, ready to be timed and evaluated."""
+    """A sequence of segments with their corners, ready to be timed and evaluated."""
 
     segments: tuple[Segment, ...]
     kinematics: Kinematics
@@ -67,9 +67,9 @@ class Path:
     """The lines, for which joints and derivatives have closed forms; None where there are none."""
 
     def renumbered(self, segments: tuple[Segment, ...]) -> Path:
-        """The same path for segments that differ from its own in nothing but their numbers.
+        """The same path for segments that differ from its own only in their numbers.
 
-        What is worked out of it later is worked out once for all that are made so.
+        Values computed lazily are shared by all paths made in this way.
         """
         path = copy.copy(self)
         path.__dict__["_piece_travel"] = self._piece_travel
@@ -78,7 +78,7 @@ class Path:
 
     @property
     def axis_count(self) -> int:
-        """Joints of the arm and external axes."""
+        """The number of joints of the arm and external axes."""
         return int(self.layout.curves.start_joints.shape[1])
 
     @property
@@ -88,19 +88,19 @@ class Path:
 
     @cached_property
     def programmed(self) -> Programmed:
-        """What each segment asks for."""
+        """The limits requested by each segment."""
         return programmed_of(self.segments)
 
     @cached_property
     def segment_starts(self) -> Array:
-        """S (segments,) at the middle of the corner before each segment; 0 for the first."""
+        """The s (segments,) at the middle of the corner before each segment; 0 for the first."""
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.layout.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
 
     @cached_property
     def segment_bounds(self) -> Array:
-        """The same, and then the end of the path: S (segments + 1,)."""
+        """`segment_starts`, followed by the end of the path: s (segments + 1,)."""
         return np.append(self.segment_starts, self.length)
 
     @cached_property
@@ -112,12 +112,12 @@ class Path:
 
     @property
     def breakpoints(self) -> Array:
-        """S of zone edges, middles of corners, and both ends, increasing."""
+        """The s of zone edges, middles of corners, and both ends, ascending."""
         return self.layout.bounds
 
     @cached_property
     def stops(self) -> Array:
-        """S where the arm must come to rest between the ends, increasing."""
+        """The s where the arm must come to rest between the ends, ascending."""
         corners, places = self.layout.corners, self.layout.places[1:-1]
         sharp = np.flatnonzero(corners.radius == 0.0)
         kinked = np.ones(len(sharp), dtype=bool)
@@ -137,7 +137,7 @@ class Path:
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """What became of the end of each segment."""
+        """The planned corner at the end of each segment."""
         stop = Corner(0.0, in_joints=False, stops=True, reason=describe_stop(Limit.STOP_POINT))
         idle = dataclasses.replace(stop, reason=describe_stop(Limit.NO_LENGTH))
         found = [idle if segment.zone else stop for segment in self.segments]
@@ -174,17 +174,17 @@ class Path:
 
     @cached_property
     def window(self) -> float:
-        """Width [s] of the smoothing, the widest that a ramp of one of the moves makes it."""
+        """Width [s] of the smoothing window, the widest required by a ramp of one of the moves."""
         return self.windows[-1]
 
     @cached_property
     def windows(self) -> tuple[float, ...]:
-        """Widths [s] of the smoothing, increasing: one, or some of those while it widens."""
+        """Widths [s] of the smoothing window, ascending: one, or a few while it widens."""
         return widths_of(self.segments, self.model.window)
 
     @cached_property
     def zone_radius(self) -> Array:
-        """Radius (p,) [m] of the zone that each piece lies in; 0 outside of zones."""
+        """Radius (p,) [m] of the zone that contains each piece; 0 outside zones."""
         layout = self.layout
         radius = np.zeros(len(layout.row))
         of_position = np.maximum(layout.position_corner, layout.joint_corner)
@@ -196,9 +196,10 @@ class Path:
 
     @cached_property
     def zone_speed(self) -> Array:
-        """How fast (p,) [m/s] the command may be: a zone takes at least an interpolation cycle.
+        """Maximum speed (p,) [m/s] of the command: a zone takes at least an interpolation cycle.
 
-        Infinite outside of zones. Source: logs of z1 at 1000 mm/s and above, also straight on.
+        Infinite outside zones. Source: logs of z1 at 1000 mm/s and above, also without a change of
+        direction.
         """
         layout = self.layout
         corner = np.maximum(layout.position_corner, layout.joint_corner)
@@ -210,7 +211,7 @@ class Path:
 
     @cached_property
     def acceleration_share(self) -> Array:
-        """Share (p,) of the axis accelerations that may be used on each piece."""
+        """Share (p,) of the axis accelerations that is available on each piece."""
         programmed = self.programmed.acceleration_share
         share: Array = programmed[self.active[self.layout.row]]
         if self.model.corner == "parabola":
@@ -232,11 +233,11 @@ class Path:
         return JointsOnPath(self.layout, self.arms, self.nodes)
 
     def joints_at(self, s: Array) -> Array:
-        """Joints, external axes behind them, (k, n + e) at places s (k,) [m]; see `evaluate`."""
+        """Joints, followed by external axes, (k, n + e) at s (k,) [m]; see `evaluate`."""
         return self.joints_on.at(np.clip(s, 0.0, self.length))
 
     def evaluate(self, s: Array) -> PathPoints:
-        """The arm at places s (k,) [m] of the path, exactly on it."""
+        """The arm at s (k,) [m], exactly on the path."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         piece = self.layout.piece_at(s)
         row = self.layout.row[piece]
@@ -264,10 +265,11 @@ class Path:
         return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
     def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
-        """The arm with joints and rates (k, n + e) that are not those of places s (k,) but near.
+        """The arm with joints and rates (k, n + e) close to, but not equal to, those at s (k,).
 
         Returns:
-            base_from_tcp, position in `segments`, and the speed of the TCP against the work object.
+            base_from_tcp, position in `segments`, and the speed of the TCP relative to the work
+            object.
         """
         row = self._row_at(s)
         velocity = self.arms.curve_motion(joints, rates, row).velocity
@@ -275,14 +277,14 @@ class Path:
         return self.arms.base_from_tcp(joints, row), self.active[row], speed
 
     def segment_at(self, s: Array) -> Index:
-        """Position in `segments` at places s (k,)."""
+        """Position in `segments` at s (k,)."""
         return self.active[self._row_at(s)]
 
     def _row_at(self, s: Array) -> Index:
         return self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
 
     def rates(self, s: Array, piece: Index) -> PathRates:
-        """Derivatives at places s (k,) of pieces (k,); at breakpoints those of the piece's side."""
+        """Derivatives at s (k,) on pieces (k,); at breakpoints those of the given piece."""
         if self.lines is None:
             return self._rates_in_general(s, piece)
         rates, holds = self.lines.rates(s, piece)
@@ -316,7 +318,7 @@ class Path:
         return PathRates(first, second, speeds[:, 0], speeds[:, 1], stance)
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
-        """Both derivatives (k, 3) of the TCP's position at places (k,) of pieces (k,)."""
+        """Both derivatives (k, 3) of the TCP's position at s (k,) on pieces (k,)."""
         velocity = np.empty((len(s), 3))
         acceleration = np.empty((len(s), 3))
         on_curve, in_joints = self.joints_on.spaces(piece)
@@ -334,7 +336,7 @@ class Path:
         return velocity, acceleration
 
     def travelled(self, s: Array) -> Array:
-        """TCP travel (k,) [m] from the start of the path to places s (k,), corners cut."""
+        """TCP travel (k,) [m] from the start of the path to s (k,), with corners cut."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         piece = self.layout.piece_at(s)
         start = self.layout.bounds[piece]
@@ -429,13 +431,13 @@ def build_path(
 
     Args:
         robot: The arm with its joint limits.
-        segments: At least one; each starts with the joints that the one before ends with, and has
+        segments: At least one; each starts with the joints at the end of the previous one, and has
             speeds above zero.
         model: Shape of corners.
         look: Called now and then.
 
     Returns:
-        The path, or the first place where the arm cannot follow it.
+        The path, or the first point where the arm cannot follow it.
     """
     kinematics, axes = robot.kinematics, robot.axes
     for i, segment in enumerate(segments):

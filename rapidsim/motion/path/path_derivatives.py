@@ -1,4 +1,4 @@
-"""The arm at places of a path, and derivatives with respect to the path's parameter."""
+"""The arm at points of a path, and derivatives with respect to the path's parameter."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PathPoints:
-    """The arm at places of a path."""
+    """The arm at points of a path."""
 
     joints: Array
     """Shape (k, n) [rad]."""
@@ -27,7 +27,7 @@ class PathPoints:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PathRates:
-    """Derivatives with respect to s at places of a path."""
+    """Derivatives with respect to s at points of a path."""
 
     first: Array
     """Shape (k, n + e): joints [rad/m], then external axes."""
@@ -45,13 +45,13 @@ class PathRates:
 
     @staticmethod
     def not_filled(count: int, axes: int) -> PathRates:
-        """Room for those at `count` places."""
+        """Uninitialised arrays for `count` points."""
         speeds = np.empty((2, count))
         joints = np.empty((2, count, axes))
         return PathRates(joints[0], joints[1], speeds[0], speeds[1], np.empty((count, 4)))
 
     def put(self, index: Index, rates: PathRates) -> None:
-        """Replace some of them."""
+        """Replace some rows."""
         for mine, other in zip(self.columns, rates.columns, strict=True):
             mine[index] = other
 
@@ -60,13 +60,13 @@ class PathRates:
         return PathRates(*(part[count:] for part in self.columns))
 
     def and_then(self, more: PathRates) -> PathRates:
-        """These places and then some more."""
+        """These points followed by others."""
         parts = zip(self.columns, more.columns, strict=True)
         return PathRates(*(np.concatenate(pair) for pair in parts))
 
     @property
     def columns(self) -> tuple[Array, Array, Array, Array, Array]:
-        """The five in this order."""
+        """The five arrays, in this order."""
         return self.first, self.second, self.tcp_rate, self.turn_rate, self.stance
 
 

@@ -1,4 +1,4 @@
-"""What the segments of a path ask for, as columns: looked up once, used at every place."""
+"""The limits of a path's segments as columns: looked up once, used at every point."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _WIDTHS = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Programmed:
-    """Limits that segments (m,) bring along; infinite where there is none."""
+    """Limits of segments (m,); infinite where there is none."""
 
     tcp: Array
     """Shape (m,): TCP speed [m/s]."""
@@ -55,7 +55,7 @@ def programmed_of(segments: Sequence[Segment]) -> Programmed:
 
 
 def widths_of(segments: Sequence[Segment], filter_time: float) -> tuple[float, ...]:
-    """Widths [s] of the smoothing, increasing: one, or some of those while a ramp widens it."""
+    """Widths [s] of the smoothing window, ascending: one, or a few while a ramp widens it."""
     ramps = {one.ramp for one in segments} | {one.stop_ramp for one in segments if not one.zone}
     lowest, highest = min(ramps), segments[0].ramp
     if lowest == highest:

@@ -1,11 +1,11 @@
-"""Paths of several robots that are travelled together, as one path with one parameter.
+"""Paths of several robots travelled in sync, as one path with one parameter.
 
-Segment k of all paths begins and ends together. Between, the places of the robots are functions of
-the common parameter s: proportional within a segment, with a smooth passage around fly-by points,
-since one robot may have a longer way to go there than another. The common length of a segment is
-the longest of the robots' own.
+Segment k of all paths begins and ends at the same time. In between, the robots' positions are
+functions of the common parameter s: proportional within a segment, with a smooth transition around
+fly-by points, where the ratio of their speeds may change. The common length of a segment is the
+longest of the robots' own.
 
-Timing sees one path whose axes are those of all robots: the slowest decides at every place.
+Timing sees one path whose axes are those of all robots: at every point the slowest decides.
 """
 
 from __future__ import annotations
@@ -31,9 +31,10 @@ _SLIVER = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class MemberPath:
-    """The place of one robot on its own path as a function of the common parameter.
+    """The position of one robot on its own path as a function of the common parameter.
 
-    On each common piece it is `start + slope u + bend u2 / 2`, u counted from the piece's start.
+    On each common piece it is `start + slope u + bend u2 / 2`, with u counted from the piece's
+    start.
     """
 
     path: Path
@@ -54,19 +55,19 @@ class MemberPath:
         return self.path.layout.piece_at(s)
 
     def place(self, s: Array, piece: Index) -> Array:
-        """Places (k,) [m] on the robot's own path."""
+        """Positions (k,) [m] on the robot's own path."""
         u = s - self.bounds[piece]
         own: Array = self.start[piece] + u * (self.slope[piece] + 0.5 * u * self.bend[piece])
         return np.clip(own, 0.0, self.path.length)
 
     def rate(self, s: Array, piece: Index) -> Array:
-        """The way (k,) [m/m] the robot makes on its own path."""
+        """The derivative (k,) [m/m] of the position on the robot's own path."""
         rate: Array = self.slope[piece] + (s - self.bounds[piece]) * self.bend[piece]
         return rate
 
     @property
     def fastest_rate(self) -> Array:
-        """The largest way (p,) [m/m] on each common piece."""
+        """The maximum derivative (p,) [m/m] on each common piece."""
         after: Array = self.slope + np.diff(self.bounds) * self.bend
         return np.maximum(self.slope, after)
 
@@ -85,7 +86,7 @@ class MemberPath:
 
 @dataclass(frozen=True, eq=False)
 class SharedPath(Path):
-    """What the path of one robot and that of all have in common: the parameter and its pieces."""
+    """The common parameter and its pieces, shared by the path of one robot and that of all."""
 
     starts: Array
     """Shape (segments,): the common parameter at the start of each segment."""
@@ -125,11 +126,11 @@ class PartPath(SharedPath):
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """What became of the end of each segment of the robot."""
+        """The planned corner at the end of each segment of the robot."""
         return self.course.path.corners
 
     def joints_at(self, s: Array) -> Array:
-        """Joints at places of the common parameter; see `Path.joints_at`."""
+        """Joints at values of the common parameter; see `Path.joints_at`."""
         return self.course.path.joints_at(self.course.place(*self._pieces(s)))
 
     def evaluate(self, s: Array) -> PathPoints:
@@ -160,13 +161,13 @@ class PartPath(SharedPath):
         return first * rate, second * rate**2 + first * bend
 
     def travelled(self, s: Array) -> Array:
-        """TCP travel (k,) [m] of the robot, corners cut."""
+        """TCP travel (k,) [m] of the robot, with corners cut."""
         return self.course.path.travelled(self.course.place(*self._pieces(s)))
 
 
 @dataclass(frozen=True, eq=False)
 class TeamPath(SharedPath):
-    """The paths of all robots of a team as one: what timing plans."""
+    """The paths of all robots of a team as one, as timing sees it."""
 
     courses: tuple[MemberPath, ...]
 
@@ -192,19 +193,19 @@ class TeamPath(SharedPath):
 
     @property
     def axis_count(self) -> int:
-        """As the arm named first: programmed speeds of external axes do not count in a team."""
+        """The joint count of the first robot: in a team, speeds of external axes do not count."""
         return self.kinematics.joint_count
 
     @cached_property
     def stops(self) -> Array:
-        """Where one of the robots must come to rest, and so all of them."""
+        """Where one of the robots must come to rest, and thus all of them."""
         stops = [corner.stops for corner in self.corners[:-1]]
         places: Array = self.starts[1:][np.array(stops, dtype=bool)]
         return places
 
     @cached_property
     def zone_radius(self) -> Array:
-        """Radius (p,) [m] of the narrowest zone that a robot is in; 0 where none is in one."""
+        """Radius (p,) [m] of the smallest zone that any robot is in; 0 if none is in one."""
         radii = np.array(
             [
                 course.path.zone_radius[course.piece] / np.maximum(course.fastest_rate, 1e-12)
@@ -216,7 +217,7 @@ class TeamPath(SharedPath):
 
     @cached_property
     def zone_speed(self) -> Array:
-        """How fast (p,) [m/s] the command may be: as fast as that of every robot."""
+        """Maximum speed (p,) [m/s] of the command: the smallest of the robots'."""
         speeds = [
             course.path.zone_speed[course.piece] / np.maximum(course.fastest_rate, 1e-12)
             for course in self.courses
@@ -231,7 +232,7 @@ class TeamPath(SharedPath):
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """What became of the end of each segment: the robot that stops there decides."""
+        """The planned corner at the end of each segment: a robot that stops there decides."""
         return tuple(
             next((corner for corner in corners if corner.stops), corners[0])
             for corners in zip(*(course.path.corners for course in self.courses), strict=True)
@@ -240,8 +241,8 @@ class TeamPath(SharedPath):
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives of the axes of all robots, side by side.
 
-        TCP travel and reorientation are those of the robot that is nearest to its programmed speed,
-        as shares of that of the common segment.
+        TCP travel and reorientation are those of the robot closest to its programmed speed,
+        relative to that of the common segment.
         """
         segment = self.segment_of(piece)
         found = [course.rates(s, piece) for course in self.courses]

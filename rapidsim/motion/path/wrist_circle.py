@@ -1,8 +1,8 @@
-r"""What can be said of an arc that two wrist axes lead: its start, its end, what it does, why not.
+r"""Arcs led by two wrist axes: start, end, deviations, and why they fail.
 
-Source: Technical reference manual RAPID Instructions, "CirPathMode". How far the tool may stand
-from perpendicular, and that an arc after such an arc starts where the z axis passes the plane and
-not where the TCP stands, are assumptions: the manual leaves both open.
+Source: Technical reference manual RAPID Instructions, "CirPathMode". How far the tool may lean from
+perpendicular, and that an arc after such an arc starts where the z axis intersects the plane rather
+than at the TCP, are assumptions: the manual specifies neither.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ _IN_LINE = 1e-3
 _MM = 1e3
 _SINGULAR_ONLY = np.radians(0.05)
 """A circle that goes no further [rad] beyond what a pair reaches fails because it is singular."""
-_BY_ALL_AXES = r"let all axes make it with CirPathMode \PathFrame"
+_BY_ALL_AXES = r"use all axes, with CirPathMode \PathFrame"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Led:
-    """What an arc does that two wrist axes lead, beside following the circle."""
+    """Side effects of an arc led by two wrist axes, besides following the circle."""
 
     arrival: Array
     """Joints (n,) [rad] at the end."""
@@ -53,19 +53,19 @@ class Led:
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why two wrist axes cannot lead a circle, and what could be done."""
+    """Why two wrist axes cannot lead a circle, and a possible remedy."""
 
     reason: str
     cure: str
 
 
 def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
-    """Where an arc led by two wrist axes starts: the TCP, or where the last such arc aimed.
+    """The start of an arc led by two wrist axes: the TCP, or the aim of the preceding such arc.
 
     Args:
-        base_from_tcp: Where the arm stands.
-        aim: The programmed end (3,) [m] of the arc before, if there was one; it counts while the z
-            axis of the tool still passes through it.
+        base_from_tcp: The current pose.
+        aim: The programmed end (3,) [m] of the arc before, if there was one; it counts as long as
+            the z axis of the tool passes through it.
     """
     if aim is None:
         return base_from_tcp
@@ -76,12 +76,12 @@ def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
 
 
 def end_of_circle(end: Waypoint) -> Waypoint:
-    """The end of an arc led by two wrist axes: where it is programmed, the tool aims."""
+    """The end of an arc led by two wrist axes: the programmed point, at which the tool aims."""
     return replace(end, aim=end.base_from_tcp.translation)
 
 
 def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
-    """What an arc does that two wrist axes lead; None if they fail on it."""
+    """The side effects of an arc led by two wrist axes; None if they fail on it."""
     curves = curves_of((segment,), kinematics)
     arms = arms_of((segment,), kinematics, curves.joint_travel, curves.length)
     if arms.pairs is None:
@@ -108,7 +108,7 @@ def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
 
 
 def findings_on_pair(led: Led, segment: Segment, target: str) -> tuple[Violation, ...]:
-    """What is worth a word of an arc that two wrist axes lead to a target."""
+    """Findings about an arc that two wrist axes lead to a target."""
     pair = segment.circle_mode.value
     found: list[Violation] = []
     if led.tilt > _UPRIGHT:
@@ -122,9 +122,9 @@ def findings_on_pair(led: Led, segment: Segment, target: str) -> tuple[Violation
 
 
 def why_not_led(arms: Arms, place: Array, row: Index) -> Refusal:
-    """Why the pair of one arc does not take the z axis to some places (k, 3) of it.
+    """Why the pair of one arc cannot take the z axis to some points (k, 3) of it.
 
-    The first of them says what is wrong, all of them by how much.
+    The first determines the reason, all of them its extent.
     """
     pairs, here = arms.pairs, row[:1]
     assert pairs is not None

@@ -1,1 +1,1 @@
-"""An arm one can buy: kinematics with limits, names, external axes; catalogue and URDF."""
+"""A robot as a product: kinematics with limits, names, external axes; catalogue and URDF."""

@@ -1,8 +1,8 @@
-"""The robots that ship with rapidsim: one folder each, with a `robot.toml` that says it all.
+"""The robots that ship with rapidsim: one folder each, described by its `robot.toml`.
 
-Enters a name, leaves a `CatalogueEntry` in SI units. Shapes are generated from the same entry
-by `scripts/build_robots.py` and lie beside it. The short names of all robots stand in one file,
-`aliases.toml`, so that finding a robot reads its own entry and no other.
+Input is a name, output a `CatalogueEntry` in SI units. Shapes are generated from the same entry by
+`scripts/build_robots.py` and stored beside it. The short names of all robots are in one file,
+`aliases.toml`, so that finding a robot reads only its own entry.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class RobotError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class CatalogueEntry:
-    """What is known of one arm."""
+    """What is known about one arm."""
 
     name: str
     title: str
@@ -72,26 +72,26 @@ class CatalogueEntry:
 
     @property
     def urdf(self) -> Path | None:
-        """The description with link shapes, where there is one."""
+        """The description with link shapes, if there is one."""
         file = self.folder / f"{self.name}.urdf"
         return file if file.is_file() else None
 
 
 def robots_folder() -> Path:
-    """Where the catalogue lies, in a checkout and in an installation alike."""
+    """The folder of the catalogue, in a checkout and in an installation alike."""
     return shipped("robots")
 
 
 @cache
 def robot_names() -> tuple[str, ...]:
-    """The names of all robots of the catalogue, sorted; numbers in them by their value."""
+    """The names of all robots in the catalogue, sorted, with numbers compared by value."""
     names = (file.parent.name for file in robots_folder().glob("*/robot.toml"))
     return tuple(sorted(names, key=_by_number))
 
 
 @cache
 def aliases() -> Mapping[str, str]:
-    """The short names of robots, and what they stand for."""
+    """The short names of robots, and the robots they refer to."""
     text = (robots_folder() / "aliases.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)
 
@@ -105,7 +105,7 @@ def find_entry(name: str) -> CatalogueEntry:
     """The robot of a name or alias, in any case.
 
     Raises:
-        RobotError: If there is none; the message lists the nearest names.
+        RobotError: If there is none; the message lists the closest names.
     """
     wanted = name.lower()
     if wanted not in robot_names():
@@ -131,7 +131,7 @@ def read_entry(folder: Path) -> CatalogueEntry:
 
 
 def kinematics_of(entry: CatalogueEntry) -> Kinematics:
-    """The solver for an arm: its closed form, or a search where it has none."""
+    """The solver for an arm: its closed form, or a search if it has none."""
     match entry.geometry:
         case OpwGeometry() as geometry:
             return arm_from_geometry(geometry)
@@ -146,9 +146,9 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
 
 
 def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
-    """What the main axes of an arm can do: measured, else scaled from ABB arms that were.
+    """Torque limits of the main axes of an arm: measured, else scaled from measured ABB arms.
 
-    None where neither is known: arms of other makers and kinds, and those without axis speeds.
+    None if neither is known: arms of other makers and kinds, and those without axis speeds.
     """
     if not isinstance(entry.geometry, OpwGeometry):
         return None
@@ -161,11 +161,11 @@ def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
 
 
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
-    """The arm with link frames that are parallel to the base where all joints are 0.
+    """The arm with link frames that are parallel to the base with all joints at 0.
 
-    Link 1 stands at the foot, 2 and 3 on their axes, 4 beside the elbow on axis 4, 5 in the wrist
-    centre, 6 in the flange. The flange frame is that of the formulas, which for ABB's zero position
-    is `tool0`.
+    The origin of link 1 is at the foot, 2 and 3 on their axes, 4 beside the elbow on axis 4, 5 in
+    the wrist centre, 6 in the flange. The flange frame is that of the formulas, which for ABB's
+    zero position is `tool0`.
     """
     to_flange = np.array([0.0, 0.0, geometry.c4])
     unnamed = Transform(np.broadcast_to(np.eye(3), (JOINT_COUNT, 3, 3)), np.zeros((JOINT_COUNT, 3)))
@@ -248,5 +248,5 @@ def _by_number(name: str) -> list[tuple[int, str]]:
 def _unknown(name: str) -> str:
     known = (*robot_names(), *aliases())
     near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
-    nearest = f"; near it are {', '.join(near)}" if near else ""
+    nearest = f"; similar names: {', '.join(near)}" if near else ""
     return f"robot `{name}` is not in the catalogue{nearest}"

@@ -1,8 +1,8 @@
-"""What axes 1 to 3 of an arm can do: a torque each, against the inertia of how the arm stands.
+"""Torque limits of axes 1 to 3 of an arm, with its posture-dependent inertia.
 
-A controller keeps torques within their limits, not accelerations. Each torque is divided by its
-limit, so that +-1 is what an axis has; for the wrist axes constant accelerations do. With q2 and q3
-as ABB counts them (lower arm upright, forearm level at 0) and phi = q2 + q3:
+A controller limits torques, not accelerations. Each torque is divided by its limit, so that the
+range is +-1; for the wrist axes constant accelerations suffice. With q2 and q3 as ABB counts them
+(lower arm upright, forearm level at 0) and phi = q2 + q3:
 
     tau1 = n11 q1'' + (n11,2 q2' + n11,3 q3') q1'
     tau2 = n22 q2'' + n23 q3'' + h (2 q2' q3' + q3'^2) - n11,2 q1'^2 / 2
@@ -12,10 +12,11 @@ as ABB counts them (lower arm upright, forearm level at 0) and phi = q2 + q3:
     r = a1 + c2 s2 + x cos(phi) + z sin(phi)
     n22 = c + d cos(q3 - delta),   n23 = e + (d / 2) cos(q3 - delta),   h = -(d / 2) sin(q3 - delta)
 
-Gravity and friction are left out; gravity is worth 14 % of axis 3 of a large arm.
+Gravity and friction are neglected; gravity takes 14 % of axis 3 of a large arm.
 
 Source: published tables of peak accelerations of two arms over their working range, which this law
-meets within 6 and 9 %; on logs of straight moves both torques stay on plateaus of 0.95 to 1.05.
+reproduces within 6 and 9 %; on logs of straight moves both torques stay on plateaus of 0.95 to
+1.05.
 """
 
 from __future__ import annotations
@@ -85,19 +86,19 @@ class _Inertia(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Dynamics:
-    """An ortho-parallel arm as its torques see it."""
+    """The dynamics of an ortho-parallel arm in terms of its torques."""
 
     torques: Torques
     geometry: OpwGeometry
 
     def rows(self, stance: Array, first: Array, second: Array, load: Array) -> tuple[Array, Array]:
-        """Shares of the torques of axes 1 to 3 that path acceleration and squared speed take.
+        """Shares of the torques of axes 1 to 3 used by path acceleration and squared path speed.
 
         Args:
             stance: Shape (k, 4); see `PathRates`.
-            first: Derivatives of the joints (k, 3) by the path [rad/m].
-            second: Second ones (k, 3) [rad/m2].
-            load: What hangs on the wrist (k,), in shares of the rated payload.
+            first: First derivatives of the joints (k, 3) along the path [rad/m].
+            second: Second derivatives (k, 3) [rad/m2].
+            load: The load on the wrist (k,), as a share of the rated payload.
 
         Returns:
             Slope (k, 3) [s2/m] and bend (k, 3) [s2/m2].
@@ -107,7 +108,7 @@ class Dynamics:
         return slope, bend + self._of_speeds(inertia, first)
 
     def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
-        """Torques (k, 3), each in units of its limit, of joint rates and accelerations (k, 3)."""
+        """Torques (k, 3), each divided by its limit, for joint rates and accelerations (k, 3)."""
         inertia = self._inertia(stance, load)
         return self._against(inertia, changes) + self._of_speeds(inertia, rates)
 
@@ -174,7 +175,7 @@ class Dynamics:
 
     @property
     def least_accelerations(self) -> tuple[float, float, float]:
-        """What axes 1 to 3 can do [rad/s2], each alone, where it is least: about stretched out."""
+        """Accelerations [rad/s2] of axes 1 to 3, each alone, in the worst, stretched, posture."""
         t, g = self.torques, self.geometry
         r = g.a1 + g.c2 + t.x
         n11 = t.i1 + t.rod * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + t.point * r**2
@@ -182,15 +183,15 @@ class Dynamics:
 
 
 def prior(geometry: OpwGeometry, speeds: tuple[float, ...], reach: float) -> Torques:
-    """What an arm is taken to have that was not measured.
+    """Assumed torque constants of an arm that was not measured.
 
     Args:
         geometry: Of the arm.
         speeds: Of its axes [rad/s].
         reach: Of the arm [m].
 
-    Source: shape and scale pooled over the two arms that were measured, right within a factor of
-    1.5 (one standard deviation 1.3); below 0.6 m and above 3 m of reach it is extrapolated.
+    Source: shape and scale pooled over the two measured arms, accurate within a factor of 1.5 (one
+    standard deviation 1.3); below 0.6 m and above 3 m of reach it is extrapolated.
     """
     g = geometry
     x, z = 0.68 * g.c3, -1.2 * g.a2

@@ -1,6 +1,6 @@
 """External axes: tracks that carry the robot, positioners that carry a work object, and the rest.
 
-Their values stand in `eax_a` to `eax_f` of targets, in mm or degrees; here in m and rad.
+Their values are in `eax_a` to `eax_f` of targets, in mm or degrees; here in m and rad.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ ROUNDED_AWAY = 0.05
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExternalAxis:
-    """One axis of a mechanical unit beside the robot."""
+    """One axis of a mechanical unit besides the robot."""
 
     unit: str
     """Name of the mechanical unit it belongs to, as ActUnit and `ufmec` call it."""
@@ -56,12 +56,12 @@ class ExternalAxis:
 
     @property
     def scale(self) -> float:
-        """RAPID's mm or degrees in one m or rad."""
+        """RAPID's mm or degrees per m or rad."""
         return 1e3 if self.linear else math.degrees(1.0)
 
     @property
     def measure(self) -> str:
-        """RAPID's unit of its values."""
+        """RAPID's unit for its values."""
         return "mm" if self.linear else "deg"
 
 
@@ -84,12 +84,12 @@ class Axes:
 
     @property
     def tolerances(self) -> Array:
-        """How little past its range each axis may be (n + e,) [rad or m]."""
+        """The tolerance of each axis limit (n + e,) [rad or m]."""
         external = [ROUNDED_AWAY / axis.scale for axis in self.external]
         return np.array([math.radians(ROUNDED_AWAY)] * self.joint_count + external)
 
     def name(self, index: int) -> str:
-        """Such as `axis 3` or `axis eax_a of TRACK`."""
+        """A name such as `axis 3` or `axis eax_a of TRACK`."""
         if index < self.joint_count:
             return f"axis {index + 1}"
         axis = self.external[index - self.joint_count]
@@ -103,19 +103,19 @@ class Axes:
         return f"{amount_text(value * axis.scale)} {axis.measure}"
 
     def measure(self, index: int) -> str:
-        """RAPID's unit of the values of an axis."""
+        """RAPID's unit for the values of an axis."""
         if index >= self.joint_count:
             return self.external[index - self.joint_count].measure
         return "mm" if index < len(self.slides) and self.slides[index] else "deg"
 
 
 def with_unit(number: str, measure: str) -> str:
-    """A number as tables and pictures show it, such as `12.5°` or `12.5 mm`."""
+    """A number as in tables and pictures, such as `12.5°` or `12.5 mm`."""
     return f"{number}°" if measure == "deg" else f"{number} {measure}"
 
 
 def amount_text(value: float) -> str:
-    """Degrees or millimetres with a digit behind the point; with more where that would be 0."""
+    """Degrees or millimetres with one decimal; with more if that would be 0."""
     return f"{value:.1f}" if value == 0.0 or abs(value) >= ROUNDED_AWAY else f"{value:.1g}"
 
 

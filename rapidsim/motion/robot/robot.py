@@ -46,16 +46,16 @@ class Joint:
 
     @property
     def measure(self) -> str:
-        """RAPID's unit of its values."""
+        """RAPID's unit for its values."""
         return "mm" if self.slides else "deg"
 
     def within(self, lower: float, upper: float) -> Joint:
-        """The same with other limits [rad], [m] where it slides."""
+        """The same joint with other limits [rad], [m] if it slides."""
         return replace(self, lower=lower / self.unit, upper=upper / self.unit)
 
     @property
     def unit(self) -> float:
-        """What one of its values is: 1 rad, or so many metres where it slides."""
+        """One unit of its values: 1 rad, or a length in metres if it slides."""
         return METRES_PER_UNIT if self.slides else 1.0
 
 
@@ -112,7 +112,7 @@ class Robot:
     """Shapes that replace those of the description."""
 
     def units(self, per: str = "") -> str:
-        """RAPID's units of all joints, such as `deg/s` or, where one slides, `deg, j3 in mm`.
+        """RAPID's units of all joints, such as `deg/s` or, if one slides, `deg, j3 in mm`.
 
         Args:
             per: What follows each unit, such as `/s`.
@@ -142,10 +142,10 @@ class Robot:
 
     @cached_property
     def start(self) -> Array:
-        """Joints (n,) [rad] of the posture a run begins in if nothing says otherwise.
+        """Joints (n,) [rad] of the posture in which a run begins unless specified.
 
-        Away from singularities, for a program may begin with a line; where no posture of the arm
-        stands out, the middle of its limits. Always within these.
+        Away from singularities, as a program may begin with a line; if the arm has no preferred
+        posture, the middle of its limits. Always within these.
         """
         posture = self.kinematics.posture
         if posture is not None:
@@ -174,14 +174,14 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
     """Load a robot from the catalogue by name or alias, or from a URDF by path.
 
     Args:
-        name_or_path: Which.
-        scale: What the lengths of a URDF are multiplied by, 0.001 for one in mm. Its links are
-            drawn as bars then.
+        name_or_path: The name or path.
+        scale: Factor for the lengths of a URDF, 0.001 for one in mm. Its links are then drawn as
+            bars.
 
     Raises:
         RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
             that is not supported; the message says which.
-        InputError: If what reads URDF files is not installed.
+        InputError: If the package that reads URDF files is not installed.
     """
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.lower().endswith(DESCRIPTIONS):
@@ -252,7 +252,7 @@ def _notices(entry: CatalogueEntry) -> tuple[str, ...]:
         return ()
     count = len(entry.joint_names)
     why = (
-        "its axis 6 passes beside the crossing of axes 4 and 5"
+        "its axis 6 misses the intersection of axes 4 and 5"
         if count == 6
         else f"it has {count} axes"
     )

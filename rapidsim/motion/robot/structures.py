@@ -1,4 +1,4 @@
-"""What kinds of arms the catalogue knows: from `structure` in a `robot.toml` to lengths in SI."""
+"""The kinds of arms in the catalogue: from `structure` in a `robot.toml` to lengths in SI units."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def geometry_from_table(table: Mapping[str, Any]) -> Geometry:
 
     Raises:
         KeyError: If something is missing.
-        ValueError: If the structure is not known, or there are more or fewer joints than it has.
+        ValueError: If the structure is not known, or the number of joints does not match it.
         TypeError: If a length has a name that the structure does not have.
     """
     structure = table["structure"]
@@ -58,7 +58,7 @@ def _palletizer(table: Mapping[str, Any]) -> PalletizerGeometry:
 def _scara(table: Mapping[str, Any]) -> ScaraGeometry:
     for number, joint in enumerate(table["joint"]):
         if ("limits_mm" in joint) is not (number == scara.SLIDING):
-            raise ValueError(f"joint {scara.SLIDING + 1}, and no other, has `limits_mm`: it slides")
+            raise ValueError(f"only joint {scara.SLIDING + 1}, which slides, must have `limits_mm`")
     return ScaraGeometry(**_lengths(table))
 
 

@@ -1,7 +1,7 @@
 """Robots from URDF files: joints, limits and frames by yourdfpy, kinematics by recognition.
 
-The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when asked
-for a file.
+The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when given a
+file.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _LONGEST_LINK_M = 20.0
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RobotParts:
-    """What a description says of a robot."""
+    """The content of a description."""
 
     name: str
     joint_names: tuple[str, ...]
@@ -61,11 +61,11 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
 
     Args:
         file: The description.
-        scale: What its lengths are multiplied by, so that they are m.
+        scale: Factor that converts its lengths to m.
 
     Raises:
-        RobotError: If the file is no URDF, or its moving joints are neither one row of turning axes
-            nor a SCARA.
+        RobotError: If the file is not a URDF, or its moving joints are neither one chain of turning
+            axes nor a SCARA.
     """
     robot, remarks = _read(file, scale)
     _require_tree(file, robot)
@@ -95,8 +95,8 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
     notices: tuple[str, ...] = ()
     if coupling:
         notices = (
-            f"{robot.name}: a rod moves axis 3; how far joint 3 - joint 2 may go is unknown, "
-            "so poses the rod forbids are not refused",
+            f"{robot.name}: a rod moves axis 3; the limits of joint 3 - joint 2 are unknown, "
+            "so poses that the rod prevents are not rejected",
         )
     arm: Kinematics
     if isinstance(closed_form, str):
@@ -140,8 +140,8 @@ def _length_notices(file: Path, robot: yourdfpy.Robot) -> tuple[str, ...]:
     if length <= _LONGEST_LINK_M:
         return ()
     return (
-        f"{file}: joint `{longest.name}` is {length:g} m from the one before: a URDF is in m, "
-        "this one must be in mm; `--scale 0.001` reads it so",
+        f"{file}: joint `{longest.name}` is {length:g} m from the one before: URDF lengths "
+        "are in m, these seem to be in mm; `--scale 0.001` converts them",
     )
 
 
@@ -186,10 +186,14 @@ def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
     for joint in robot.joints:
         for link in (joint.parent, joint.child):
             if link not in links:
-                raise RobotError(f"{file}: joint `{joint.name}` is at link `{link}`: there is none")
+                raise RobotError(
+                    f"{file}: joint `{joint.name}` refers to link `{link}`, which does not exist"
+                )
         if joint.child in joint_to:
             other = joint_to[joint.child].name
-            raise RobotError(f"{file}: joints `{other}` and `{joint.name}` carry one link")
+            raise RobotError(
+                f"{file}: joints `{other}` and `{joint.name}` have the same child link"
+            )
         joint_to[joint.child] = joint
         _require_numbers(file, joint)
     grounded: set[str] = set()
@@ -198,7 +202,7 @@ def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
         link = joint.child
         while link in joint_to and link not in grounded:
             if link in way:
-                raise RobotError(f"{file}: the joints go round in a ring through link `{link}`")
+                raise RobotError(f"{file}: the joints form a loop through link `{link}`")
             way[link] = None
             link = joint_to[link].parent
         grounded.update(way)
@@ -209,7 +213,7 @@ def _require_numbers(file: Path, joint: yourdfpy.Joint) -> None:
     if axis.shape != (3,) or not np.isfinite(axis).all() or not 1e-9 < np.abs(axis).max() < 1e9:
         raise RobotError(f"{file}: the axis of joint `{joint.name}` is not a direction")
     if origin is not None and not (np.abs(origin) <= _FARTHEST_M).all():
-        raise RobotError(f"{file}: the origin of joint `{joint.name}` is not a place on a robot")
+        raise RobotError(f"{file}: the origin of joint `{joint.name}` is too far away")
     limit = joint.limit
     stated = (limit.lower, limit.upper, limit.velocity) if limit else ()
     if not np.isfinite([one for one in stated if one is not None]).all():

@@ -1,6 +1,6 @@
-"""The text of a URDF file as people have it: what has no place in URDF is left out and told.
+"""The text of URDF files found in practice: whatever does not belong in URDF is left out.
 
-Enters text, leaves XML that holds what URDF knows, and a line for each thing left out.
+Input is text, output is XML with URDF's own elements only, and a line for each thing left out.
 """
 
 from __future__ import annotations
@@ -42,10 +42,10 @@ Source: the XML specification of URDF, wiki.ros.org/urdf/XML.
 
 
 def plain_urdf(file: Path, text: str) -> tuple[str, tuple[str, ...]]:
-    """What a URDF says in the tags that URDF has, and what it says beside.
+    """The URDF elements of a file, and what else it contains.
 
     Raises:
-        RobotError: If it is no XML, declares entities, is too large, nested too deeply, or xacro.
+        RobotError: If it is not XML, declares entities, is too large, nested too deeply, or xacro.
     """
     # What was decoded is what is read: whatever encoding the declaration names, none is left.
     text, declared = _DECLARATION.sub("", text, count=1), _DECLARATION.match(text)
@@ -84,15 +84,15 @@ class _Reader:
 
     @property
     def place(self) -> str:
-        """File and line that are read."""
+        """The current file and line."""
         return f"{self.file}:{self.lines_before + self.parser.CurrentLineNumber}"
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
-        """A tag begins."""
+        """Handle a start tag."""
         if tag.startswith("xacro:") or any("${" in value for value in attributes.values()):
             raise RobotError(
-                f"{self.place}: this is xacro, from which a URDF is made; "
-                f"`xacro {self.file.name} > robot.urdf` makes it"
+                f"{self.place}: this is xacro, not URDF; "
+                f"`xacro {self.file.name} > robot.urdf` converts it"
             )
         if len(self.open) >= _DEEPEST:
             raise RobotError(f"{self.file}: nested too deeply")
@@ -103,14 +103,14 @@ class _Reader:
         # A joint of a transmission is no joint of the robot, and may hold what it likes.
         elif tag not in _INSIDE.get(around, (tag,)) and "transmission" not in self.open:
             self.remarks.append(
-                f"{self.place}: `{tag}` has no place inside `{around}` and is left out"
+                f"{self.place}: `{tag}` is not allowed inside `{around}` and is left out"
             )
             self.skipped = 1
         else:
             self.tree.start(tag, attributes)
 
     def end(self, tag: str) -> None:
-        """A tag ends."""
+        """Handle an end tag."""
         self.open.pop()
         if self.skipped:
             self.skipped -= 1
@@ -118,10 +118,10 @@ class _Reader:
             self.tree.end(tag)
 
     def data(self, text: str) -> None:
-        """Text between tags."""
+        """Handle text between tags."""
         if not self.skipped and self.open:
             self.tree.data(text)
 
     def document_type(self, *_: object) -> None:
-        """Entities can blow a small file up to gigabytes or read others; a URDF needs none."""
+        """Refuse entities, which can expand to gigabytes or read other files; a URDF needs none."""
         raise RobotError(f"{self.file}: a robot description must not declare XML entities")

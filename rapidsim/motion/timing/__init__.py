@@ -1,1 +1,1 @@
-"""The fastest time scaling of a path within its limits."""
+"""Time-optimal scaling of a path within its limits."""

@@ -1,4 +1,4 @@
-"""What holds a motion back: which axis, or which programmed speed, for most of a segment's time."""
+"""Active constraints: which axis or programmed speed limits a segment for most of its time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _REACHED = 0.99
 
 
 def limiters_of(problem: Problem, motion: Drive) -> tuple[Limiter, ...]:
-    """Find what holds each segment of a path back."""
+    """Find the active constraint of each segment of a path."""
     path, cells = problem.path, problem.cells
     kind = _most_used(problem, motion.stages, motion.x)
     kinds = (*problem.speeds.limiters, *problem.accelerations.limiters, Limiter(Quantity.NOTHING))

@@ -1,4 +1,4 @@
-"""What the axes of an arm can do: the limits that timing keeps."""
+"""Axis limits of an arm, observed by timing."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ArmTorques:
-    """The torques of one of the arms that move."""
+    """The torques of one of the moving arms."""
 
     dynamics: Dynamics
     torque: Array
@@ -29,24 +29,24 @@ class ArmTorques:
 
     @property
     def axes(self) -> slice:
-        """Its main axes among all."""
+        """Its main axes among all axes."""
         return slice(self.first_axis, self.first_axis + len(self.torque))
 
     @property
     def wrist(self) -> slice:
-        """Its wrist axes among all."""
+        """Its wrist axes among all axes."""
         first = self.first_axis + len(self.torque)
         return slice(first, first + len(self.dynamics.torques.wrist))
 
     def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
-        """Slope and bend (k, 3) at places (k,) with loads (k,); see `AccelerationRows`."""
+        """Slope and bend (k, 3) at points (k,) with loads (k,); see `AccelerationRows`."""
         stance = rates.stance[:, 4 * self.number : 4 * self.number + 4]
         first, second = rates.first[:, self.axes], rates.second[:, self.axes]
         slope, bend = self.dynamics.rows(stance, first, second, load)
         return slope / self.torque, bend / self.torque
 
     def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
-        """Shares (k, 3) of the torques that rates and accelerations (k, n) of all axes take."""
+        """Shares (k, 3) of the torques used by rates and accelerations (k, n) of all axes."""
         of_main = rates[:, self.axes], changes[:, self.axes]
         shares: Array = self.dynamics.shares(stance, *of_main, load) / self.torque
         return shares
@@ -65,7 +65,7 @@ class Limits:
     """What limits main axes in place of an acceleration."""
 
     def scaled(self, factor: float) -> Limits:
-        """With a factor on accelerations and torques."""
+        """The limits with a factor on accelerations and torques."""
         return replace(
             self,
             max_acceleration=self.max_acceleration * factor,
@@ -111,7 +111,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
 
 
 def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
-    """The torques of an arm under a motion model; none where accelerations limit its axes."""
+    """The torques of an arm under a motion model; None if accelerations limit its axes."""
     known = model.version != "1" and model.own_accelerations and model.acceleration is None
     if robot.dynamics is None or not known:
         return ()
@@ -132,7 +132,7 @@ def limits_together(limits: Sequence[Limits]) -> Limits:
 
 
 def model_of(robot: Robot, model: MotionModel) -> MotionModel:
-    """A motion model with the times that are known of an arm where it asks for no others."""
+    """A motion model with the times known for an arm where the model sets none."""
     if robot.dynamics is None:
         return model
     torques = robot.dynamics.torques

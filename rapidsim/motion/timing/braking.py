@@ -1,8 +1,8 @@
 r"""Stopping on the path: braking that keeps the axes' accelerations and the path.
 
-How far the arm goes on at 50 mm/s, "SearchL" of the Technical reference manual RAPID Instructions,
-Functions and Data types tells: 15 to 25 mm with \PStop, 4 to 8 with \SStop, 1 to 3 with \Stop. That
-the time, not the way, is the same at other speeds is our choice.
+Stopping distances at 50 mm/s are from "SearchL" in the Technical reference manual RAPID
+Instructions, Functions and Data types: 15 to 25 mm with \PStop, 4 to 8 with \SStop, 1 to 3 with
+\Stop. That the time, not the distance, is the same at other speeds is our choice.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ def stop_at(path: Path, limits: Limits, timing: Timing, time_s: float, in_s: flo
     Args:
         path: The geometry.
         limits: Of the axes.
-        timing: The plan that the arm has followed.
+        timing: The plan that the arm was following.
         time_s: When braking begins [s], in the plan's time.
-        in_s: How long it takes [s], where neither the axes nor the end of the path ask for another.
+        in_s: How long it takes [s], unless the axes or the end of the path require another time.
 
     Returns:
-        The motion to rest; its last `s` is where the arm stands. Time 0 is at `s`.
+        The motion to rest; its last `s` is where the arm stops. Time 0 is at its first `s`.
     """
     s, speed = timing.s_at(time_s), timing.speed_at(time_s)
     nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)

@@ -1,8 +1,8 @@
-"""What limits the motion along a path, as rows of numbers: all that the solver knows of an arm.
+"""The limits of motion along a path, as rows of numbers: all that the solver knows about an arm.
 
-With v = ds/dt and u = d2s/dt2, a speed row asks |rate| v <= 1, an acceleration row asks
-|slope u + bend v2| <= 1. Each row is divided by its limit, so rows of axes, of the TCP and of
-whatever else moves are the same to the solver. A new kind of limit is a new entry in `_SPEEDS` or
+With v = ds/dt and u = d2s/dt2, a speed row requires |rate| v <= 1, an acceleration row |slope u +
+bend v2| <= 1. Each row is divided by its limit, so the solver treats rows of axes, of the TCP and
+of anything else that moves alike. A new kind of limit is a new entry in `_SPEEDS` or
 `_ACCELERATIONS`.
 """
 
@@ -31,7 +31,7 @@ NO_PACES: Paces = MappingProxyType({})
 
 
 class Quantity(Enum):
-    """What can be at its limit."""
+    """A quantity that has a limit."""
 
     AXIS_SPEED = "axis speed"
     AXIS_ACCELERATION = "axis acceleration"
@@ -82,7 +82,7 @@ class SpeedRows:
 
     @property
     def largest(self) -> Array:
-        """The share (k,) of the motion's tightest limit; by columns, for rows are short."""
+        """The rate (k,) of the motion's tightest row; by columns, because rows are short."""
         largest = self.rate[:, 0].copy()
         for column in range(1, self.rate.shape[1] - self.of_command):
             np.maximum(largest, self.rate[:, column], out=largest)
@@ -103,7 +103,7 @@ class AccelerationRows:
 
     @property
     def largest_bend(self) -> Array:
-        """The largest bend (k,), without sign."""
+        """The largest magnitude (k,) of bend."""
         largest = np.abs(self.bend[:, 0])
         for column in range(1, self.bend.shape[1]):
             np.maximum(largest, np.abs(self.bend[:, column]), out=largest)
@@ -111,13 +111,13 @@ class AccelerationRows:
 
 
 def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> SpeedRows:
-    """Every limit of the path speed.
+    """All limits of the path speed.
 
     Args:
         path: The geometry.
-        places: Where it is looked at.
+        places: The points to evaluate.
         limits: Of the axes.
-        paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
+        paces: Maximum path speeds [m/s] of segments with a programmed time, by position; they
             replace the programmed speeds there.
     """
     found = [_programmed_speeds(path, places, paces)]
@@ -130,7 +130,7 @@ def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> Spee
 
 
 def acceleration_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
-    """Every limit of the path acceleration."""
+    """All limits of the path acceleration."""
     found = [rows for kind in _ACCELERATIONS if (rows := kind(path, places, limits)) is not None]
     return AccelerationRows(
         tuple(limiter for rows in found for limiter in rows.limiters),
@@ -177,10 +177,10 @@ def _zone_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows | None
 
 
 def axis_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
-    """What accelerations of the axes allow, or their torques where these are known.
+    """The limits of axis accelerations, or of torques where these are known.
 
-    A load may raise what axes can do on some ways, for it adds to the coupling of axes 2 and 3 too;
-    nobody has seen that, so the limits without it hold as well.
+    A load may raise the limits in some directions, because it also adds to the coupling of axes 2
+    and 3; that has not been observed, so the limits without it apply as well.
     """
     share = path.acceleration_share[places.piece][:, None]
     allowed = limits.max_acceleration * share

@@ -1,8 +1,8 @@
-"""The places of a path at which timing looks: cells, denser where derivatives bend.
+"""Discretisation of a path for timing: cells, denser where derivatives change quickly.
 
-Each cell knows derivatives at its start, middle and end, all taken from the piece it lies in, so
-that what jumps at zone edges does not smear; between the three they follow a parabola. Cells of one
-piece share the places where they meet.
+Each cell has derivatives at its start, middle and end, all taken from the piece that contains it,
+so that jumps at zone edges stay sharp; between the three they follow a parabola. Cells of one piece
+share the points where they meet.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _ROUNDS = 24
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Places:
-    """Places (k,) of a path with their derivatives, in no order."""
+    """Points (k,) of a path with their derivatives, in no particular order."""
 
     s: Array
     piece: Index
@@ -86,10 +86,9 @@ def cells_of(
     Args:
         path: The geometry.
         limits: Of the axes.
-        start: Where [m] on it the motion starts.
+        start: Where [m] on the path the motion starts.
         look: Called now and then.
-        within: Between which places [m] to look, around the start; only pieces that lie there in
-            part have cells.
+        within: The range [m] of interest, around the start; only pieces that overlap it get cells.
     """
     cells = _evaluate(path, *_first_cells(path, start, within))
     rough = np.arange(len(cells.at))

@@ -37,11 +37,11 @@ def plan(
     Args:
         path: The geometry.
         limits: Of the axes; the segments bring the limits of the TCP.
-        start: Place [m] where the motion starts.
+        start: Position [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
-            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` says so.
-        spent_s: Time [s] that the segment has taken in which the motion starts; None takes the
-            share of its programmed time that lies before the start.
+            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` is set.
+        spent_s: Time [s] already spent in the segment where the motion starts; None takes the
+            corresponding share of its programmed time.
         look: Called now and then.
     """
     if start >= path.length:
@@ -123,7 +123,7 @@ def _paces(
     way = np.bincount(segment, width, minlength=len(path.segments))[index]
 
     def spent(trial: Array) -> Array:
-        """Time of the timed segments at some paces."""
+        """The time spent in the timed segments at given paces."""
         look()
         attempt = {**driven, **dict(zip(timed, trial.tolist(), strict=True))}
         step = drive(at_pace(problem, attempt), division, start_speed).times

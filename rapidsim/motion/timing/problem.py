@@ -1,4 +1,4 @@
-"""What limits a motion at the places of a path, ready for the solver."""
+"""The limits of a motion at the points of a path, ready for the solver."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ change of speed that the command does not have there; measured on random program
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Problem:
-    """All limits at the places (k,) of the cells of a path."""
+    """All limits at the points (k,) of the cells of a path."""
 
     path: Path
     limits: Limits
@@ -40,13 +40,13 @@ class Problem:
 
 
 def problem_of(path: Path, cells: Cells, limits: Limits, paces: Paces = NO_PACES) -> Problem:
-    """Collect what limits a motion.
+    """Collect the limits of a motion.
 
     Args:
         path: The geometry.
-        cells: Where to look; the motion comes to rest after the last.
+        cells: The discretisation; the motion comes to rest after the last cell.
         limits: Of the axes.
-        paces: Largest path speeds [m/s] of segments with a programmed time, by position; they
+        paces: Maximum path speeds [m/s] of segments with a programmed time, by position; they
             replace the programmed speeds there.
     """
     speeds = speed_rows(path, cells.places, limits, paces)

@@ -1,8 +1,8 @@
-"""The loop at the bottom of timing: the smallest of some lines and a cap, step after step.
+"""The inner loop of timing: the minimum of some lines and a cap, step after step.
 
     y[k + 1] = max(0, min(cap[k + 1], min over i of slope[k, i] y[k] + offset[k, i]))
 
-Both passes of the solver have this form, so this is the one place that a faster kernel replaces.
+Both passes of the solver have this form, so only this needs a faster kernel.
 """
 
 from __future__ import annotations

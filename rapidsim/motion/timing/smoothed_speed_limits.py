@@ -1,13 +1,13 @@
-"""How fast the command may be where, so that the smoothed motion keeps the largest speeds.
+"""Limits of the command's speed such that the smoothed motion keeps the maximum speeds.
 
-The arm's speed is the mean of the command's over the filter time, and its place the mean of the
-command's places. When the arm is at p, the command passes p in the middle of that time, and gets as
-far as half the time takes it to either side; where it is slow on one side, it is the longer there.
-If around p it stays below one straight line through the largest speed at p, then so does its mean:
-that of values on a line is the line at the mean of the places.
+The arm's speed is the mean of the command's over the filter time, and its position the mean of the
+command's positions. When the arm is at p, the command passes p in the middle of that time, and gets
+as far to either side as half the time allows; where it is slow on one side, it stays there longer.
+If around p it stays below one straight line through the maximum speed at p, so does its mean: the
+mean of values on a line is the line at the mean position.
 
-Any line will do. A level one fits what dips; where the largest speed rises or falls evenly, as it
-does along a joint move, a level one would cost time and the line that follows it costs none.
+Any line will do. A level one suits minima; where the maximum speed rises or falls evenly, as it
+does along a joint move, a level one would cost time, and the line that follows it costs none.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ _PAIRS = 2_000_000
 
 
 def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
-    """Largest speeds of the command.
+    """Maximum speeds of the command.
 
     Args:
         places: Shape (k,) [m], ascending.
-        speeds: Shape (k,) [m/s]: largest speeds of the arm there.
+        speeds: Shape (k,) [m/s]: maximum speeds of the arm there.
         needed: Shape (k,): where the smoothed motion would exceed them; elsewhere it is enough that
             the command keeps them.
         window: The filter time [s].
@@ -111,7 +111,7 @@ def within(times: Array, window: float) -> tuple[Index, Index]:
 
 
 def least_around(speeds: Array, near: tuple[Index, Index]) -> Array:
-    """The least of speeds (k,) [m/s] around each place; `near` is what `within` says of it."""
+    """The minimum of speeds (k,) [m/s] around each point; `near` is the result of `within`."""
     # `reduceat` takes the least from each index to the next; every second one is a window.
     bounds = np.stack(near, axis=1).ravel()
     least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]

@@ -1,4 +1,4 @@
-"""The loops of `smoothed_speed_limits`, to be compiled; without numba it goes in columns."""
+"""The loops of `smoothed_speed_limits`, to be compiled; columns replace them otherwise."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ EVEN = 0.25
 def hold(
     places: Array, speeds: Array, needed: Mask, times: Array, reach: float, held: Array
 ) -> None:
-    """Fill in the largest speeds (k,) [m/s] of the command; see `smoothed_speed_limits`.
+    """Fill in the maximum speeds (k,) [m/s] of the command; see `smoothed_speed_limits`.
 
     Args:
         places: Shape (k,) [m], ascending.
         speeds: Shape (k,) [m/s].
         needed: Shape (k,).
-        times: Shape (k,) [s], ascending: when the command is at the places at its soonest.
-        reach: How far [s] the command gets away from the arm, to either side.
+        times: Shape (k,) [s], ascending: the earliest time of the command at each point.
+        reach: How far [s] the command gets from the arm, to either side.
         held: Filled in.
     """
     count = len(places)
@@ -57,7 +57,7 @@ def hold(
 
 
 def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) -> float:
-    """The slope [1/s] of the line to keep below around a place; 0 for a level one."""
+    """The slope [1/s] of the line that bounds speeds around a point; 0 for a level one."""
     way, rise = places[last] - places[first], speeds[last] - speeds[first]
     if not (LEVEL * speeds[k] < abs(rise) < STEEP * speeds[k] and way > 0.0):
         return 0.0
@@ -70,10 +70,10 @@ def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) ->
 
 
 def keep_below_levels(level: Array, times: Array, reach: float, held: Array) -> None:
-    """Lower `held` (k,) to the least of some levels (k,) [m/s] within reach [s] of each.
+    """Lower `held` (k,) to the minimum of levels (k,) [m/s] within reach [s] of each.
 
-    One that a slower one follows is the least of no window that holds both, so those that can be
-    wait in a row, in which they become faster towards its end.
+    A level followed by a lower one is never the minimum of a window that holds both, so the
+    candidates are kept in a queue with ascending levels.
     """
     count = len(level)
     row = np.empty(count, np.int64)

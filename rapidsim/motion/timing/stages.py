@@ -1,8 +1,8 @@
 """The steps of the solver: parts of the cells of a path, with all their limits.
 
-Derivatives are known at three places of a cell (`discretisation`). Within it they follow the
-parabola through these, so a cell can be driven in as many stages as its time is worth without
-looking at the arm again. Within a stage the path acceleration is constant.
+Derivatives are known at three points of a cell (`discretisation`). Within it they follow the
+parabola through these, so a cell can be divided into as many stages as its time requires without
+evaluating the arm again. Within a stage the path acceleration is constant.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class Stages:
 
     @property
     def places(self) -> Array:
-        """Begin, middle and end of each, shape (m, 3) [m]."""
+        """Start, middle and end of each, shape (m, 3) [m]."""
         first, last = self.nodes[:-1], self.nodes[1:]
         return np.stack([first, 0.5 * (first + last), last], axis=1)
 
@@ -65,7 +65,7 @@ class Stages:
 
 
 def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
-    """Each cell in a number of equal stages; `rows` are those of the places of the cells."""
+    """Each cell divided into equal stages; `rows` are those of the cells' points."""
     cell = np.repeat(np.arange(len(cells.at)), parts)
     share = np.arange(parts + 1) / parts
     begin, end = (np.tile(part, len(cells.at)) for part in (share[:-1], share[1:]))
@@ -77,7 +77,7 @@ def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
 
 
 def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> Stages:
-    """Each stage in a number (m,) of equal ones."""
+    """Each stage divided into a number (m,) of equal ones."""
     owner = np.repeat(np.arange(len(parts)), parts)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(parts) - parts, parts)
     begin, step = stages.begin[owner], ((stages.end - stages.begin) / parts)[owner]
@@ -97,7 +97,7 @@ def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> S
 
 
 def weights_of(share: Array) -> Array:
-    """What start, middle and end of cells count at shares (m,) of them, shape (m, 3).
+    """The weights of start, middle and end of cells at shares (m,) of them, shape (m, 3).
 
     These are the weights of the parabola through three values.
     """
@@ -110,11 +110,11 @@ def weights_of(share: Array) -> Array:
 
 
 def rows_along(values: Array, at: Index, weights: Array) -> Array:
-    """Rows (m, r) within cells, on the parabolas through three places of each.
+    """Rows (m, r) within cells, on the parabolas through three points of each.
 
     Args:
-        values: Shape (k, r), at places.
-        at: Shape (m, 3): the start, the middle and the end of each cell among the places.
+        values: Shape (k, r), at points.
+        at: Shape (m, 3): the start, the middle and the end of each cell among the points.
         weights: Shape (m, 3); see `weights_of`.
     """
     rows: Array = np.einsum("mp,mpr->mr", weights, values[at])
@@ -122,10 +122,10 @@ def rows_along(values: Array, at: Index, weights: Array) -> Array:
 
 
 def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
-    """Largest path speeds (m, 3) [m/s] at begin, middle and end of stages.
+    """Maximum path speeds (m, 3) [m/s] at start, middle and end of stages.
 
-    `slowness` (k,) [s/m] is that of the places of the cells. Within a cell it may have a kink,
-    where another limit takes over: of the parabola and of straight lines the slower counts.
+    `slowness` (k,) [s/m] is that at the points of the cells. Within a cell it may have a kink,
+    where another limit takes over: the slower of the parabola and of straight lines counts.
     """
     kernel = compiled(two_pass_loops, "fast_stages", len(stages.cell))
     if kernel is not None:
@@ -212,7 +212,7 @@ def _widest(slack: Array, tilt: Array, span: Array) -> Array:
 
 
 def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
-    """Share of the cell, path acceleration [m/s2] and square of the speed (m,) in mid-stage.
+    """Share of the cell, path acceleration [m/s2] and squared path speed (m,) in mid-stage.
 
     `x` (m + 1,) is given at the nodes.
     """
@@ -221,9 +221,9 @@ def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
 
 
 def loads(stages: Stages, cells: Cells, rows: AccelerationRows, x: Array) -> Array:
-    """The largest share (m,) of an acceleration that is used in the middle of stages.
+    """The most constraining share (m,) of an acceleration limit in the middle of stages.
 
-    `x` (m + 1,) is given at the nodes, `rows` are those of the places of the cells.
+    `x` (m + 1,) is given at the nodes, `rows` are those at the points of the cells.
     """
     middle, u, square = in_the_middle(stages, x)
     kernel = compiled(two_pass_loops, "load_stages", len(u))

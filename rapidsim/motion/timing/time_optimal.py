@@ -1,8 +1,8 @@
-"""The fastest drive along a path: stages cut until their size costs no time, speeds held.
+"""Time-optimal motion along a path: stages are divided until their size costs no time.
 
-A stage keeps every acceleration at both of its ends with one path acceleration, so it is a little
-slower than need be, by less the shorter it is. Cells look at the arm and cost much, stages cost
-little: only they are cut.
+A stage satisfies every acceleration limit at both of its ends with one path acceleration, so it is
+slightly slower than necessary, less so the shorter it is. Cells evaluate the arm and are expensive,
+stages are cheap: only they are divided.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Drive:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Division:
-    """How the cells of a path are divided, those before the start too."""
+    """The division of a path's cells into stages, including cells before the start."""
 
     stages: Stages
     needed: Mask
@@ -66,7 +66,7 @@ class Division:
     """The first stage of the motion."""
 
     def cut(self, problem: Problem, parts: Index) -> Division:
-        """Each stage in a number (m,) of parts."""
+        """Each stage divided into a number (m,) of parts."""
         stages = cut(self.stages, problem.cells, problem.accelerations, parts)
         return Division(stages, np.repeat(self.needed, parts), int(parts[: self.driven].sum()))
 

@@ -1,4 +1,4 @@
-"""When the arm is where on a path: place and speed as exact functions of time."""
+"""Position and speed on a path as exact functions of time."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _COUNTED_S = 1.0
 
 @dataclass(frozen=True, eq=False)
 class Timing:
-    """Place on a path as a function of time; time 0 is at the place where it starts."""
+    """Position on a path as a function of time; time 0 is where it starts."""
 
     s: Array
     """Nodes (k,) [m]."""
@@ -56,7 +56,7 @@ class Timing:
 
     @property
     def braking_s(self) -> float:
-        """How long [s] before its end the motion has only become slower."""
+        """The time [s] before its end during which the motion only slows down."""
         rises = np.flatnonzero(np.diff(self.speed) >= 0.0)
         return self.duration - float(self.times[rises[-1] + 1] if len(rises) else 0.0)
 
@@ -67,7 +67,7 @@ class Timing:
     def s_at(self, t: Array) -> Array: ...
 
     def s_at(self, t: float | Array) -> float | Array:
-        """Place [m] at times [s], one or (k,); outside its time the motion stands."""
+        """Position [m] at times [s], one or (k,); before and after, the motion is at rest."""
         k, since = self._cell(t)
         place: Array = self.s[k] + since * (self.speed[k] + 0.5 * since * self.acceleration[k])
         place = np.clip(place, self.s[0], self.s[-1])
@@ -93,7 +93,7 @@ class Timing:
     def time_at(self, s: Array) -> Array: ...
 
     def time_at(self, s: float | Array) -> float | Array:
-        """Time [s] at places [m], one or (k,)."""
+        """Time [s] at positions [m], one or (k,)."""
         place = np.clip(np.asarray(s, dtype=np.float64), self.s[0], self.s[-1])
         k = np.clip(np.searchsorted(self.s, place, side="right") - 1, 0, len(self.s) - 2)
         way = place - self.s[k]
@@ -111,9 +111,9 @@ class Timing:
         return integral
 
     def smoothed(self, window: float) -> tuple[Array, Array]:
-        """Places [m] and speeds [m/s], (k,) each, of the mean over a window [s] before each node.
+        """Positions [m] and speeds [m/s], (k,) each, averaged over a window [s] before each node.
 
-        Before the first node the motion is taken to have had the speed that it has there.
+        Before the first node the motion is assumed to have had the speed that it has there.
         """
         early = self.times - window
         before = np.minimum(early, 0.0)
@@ -132,13 +132,13 @@ class Timing:
 
     @cached_property
     def marks(self) -> Index:
-        """The nodes (m,) at which integrals begin anew, the first node among them."""
+        """The nodes (m,) at which integrals restart, including the first node."""
         period = np.floor(self.times[:-1] / _COUNTED_S)
         return np.flatnonzero(np.diff(period, prepend=-1.0))
 
     @cached_property
     def since_marks(self) -> Array:
-        """Way [m], its integral [m s] and that one's [m s2] from the last mark to nodes, (3, k).
+        """Distance [m], its integral [m s] and that one's [m s2] since the last mark, (3, k).
 
         The last node counts as a mark.
         """

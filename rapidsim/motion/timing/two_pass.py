@@ -1,10 +1,10 @@
 """The fastest motion along a path that keeps every limit, in closed form.
 
 Along the path parameter s, x is the square of the path speed ds/dt and u the path acceleration,
-constant within a stage. Every acceleration row asks |slope u + bend x| <= 1 at both ends of one.
-One pass from the end finds the largest x from which the rest can still be braked, one pass from the
-start drives as fast as that allows. Because limits are symmetric, standing still is always
-possible, so no stage is without a solution.
+constant within a stage. Every acceleration row requires |slope u + bend x| <= 1 at both ends of a
+stage. A backward pass finds the largest x from which the arm can still brake, a forward pass goes
+as fast as that allows. Because limits are symmetric, x = 0 is always feasible, so every stage has a
+solution.
 
 Source: the two-pass method of Pham and Pham (2018), A new approach to time-optimal path
 parameterization based on reachability analysis, with its linear programs solved by hand.
@@ -27,7 +27,7 @@ def solve(stages: Stages, caps: Array, start_speed: float) -> tuple[Array, float
     """Find the fastest x at the nodes.
 
     Args:
-        stages: What limits u.
+        stages: The limits of u.
         caps: Largest x at the nodes, shape (m + 1,).
         start_speed: Path speed [m/s] at the first node.
 

@@ -1,6 +1,7 @@
-"""The solver's loops over cells, written out to be compiled; see `stages` and `two_pass`.
+"""The solver's loops over cells, to be compiled; see `stages` and `two_pass`.
 
-Without numba the same is done in columns of NumPy arrays (`stages`) and in lanes (`smallest_line`).
+Without numba, operations on columns of NumPy arrays (`stages`) and on lanes (`smallest_line`) are
+used instead.
 """
 
 from __future__ import annotations
@@ -30,9 +31,9 @@ def limit_stages(
     """Fill in slack and tilt (m, 2 r) and widest (m,) of some stages (j,); see `stages`.
 
     Args:
-        rows: Places (c, 3) of the cells, slopes and bends (k, r) at the places.
-        parts: The cells (j,) of the stages, where they begin and end in them, and span.
-        which: An x that nothing reaches; and which of the stages (m,) they are.
+        rows: Points (c, 3) of the cells, slopes and bends (k, r) at the points.
+        parts: The cells (j,) of the stages, their start and end within the cells, and span.
+        which: An x that is never reached; and which of the stages (m,) they are.
         found: Slack, tilt and widest, filled in.
     """
     at, slopes, bends = rows
@@ -115,7 +116,7 @@ def load_stages(
     square: Array,
     load: Array,
 ) -> None:
-    """Fill in the largest share (m,) of an acceleration in the middle of stages; see `loads`."""
+    """Fill in the most constraining share (m,) of an acceleration in mid-stage; see `loads`."""
     at, slopes, bends = rows
     for k in range(len(cell)):
         a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
@@ -130,7 +131,7 @@ def load_stages(
 def fast_stages(
     at: Index, slowness: Array, cell: Index, begin: Array, end: Array, speeds: Array
 ) -> None:
-    """Fill in largest speeds (m, 3) [m/s] at begin, middle and end of stages; see `fastest`."""
+    """Fill in maximum speeds (m, 3) [m/s] at start, middle and end of stages; see `fastest`."""
     for k in range(len(cell)):
         a, b, c = at[cell[k], 0], at[cell[k], 1], at[cell[k], 2]
         start, middle, last = slowness[a], slowness[b], slowness[c]
@@ -151,15 +152,15 @@ def held_back_by(
     reached: float,
     kind: Index,
 ) -> None:
-    """Fill in which limit (m,) is used most in the middle of stages; see `limiters_of`.
+    """Fill in the most constraining limit (m,) in the middle of stages; see `limiters_of`.
 
     Args:
-        rows: Places (c, 3) of the cells; rates, slopes and bends (k, ...) at the places.
+        rows: Points (c, 3) of the cells; rates, slopes and bends (k, ...) at the points.
         cell: The cells (m,) of the stages.
-        middle: Where in them the middles are.
+        middle: The positions of the middles within the cells.
         u: Path acceleration (m,).
         square: Square of the path speed (m,) there.
-        reached: A speed that is used more than this holds back whatever accelerations do.
+        reached: Beyond this share, a speed limit counts as active whatever accelerations do.
         kind: Filled in: speeds are counted first.
     """
     at, rates, slopes, bends = rows

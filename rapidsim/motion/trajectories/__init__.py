@@ -1,1 +1,1 @@
-"""Names of `rapidsim.motion.waypoints` as they were; they go with the next release."""
+"""Aliases of the modules of `rapidsim.motion.waypoints`; removed in the next release."""

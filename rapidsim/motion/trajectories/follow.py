@@ -1,3 +1,3 @@
-"""Moved to `rapidsim.motion.waypoints.follow`; this name goes with the next release."""
+"""Moved to `rapidsim.motion.waypoints.follow`; this alias goes in the next release."""
 
 from rapidsim.motion.waypoints.follow import follow as follow

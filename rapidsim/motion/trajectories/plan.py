@@ -1,4 +1,4 @@
-"""Moved to `rapidsim.motion.waypoints.plan`; this name goes with the next release."""
+"""Moved to `rapidsim.motion.waypoints.plan`; this alias goes in the next release."""
 
 from rapidsim.motion.waypoints.plan import Plan as Plan
 from rapidsim.motion.waypoints.plan import Refused as Refused

@@ -1,3 +1,3 @@
-"""Moved to `rapidsim.motion.waypoints.velocity_profiles`; this name goes with the next release."""
+"""Moved to `rapidsim.motion.waypoints.velocity_profiles`; this alias goes in the next release."""
 
 from rapidsim.motion.waypoints.velocity_profiles import law as law

@@ -1,3 +1,3 @@
-"""Moved to `rapidsim.motion.waypoints.random_points`; this name goes with the next release."""
+"""Moved to `rapidsim.motion.waypoints.random_points`; this alias goes in the next release."""
 
 from rapidsim.motion.waypoints.random_points import shell_points as shell_points

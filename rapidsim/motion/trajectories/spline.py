@@ -1,3 +1,3 @@
-"""Moved to `rapidsim.motion.waypoints.spline`; this name goes with the next release."""
+"""Moved to `rapidsim.motion.waypoints.spline`; this alias goes in the next release."""
 
 from rapidsim.motion.waypoints.spline import spline as spline

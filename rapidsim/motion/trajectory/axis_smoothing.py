@@ -1,12 +1,12 @@
 """Smoothing of each axis by itself: a weighted mean of its commanded angle over the window.
 
-What is seen then leaves the path a little: it rounds corners, as recorded arms do. A mean is never
-faster and never accelerates more than what it is the mean of, so axes keep the speeds and
-accelerations that the command keeps.
+The visible motion then deviates slightly from the path: it rounds corners, as recorded arms do. A
+mean never exceeds the speed and acceleration of what is averaged, so axes keep the limits that the
+command keeps.
 
-The integrals are those of polynomials through the command in short parts, which end where it
-changes its acceleration (the nodes of the timing). Parts belong to the command: samples ask for no
-more of them, so the cost is that of the time that all windows cover, however close samples are.
+The integrals are those of polynomials through the command in short parts, which end where its
+acceleration changes (the nodes of the timing). Parts belong to the command and are shared by
+samples, so the cost depends on the time covered by all windows, however close samples are.
 """
 
 from __future__ import annotations
@@ -38,9 +38,9 @@ def mean_joints(
 
     Args:
         command: At least one piece.
-        windows: The width of the smoothing.
+        windows: The widths of the smoothing window.
         times: Instants (k,) [s], in any order.
-        coarse: Whether 1e-6 will do, which is found in half of the time, or less.
+        coarse: Whether 1e-6 suffices, which takes half the time or less.
 
     Returns:
         Joints of the arm and external axes (k, n + e) [rad, m], within 1e-9 on the paths of the

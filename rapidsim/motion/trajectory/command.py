@@ -1,8 +1,8 @@
-"""What a robot is told over a whole run: pieces of timed paths, with standstill in between.
+"""The command of a robot over a whole run: pieces of timed paths, with standstill in between.
 
-All their stretches laid end to end give one parameter, the place S [m] of the whole run. Pieces are
+All pieces joined end to end give one parameter, the position S [m] of the whole run. Pieces are
 counted from 1. Integrals over time are taken in stretches of about a second, so that they keep
-their digits: a long piece has several, in rows of one table; row 0 is the standstill before all.
+their precision: a long piece has several, in rows of one table; row 0 is the standstill before all.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Piece:
 
 
 class MotionCommand:
-    """A row of pieces; it can only be added to, and cut at its end."""
+    """A sequence of pieces; it can only be extended, and cut at its end."""
 
     def __init__(self) -> None:
         """Nothing is commanded."""
@@ -56,7 +56,7 @@ class MotionCommand:
         """The rows that take time or way, and the number behind the last row."""
 
     def copy(self) -> MotionCommand:
-        """The same, to be added to on its own."""
+        """A copy to be extended independently."""
         copied = MotionCommand()
         copied._pieces = list(self._pieces)
         copied._table = self._table[: self._rows + 1].copy()
@@ -65,7 +65,7 @@ class MotionCommand:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """What was appended, in the order of time."""
+        """The pieces in the order of time."""
         return tuple(self._pieces)
 
     @property
@@ -75,7 +75,7 @@ class MotionCommand:
 
     @property
     def end(self) -> float:
-        """When it comes to its end [s]; 0 without pieces."""
+        """When it ends [s]; 0 without pieces."""
         if not self._pieces:
             return 0.0
         row = self._table[self._rows - 1]
@@ -83,7 +83,7 @@ class MotionCommand:
 
     @property
     def length(self) -> float:
-        """Place S [m] where the last piece ends."""
+        """Position S [m] at the end of the last piece."""
         row = self._table[self._rows - 1]
         return float(row[_Column.PLACE] + row[_Column.WAY])
 
@@ -121,7 +121,7 @@ class MotionCommand:
         return place
 
     def cut(self, time_s: float) -> None:
-        """Take back what is commanded after a time [s]."""
+        """Remove what is commanded after a time [s]."""
         self._joined_timings = self._joined_paths = self._taking = None
         kept = self._rows
         while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
@@ -140,7 +140,7 @@ class MotionCommand:
         row[_Column.DURATION], row[_Column.WAY] = driven, to_s - row[_Column.FROM_S]
 
     def row_at(self, times: Array) -> Index:
-        """The row (k,) that began last before times (k,) [s]."""
+        """The last row (k,) that began before times (k,) [s]."""
         starts = self._table[1 : self._rows, _Column.START]
         return np.searchsorted(starts, times, side="right").astype(np.int64)
 
@@ -149,17 +149,17 @@ class MotionCommand:
         return self._pieces[number - 1]
 
     def pieces_of(self, row: Index) -> Index:
-        """The numbers of the pieces (k,) that rows (k,) are of; the first one for row 0."""
+        """The numbers of the pieces (k,) to which rows (k,) belong; the first one for row 0."""
         numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
         return numbers
 
     def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
-        """Where ways (k,) [m] since the start of rows (k,) are.
+        """The paths and positions for distances (k,) [m] since the start of rows (k,).
 
-        Before the first piece the arm stands where that begins.
+        Before the first piece the arm is at its start.
 
         Yields:
-            A path, places s on it [m], and which of the k they are.
+            A path, positions s on it [m], and which of the k they are.
         """
         if not len(row):
             return
@@ -172,26 +172,26 @@ class MotionCommand:
             yield joined.paths.paths[each], s[at], at
 
     def starts(self, row: Index) -> tuple[Array, Array]:
-        """When rows (k,) start [s], and at which places S [m]."""
+        """The start times of rows (k,) [s], and their positions S [m]."""
         return self._table[row, _Column.START], self._table[row, _Column.PLACE]
 
     def ways(self, row: Index) -> Array:
-        """How far S goes on in rows (k,) [m]."""
+        """The increase of S in rows (k,) [m]."""
         ways: Array = self._table[row, _Column.WAY]
         return ways
 
     def stands(self, row: Index, times: Array) -> Mask:
-        """Whether rows (k,) are over, or have not begun, at times (k,) [s]."""
+        """Whether rows (k,) have ended, or have not begun, at times (k,) [s]."""
         start, duration = self._table[row, _Column.START], self._table[row, _Column.DURATION]
         over: Mask = (times - start >= duration) | (row == 0)
         return over
 
     def state(self, row: Index, times: Array) -> Array:
-        """Way [m], its integral [m s] and that one's [m s2] since rows (k,) start, (3, k).
+        """Distance [m], its integral [m s] and that one's [m s2] since rows (k,) start, (3, k).
 
         Args:
-            row: Whose state it is.
-            times: When (k,) [s], at the start of the row or later.
+            row: The rows.
+            times: Times (k,) [s], at the start of the row or later.
         """
         state = np.zeros((3, len(times)))
         at = np.flatnonzero(row > 0)
@@ -217,16 +217,17 @@ class MotionCommand:
     def since(
         self, before: Array, instants: Sequence[Array]
     ) -> tuple[Index, Array, tuple[Array, ...]]:
-        """How far the command has got since earlier instants.
+        """How far the command has moved since earlier instants.
 
         Args:
             before: Those instants (k,) [s].
-            instants: Later ones (k,) [s], once or more often.
+            instants: Later ones (k,) [s], one or more sets.
 
         Returns:
-            The row (k,) of the former, and the way [m] since it started (k,); for each of the later
-            ones the way since then [m], its integral [m s] and that one's [m s2], (3, k). Places
-            are counted from there, so neither a long run nor a long standstill costs digits.
+            The row (k,) of the earlier instants, and the distance [m] since the row's start (k,);
+            for each set of later ones the distance since then [m], its integral [m s] and that
+            one's [m s2], (3, k). Distances are relative, so neither a long run nor a long
+            standstill costs precision.
         """
         # All instants in one go: so few numbers cost what the calls of NumPy cost.
         looks, times = len(instants), np.concatenate(instants)
@@ -261,10 +262,10 @@ class MotionCommand:
         return ends
 
     def following(self, row: Index) -> Index:
-        """The next rows (k,) after rows (k,) that take time or way; behind the last one, none.
+        """The next rows (k,) after rows (k,) that take time or distance; after the last, none.
 
-        Moves without length leave rows that take neither, thousands of them where a loop makes
-        nothing else.
+        Moves without length leave rows with neither, thousands of them where a loop makes nothing
+        else.
         """
         if self._taking is None:
             table = self._table[: self._rows]
@@ -285,13 +286,13 @@ class MotionCommand:
         return speed
 
     def place_at(self, times: Array) -> Array:
-        """Place S (k,) [m] at times (k,) [s]."""
+        """Position S (k,) [m] at times (k,) [s]."""
         row = self.row_at(times)
         place: Array = self._table[row, _Column.PLACE] + self.state(row, times)[0]
         return place
 
     def time_at(self, place: Array) -> Array:
-        """First time (k,) [s] at places S (k,)."""
+        """First time (k,) [s] at positions S (k,)."""
         ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
         row = np.searchsorted(ends, place - ROUNDING_M, side="left")
         row = np.clip(row, 0, self._rows - 1).astype(np.int64)
@@ -305,7 +306,7 @@ class MotionCommand:
         return times
 
     def joints_at(self, times: Array) -> Array:
-        """Joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
+        """Joints of the arm, followed by external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)
         joints = np.empty((len(times), self.piece(1).path.axis_count))
         for path, s, at in self.on_paths(row, self.state(row, times)[0]):
@@ -313,7 +314,7 @@ class MotionCommand:
         return joints
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
-        """Where the acceleration changes [s], of all rows from one instant to another."""
+        """Times [s] at which the acceleration changes, of all rows from one instant to another."""
         first, last = self.row_at(np.array([first_s, last_s])).tolist()
         nodes = [np.zeros(0)]
         for start, duration, _, _, offset, _, number, mark in self._table[max(first, 1) : last + 1]:
@@ -397,7 +398,7 @@ class _Column:
 
 
 def groups(row: Index) -> list[tuple[int, Index]]:
-    """The places in `row` of each value in it, values increasing."""
+    """The indices in `row` of each of its values, values ascending."""
     if not len(row):
         return []
     order = np.argsort(row, kind="stable")

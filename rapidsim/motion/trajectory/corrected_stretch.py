@@ -1,7 +1,7 @@
-"""A part of a path beside which the TCP is led: the arm stands on its path and a little way off.
+"""Part of a path on which the TCP is corrected: the arm follows its path with an offset.
 
-The way off is known at knots and straight in between. Joints are those that the arm has on its
-path, followed to where it is led.
+The offset is known at knots and linear in between. Joints are those of the arm on its path, moved
+by the offset.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rapidsim.motion.kinematics.arm import Kinematics
 
 @dataclass(eq=False)
 class CorrectedStretch:
-    """It can only be added to."""
+    """A corrected part of a path; it can only be extended."""
 
     start_s: float
     kinematics: Kinematics
@@ -34,26 +34,26 @@ class CorrectedStretch:
 
     @property
     def end_s(self) -> float:
-        """Up to when [s] it is known; it stays so behind."""
+        """The time [s] up to which the offset is known; it stays constant after that."""
         return self._times[-1]
 
     @property
     def end(self) -> Array:
-        """The way off (3,) [m] where it ends so far."""
+        """The offset (3,) [m] at the end so far."""
         return self._ways[-1]
 
     def append(self, time_s: float, way: Array) -> None:
-        """Go on to a time [s] at which the way off is `way` (3,) [m], in base."""
+        """Extend to a time [s] at which the offset is `way` (3,) [m], in base."""
         self._times.append(time_s)
         self._ways.append(way)
 
     def extend(self, start_s: float, cycle_s: float, ways: Iterable[Array]) -> None:
-        """Go on by a cycle [s] for each way, from a time [s] on."""
+        """Extend by a cycle [s] for each offset, starting at a time [s]."""
         for number, way in enumerate(ways, start=1):
             self.append(start_s + number * cycle_s, way)
 
     def ways_at(self, times: Array) -> Array:
-        """The ways off (k, 3) [m] at instants (k,) [s], in base."""
+        """The offsets (k, 3) [m] at instants (k,) [s], in base."""
         # A run has many knots, and one asks for few that lie close together.
         first = max(0, bisect_right(self._times, float(times.min())) - 1)
         last = bisect_right(self._times, float(times.max())) + 1
@@ -61,14 +61,14 @@ class CorrectedStretch:
         return np.stack([np.interp(times, knots, ways[:, k]) for k in range(3)], axis=-1)
 
     def speeds_at(self, times: Array) -> Array:
-        """How fast (k,) [m/s] the way off changes."""
+        """The rate (k,) [m/s] at which the offset changes."""
         step_s = 1e-3
         change = self.ways_at(times + step_s) - self.ways_at(times - step_s)
         speed: Array = np.linalg.norm(change, axis=1) / (2.0 * step_s)
         return speed
 
     def joints(self, joints: Array, ways: Array) -> Array:
-        """Joints (k, n) [rad] of an arm that is led ways (k, 3) [m] off; NaN where it cannot be."""
+        """Joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN where unreachable."""
         flange = self.kinematics.forward(joints)
         led = Transform(flange.rotation, flange.translation + ways)
         branches = self.kinematics.branch_of(joints)

@@ -1,13 +1,13 @@
-"""How wide the window of the smoothing is at any time, and how AccSet's ramps widen it.
+"""The width of the smoothing window over time, and how AccSet's ramps widen it.
 
-The arm is seen where a weighted mean of the command is over the window [t - T(t), t]. T is the
-filter time; a ramp of p % makes it 100 / p of that. Nothing was measured of ramps: this is an
-assumption. The weights are those of one moving average of width T, all equal, or of two of width
-T / 2 one after the other: they rise evenly to the middle of the window and fall again.
+The visible position of the arm is a weighted mean of the command over the window [t - T(t), t]. T
+is the filter time; a ramp of p % makes it 100 / p times as long. Ramps were not measured: this is
+an assumption. The weights are those of one moving average of width T, all equal, or of two
+successive ones of width T / 2: they rise evenly to the middle of the window and fall again.
 
-The mean stays on the way of the command and is never faster than it while 0 <= T' <= 1, so a window
-only widens while the arm moves, evenly and slowly. It becomes narrow again where it is empty, when
-the arm has been standing for so long that nothing but the standstill is in it. From there on it
+The mean stays on the path of the command and is never faster while 0 <= T' <= 1, so a window only
+widens while the arm moves, evenly and slowly. It becomes narrow again when it is empty, that is,
+when the arm has been at rest so long that the window contains only the standstill. From there on it
 does not look back beyond the new start.
 """
 
@@ -54,7 +54,7 @@ class _Step:
 
 
 class Windows:
-    """The width of the window over the time of a whole run; it can only be added to."""
+    """The width of the window over the time of a whole run; it can only be extended."""
 
     def __init__(self, filter_time: float, averages: Averages = 1) -> None:
         """`filter_time` [s] is the width of all moving averages together, without ramps."""
@@ -78,39 +78,39 @@ class Windows:
         return any(one.widest_s > self.filter_time for one in self._steps)
 
     def copy(self) -> Windows:
-        """The same, to be added to on its own."""
+        """A copy to be extended independently."""
         copied = Windows(self.filter_time, self.averages)
         copied.widest = self.widest
         copied._steps, copied._table = list(self._steps), self._table.copy()
         return copied
 
     def at(self, times: Array) -> tuple[Array, Array, Array]:
-        """Width T [s], its rate T' and the earliest instant that counts [s] at times (k,)."""
+        """Width T [s], its rate T' and the earliest instant to consider [s] at times (k,)."""
         if self.is_constant:
             count = len(times)
             return np.full(count, self.filter_time), np.zeros(count), np.full(count, -np.inf)
         return _at(self._table[: len(self._steps)], times)
 
     def instants(self, times: Array, width: Array, before: Array) -> tuple[Array, ...]:
-        """When [s] to look at the command for `mean`: now, and in the middle of the windows.
+        """When [s] to evaluate the command for `mean`: now, and in the middle of the windows.
 
         Args:
             times: When windows (k,) end [s].
-            width: Theirs [s].
-            before: When they begin [s]; what is earlier does not count.
+            width: Their widths [s].
+            before: When they begin [s]; earlier times do not count.
         """
         if self.averages == 1:
             return (times,)
         return times, np.maximum(times - 0.5 * width, before)
 
     def mean(self, width: Array, rate: Array, changes: Sequence[Array]) -> tuple[Array, Array]:
-        """The mean of what changes over windows, and its rate of change.
+        """The mean over windows of a changing quantity, and its rate of change.
 
         Args:
             width: Of the windows (k, ...) [s].
             rate: At which they widen (k, ...).
-            changes: For each of `instants`, what it has changed by since the window's begin, the
-                integral of that and the integral of that one, (3, k, ...).
+            changes: For each of `instants`, the change since the start of the window, its integral
+                and the integral of that, (3, k, ...).
         """
         now = changes[0]
         if self.averages == 1:
@@ -123,7 +123,7 @@ class Windows:
         return mean, slope - 2.0 * rate / width * mean
 
     def lag(self, command_s: float) -> float:
-        """How long [s] after a command time the arm is seen to have made all of it."""
+        """The delay [s] until the visible motion has completed what was commanded by a time."""
         if self.is_constant:
             return self.filter_time
         starts = self._table[: len(self._steps), 0]
@@ -146,7 +146,7 @@ class Windows:
         return float(run_empty[0])
 
     def cut(self, time_s: float) -> None:
-        """Take back what begins at a time [s] or later."""
+        """Remove what begins at a time [s] or later."""
         while self._steps[-1].start_s >= time_s:
             self._steps.pop()
 
@@ -161,16 +161,16 @@ class Windows:
         empty: bool,
         elsewhere: bool = False,
     ) -> None:
-        """Widen the window as the moves of a stretch of path ask for.
+        """Widen the window as required by the moves of a part of a path.
 
         Args:
-            start_s: When the stretch is commanded from [s].
-            path: Its geometry; the moves of a block have falling ramps.
+            start_s: The command time of its start [s].
+            path: Its geometry; the ramps of the moves in a block decrease.
             timing: Of the path.
             from_s: Where on the path it starts [m].
             to_s: Where it ends [m].
-            empty: Whether the arm is seen to stand when it starts.
-            elsewhere: Whether it stands where the command before did not bring it; then what was
+            empty: Whether the visible motion is at rest when it starts.
+            elsewhere: Whether the arm is elsewhere than the previous command left it; then what was
                 commanded before does not count.
         """
         if self.is_constant and path.window == self.filter_time and not elsewhere:

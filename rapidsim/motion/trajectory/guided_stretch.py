@@ -1,6 +1,6 @@
-"""Motion that was not planned: joints a cycle apart, as somebody outside wanted them.
+"""Motion that was not planned: joints once per cycle, as requested from outside.
 
-Between two cycles accelerations are constant, so nothing is interpolated here either.
+Between cycles accelerations are constant, so nothing is interpolated here either.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _FIRST_ROOM = 256
 
 @dataclass(eq=False)
 class GuidedStretch:
-    """It can only be added to."""
+    """A guided motion; it can only be extended."""
 
     start_s: float
     cycle_s: float
@@ -41,21 +41,21 @@ class GuidedStretch:
 
     @property
     def end_s(self) -> float:
-        """Up to when [s] it is known."""
+        """The time [s] up to which it is known."""
         return self.start_s + self._count * self.cycle_s
 
     @property
     def end(self) -> Array:
-        """Joints (n,) [rad] where it ends so far."""
+        """Joints (n,) [rad] at the end so far."""
         end: Array = self._joints[self._count, 0].copy()
         return end
 
     def append(self, joints: Array, speed: Array) -> None:
-        """Go on by a cycle.
+        """Extend by a cycle.
 
         Args:
-            joints: Where it ends (n,) [rad].
-            speed: How fast the axes are then (n,) [rad/s].
+            joints: Joints at its end (n,) [rad].
+            speed: Axis speeds at its end (n,) [rad/s].
         """
         self._count += 1
         if self._count == len(self._joints):
@@ -63,7 +63,7 @@ class GuidedStretch:
         self._joints[self._count] = joints, speed
 
     def joints_at(self, times: Array) -> Array:
-        """Joints (k, n) [rad] at instants (k,) [s]; it stands before and after."""
+        """Joints (k, n) [rad] at instants (k,) [s]; at rest before and after."""
         way = np.clip((times - self.start_s) / self.cycle_s, 0.0, self._count)
         before = np.minimum(way.astype(np.int64), max(self._count - 1, 0))
         after = np.minimum(before + 1, self._count)
@@ -78,7 +78,7 @@ class GuidedStretch:
         return self.forward(joints) @ self.tcp_from_flange.inverse()[None]
 
     def tcp_speed_at(self, times: Array) -> Array:
-        """How fast (k,) [m/s] the TCP is in base."""
+        """Speed (k,) [m/s] of the TCP in base."""
         before, after = self.joints_at(times - _STEP_S), self.joints_at(times + _STEP_S)
         way = self.tcp_at(after).translation - self.tcp_at(before).translation
         speed: Array = np.linalg.norm(way, axis=1) / (2.0 * _STEP_S)

@@ -1,7 +1,7 @@
-"""Several timings laid end to end, to be asked about many instants at once.
+"""Several timings joined end to end, evaluated at many instants at once.
 
-A run has a timing for each stretch between stop points. Asking them one by one costs a few calls of
-NumPy each, which is more than the planning where there are many short stretches.
+A run has a timing for each stretch between stop points. Evaluating them one by one takes a few
+NumPy calls each, which costs more than planning if there are many short stretches.
 """
 
 from __future__ import annotations
@@ -38,11 +38,11 @@ class Timings:
     """Shape (3, k): see `Timing.since_marks`."""
 
     def since_marks(self, number: Index, t: Array) -> Array:
-        """Way [m], its integral [m s] and the integral of that [m s2] from marks on, (3, k).
+        """Distance [m], its integral [m s] and the integral of that [m s2] since marks, (3, k).
 
         Args:
-            number: The stretch (k,) whose mark counts.
-            t: Times (k,) [s], each counted as its timing does; outside the stretch its ends count.
+            number: The stretch (k,) whose mark to use.
+            t: Times (k,) [s], in the time of each timing; clamped to the stretch.
         """
         t = np.clip(t, self.times[self.first[number]], self.times[self.last[number]])
         k = self._cell(number, t)
@@ -77,7 +77,7 @@ class Timings:
 
 
 def timings_of(timings: Sequence[Timing]) -> Timings:
-    """Lay timings end to end, at least one."""
+    """Join timings end to end, at least one."""
     count = np.array([len(one.s) for one in timings])
     marks = np.array([len(one.marks) for one in timings])
     node, begin = np.cumsum(count) - count, np.cumsum(marks) - marks

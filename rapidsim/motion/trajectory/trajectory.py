@@ -1,16 +1,16 @@
 """A whole run's motion as a function of time, while it grows and afterwards.
 
-A controller smooths its command (`command`): the visible place is the mean of the commanded place
-over a window of time (`filter_windows`), which ends now and is as wide as the filter time. The arm
-therefore stays exactly on its path and lags behind the command. If each axis is smoothed by itself
-instead, the joints are the means of those commanded (`axis_smoothing`); the visible place then
-tells how far the arm has got.
+A controller smooths its command (`command`): the visible position is the mean of the commanded
+position over a time window (`filter_windows`), which ends now and is as wide as the filter time.
+The arm therefore stays exactly on its path and lags behind the command. If each axis is smoothed by
+itself instead, the joints are the means of those commanded (`axis_smoothing`); the visible position
+then tells how far the arm has got.
 
 Nothing is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
 a cubic, and joints come from the exact pose.
 
-While somebody outside guides the robot there is no path: joints are those of a `GuidedStretch`.
-Where a sensor corrects the path, the arm is led beside it: a `CorrectedStretch`.
+While the robot is guided from outside there is no path: joints are those of a `GuidedStretch`.
+Where a sensor corrects the path, the arm follows it with an offset: a `CorrectedStretch`.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Samples:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Postures:
-    """The axes alone at some instants."""
+    """The axes at some instants, without poses."""
 
     move: Index
     """Shape (k,): as in `Samples`."""
@@ -82,7 +82,7 @@ class _Guided:
 
 
 class Trajectory:
-    """Where the arm is at any time; it can only be added to."""
+    """The position of the arm at any time; it can only be extended."""
 
     def __init__(
         self,
@@ -112,26 +112,26 @@ class Trajectory:
         return tuple(one.stretch for one in self._guided)
 
     def guide(self, stretch: GuidedStretch) -> None:
-        """Let a robot that stands be guided; the next piece begins where that ends."""
+        """Let a robot at rest be guided; the next piece begins where the guidance ends."""
         if self._guided:
             self._guided[-1] = replace(self._guided[-1], until_s=stretch.start_s)
         self._guided.append(_Guided(stretch))
 
     def correct(self, stretch: CorrectedStretch) -> None:
-        """Lead the arm beside its path from now on."""
+        """Add an offset to the arm's path from now on."""
         self._corrected.append(stretch)
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """What was appended, in the order of time."""
+        """The pieces in the order of time."""
         return self._command.pieces
 
     def append(self, piece: Piece) -> float:
         """Add a piece after the last one.
 
         Returns:
-            The place S [m] of the whole run where the piece starts: S - `from_s` turns places on
-            its path into places of the run.
+            The position S [m] of the whole run where the piece starts: S - `from_s` converts
+            positions on its path to positions of the run.
 
         Raises:
             ValueError: If the piece starts before the last one ends, or ends before it starts.
@@ -154,14 +154,14 @@ class Trajectory:
         return place
 
     def cut(self, time_s: float) -> None:
-        """Take back what is commanded after a time [s]."""
+        """Remove what is commanded after a time [s]."""
         self._windows.cut(time_s)
         self._command.cut(time_s)
         if self._guided and time_s <= self._guided[-1].until_s:
             self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
 
     def extended(self, piece: Piece) -> Trajectory:
-        """A copy with one more piece; this one stays as it is."""
+        """A copy with one more piece; this one stays unchanged."""
         longer = Trajectory(self._start, smoothing=self._smoothing)
         longer._windows, longer._command = self._windows.copy(), self._command.copy()
         longer._guided, longer._corrected = self._guided.copy(), self._corrected
@@ -170,7 +170,7 @@ class Trajectory:
 
     @property
     def command_end(self) -> float:
-        """When the command comes to its end [s]; 0 without pieces."""
+        """When the command ends [s]; 0 without pieces."""
         return self._command.end
 
     @property
@@ -181,26 +181,26 @@ class Trajectory:
         return max(planned_s, *led_s, 0.0)
 
     def seen_s(self, command_s: float) -> float:
-        """When [s] the arm is seen to have made all that is commanded up to a time [s]."""
+        """When [s] the visible motion has completed what was commanded by a time [s]."""
         return command_s + self.lag_s(command_s)
 
     def lag_s(self, command_s: float) -> float:
-        """How long [s] after that time it is."""
+        """The delay [s] of the visible motion after that time."""
         return self._windows.lag(command_s)
 
     @property
     def has_ramps(self) -> bool:
-        """Whether a ramp of AccSet makes the window of the smoothing wider somewhere."""
+        """Whether a ramp of AccSet widens the smoothing window anywhere."""
         return self._windows.has_ramps
 
     @property
     def length(self) -> float:
-        """Place S [m] of the run where the last piece ends."""
+        """Position S [m] of the run at the end of the last piece."""
         return self._command.length
 
     @property
     def travelled_m(self) -> float:
-        """TCP travel [m] of the whole run, corners cut."""
+        """TCP travel [m] of the whole run, with corners cut."""
         row = np.arange(1, self._command.last_row + 1)
         way = self._command.ways(row)
         return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
@@ -227,7 +227,7 @@ class Trajectory:
     def postures(self, times: Array) -> Postures:
         """The axes at some instants (k,) [s], in any order, within 1e-6 rad or m of `at`.
 
-        That is found in half of the time, or a quarter where moves are short.
+        That takes half the time, or a quarter if moves are short.
         """
         if not self._command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
@@ -279,9 +279,9 @@ class Trajectory:
         return Samples(times, move, arm, pose, tcp_speed, external)
 
     def directions(self, times: Array) -> Array:
-        """Where to (k, 3) the path leads at instants (k,) [s], in base; 0 where it leads nowhere.
+        """Directions (k, 3) of the path at instants (k,) [s], in base; 0 if it has none.
 
-        Of an arm that stands it is where the path has led to, or begins to.
+        For an arm at rest, the direction in which the path ended there, or begins.
         """
         ways = np.zeros((len(times), 3))
         if not self._command.last_row:
@@ -294,10 +294,10 @@ class Trajectory:
         return unit
 
     def off_path(self, samples: Samples) -> Array:
-        """How far (k,) [m] the TCP of samples is from where smoothing along the path has it.
+        """Distances (k,) [m] of the TCP of samples from where smoothing along the path puts it.
 
-        That is 0 in between if the motion is smoothed so; else it is at least the distance from the
-        path that is commanded.
+        Zero if the motion is smoothed like that; else at least the distance from the commanded
+        path.
         """
         off = np.zeros(len(samples.times))
         if self._smoothing == "path" or not self._command.last_row:
@@ -331,14 +331,14 @@ class Trajectory:
 
     @property
     def joints(self) -> Array:
-        """Joints (k, n) [rad] at `times`, worked out anew each time; `at` gives more."""
+        """Joints (k, n) [rad] at `times`, computed anew each time; `at` gives more."""
         times = self.times
         # In parts, so that a long run does not need the memory for all its solutions at once.
         parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
         return np.concatenate([self.at(part).joints for part in parts])
 
     def place_at(self, times: Array) -> Array:
-        """Visible place S (k,) [m] of the run at times (k,) [s]."""
+        """Visible position S (k,) [m] of the run at times (k,) [s]."""
         row, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
         place: Array = self._command.starts(row)[1] + way
         return place
@@ -354,10 +354,10 @@ class Trajectory:
     def time_at_place(self, place: Array) -> Array: ...
 
     def time_at_place(self, place: float | Array) -> float | Array:
-        """First time [s] at which the visible motion is at places S [m] of the run.
+        """First time [s] at which the visible motion is at positions S [m] of the run.
 
         Args:
-            place: One place, or places (k,).
+            place: One position, or positions (k,).
         """
         places = np.atleast_1d(np.asarray(place, dtype=np.float64))
         times = self._command.time_at(places)

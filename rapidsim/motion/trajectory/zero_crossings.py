@@ -1,4 +1,4 @@
-"""Where functions that never fall pass zero: many at once, each within its own bracket.
+"""Zeros of non-decreasing functions: many at once, each within its own bracket.
 
 Bracketed inverse quadratic interpolation, halving where that does not pay.
 
@@ -28,17 +28,17 @@ def first_crossing(
     *,
     within: float = 0.0,
 ) -> Array:
-    """Where each function begins not to be negative.
+    """Where each function ceases to be negative.
 
     Args:
-        function: Values (m,) at arguments (m,) of the functions that an index (m,) names.
-        early: Where the search begins (k,).
-        late: Where it ends (k,).
-        within: So near is near enough.
+        function: Values (m,) at arguments (m,) of the functions given by an index (m,).
+        early: Lower bounds (k,).
+        late: Upper bounds (k,).
+        within: Absolute tolerance.
 
     Returns:
-        Shape (k,), that near or to the last digits; `early` where a function is not negative there,
-        `late` where it is negative all the way.
+        Shape (k,), within the tolerance or to the last digits; `early` for a function that is not
+        negative there, `late` for one that is negative throughout.
     """
     everything = np.arange(len(early))
     at_early, at_late = function(early, everything), function(late, everything)

@@ -1,4 +1,4 @@
-"""How the attitude of a trajectory turns from point to point, and how a linear blend would."""
+"""How the orientation of a trajectory changes between points, compared with a linear blend."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AttitudeRates:
-    """Turns since the point before and their rates, at each sample."""
+    """Rotations since the previous point and their rates, at each sample."""
 
     angle: Array
     """Shape (k,) [rad]."""
@@ -26,7 +26,7 @@ class AttitudeRates:
 
 
 def attitude_rates(followed: Followed) -> AttitudeRates:
-    """The turns of a trajectory."""
+    """The rotations of a trajectory."""
     samples = followed.samples
     begins = np.flatnonzero(np.diff(samples.move, prepend=-1))
     first = begins[np.searchsorted(begins, np.arange(len(samples.times)), side="right") - 1]
@@ -45,7 +45,7 @@ def attitude_rates(followed: Followed) -> AttitudeRates:
 
 
 def unbroken(quaternions: Array) -> Array:
-    """The same orientations (k, 4) without jumps of sign: q and -q are one orientation."""
+    """The same orientations (k, 4) without sign changes: q and -q are one orientation."""
     flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
     signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
     same: Array = quaternions * signs[:, None]

@@ -1,4 +1,4 @@
-"""Find where an arm that keeps to a path of its TCP would have to jump."""
+"""Finds where an arm that follows a path of its TCP would have to jump."""
 
 from __future__ import annotations
 
@@ -20,10 +20,11 @@ _HALVINGS = 24
 def jump_on(
     robot: Robot, motion: TcpMotion, tcp_from_flange: Transform, times: Array, joints: Array
 ) -> tuple[int, int, float] | None:
-    """Where an arm would have to jump on its way: the sample before, the joint, how far [rad].
+    """Where an arm would have to jump: the sample before, the joint, by how much [rad].
 
-    A jump shows between two samples, or hides there: close to a singularity joints on two branches
-    nearly meet, and only the poses in between tell whether the path goes from one to the other.
+    A jump occurs between two samples, and may be hidden: close to a singularity joints on two
+    branches nearly meet, and only the poses in between tell whether the path goes from one to the
+    other.
     """
     step = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
     row, joint = (int(i) for i in np.unravel_index(np.argmax(step), step.shape))

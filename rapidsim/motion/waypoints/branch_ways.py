@@ -1,8 +1,8 @@
-"""What becomes of a way of the TCP in each configuration by itself, whole way long.
+"""Follows a path of the TCP in each configuration separately, over its whole length.
 
-An arm cannot change its configuration on the way without passing a singularity. Looked at one by
-one, each configuration either goes all the way, or has a joint past its limit, a pose that it does
-not reach, or a jump; told with the worst of the whole way.
+An arm cannot change its configuration on a path without passing a singularity. Taken one by one,
+each configuration either works throughout, or has a joint past its limit, an unreachable pose, or a
+jump; the worst over the whole path is reported.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ _EXACT = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BranchWay:
-    """One configuration along a way."""
+    """One configuration along a path."""
 
     confdata: tuple[int, ...]
     """At the first pose: cf1, cf4, cf6, cfx."""
@@ -45,23 +45,23 @@ class BranchWay:
 
     @property
     def travel(self) -> float:
-        """What all joints turn in sum [rad]."""
+        """The total joint motion [rad]."""
         return float(np.abs(np.diff(self.joints, axis=0)).sum())
 
 
 def branch_ways(
     robot: Robot, base_from_flange: Transform, first: Array | None = None
 ) -> tuple[BranchWay, ...]:
-    """Follow poses in every configuration that reaches the first of them.
+    """Follow poses in every configuration that reaches the first one.
 
     Args:
-        robot: An arm whose solutions are told apart by confdata.
+        robot: An arm whose solutions confdata distinguishes.
         base_from_flange: Poses (k,), close to one another.
-        first: Joints (n,) [rad] at the first pose: the whole turns of that configuration are
-            theirs. The others take the turns that stay within the limits, where there are such.
+        first: Joints (n,) [rad] at the first pose: that configuration takes their whole turns. The
+            others take turns within the limits, if there are any.
 
     Returns:
-        Those nearest to being possible first; none where the first pose is out of reach.
+        The closest to feasible first; none if the first pose is out of reach.
     """
     arm = robot.kinematics
     own = None if first is None else int(arm.branch_of(first))

@@ -1,7 +1,7 @@
-"""Curves of the TCP by the way along them: straight lines, arcs around the base, splines.
+"""Curves of the TCP by arc length: straight lines, arcs around the base, splines.
 
-The place on a curve is the way of the TCP [m]; where it only turns, the way that it would cover in
-the same time.
+The parameter of a curve is the TCP's travel [m]; if the TCP only turns, the distance it would
+travel in the same time.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _NEWTON_STEPS = 6
 
 
 class Curve(Protocol):
-    """A stretch that is run from rest to rest."""
+    """A curve that is run from rest to rest."""
 
     @property
     def length(self) -> float:
@@ -32,17 +32,17 @@ class Curve(Protocol):
 
     @property
     def travel(self) -> float:
-        """How far the TCP goes [m]; less than the length where it turns more than it travels."""
+        """How far the TCP travels [m]; less than the length if it turns more than it travels."""
         ...
 
     def at(self, place: Array) -> Transform:
-        """base_from_tcp (k,) at places (k,) [m]."""
+        """base_from_tcp (k,) at positions (k,) [m]."""
         ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Line:
-    """The TCP straight, its attitude turning evenly."""
+    """The TCP on a straight line, its orientation turning evenly."""
 
     start: Array
     """Shape (3,) [m]."""
@@ -68,7 +68,7 @@ class Line:
 class BaseArc:
     """The TCP on a great circle around the origin of the base, from `start` to `end`.
 
-    It is where the points of a straight line come to lie that are pushed out to a sphere.
+    The points of a straight line, pushed out to a sphere.
     """
 
     start: Array
@@ -97,7 +97,7 @@ class BaseArc:
 
 @dataclass(frozen=True, eq=False)
 class SplineCurve:
-    """The TCP on a spline; quaternions are splined likewise and made unit."""
+    """The TCP on a spline; quaternions are splined likewise and normalised."""
 
     positions: Piecewise
     """Of the knots' parameter, [m]."""
@@ -123,7 +123,7 @@ class SplineCurve:
         return self.length
 
     def parameter(self, place: Array) -> Array:
-        """The spline's parameter (k,) at places (k,) [m]."""
+        """The spline's parameter (k,) at positions (k,) [m]."""
         ends, ways = self._cells
         cell = np.clip(np.searchsorted(ways, place, side="right") - 1, 0, len(ends) - 2)
         low, high = ends[cell], ends[cell + 1]

@@ -1,6 +1,6 @@
-"""Follow points: choose how the arm takes them, solve it, and say how well it did.
+"""Follows points: chooses branches, solves for the joints, and measures the deviations.
 
-Deviations are those of the TCP by forward kinematics of the solved joints, from what was asked.
+Deviations compare the TCP, by forward kinematics of the solved joints, with the request.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _CHORDS = 64
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Followed:
-    """A trajectory with the joints that it takes."""
+    """A trajectory with its joints."""
 
     plan: Plan
     robot: Robot
@@ -80,7 +80,7 @@ class Followed:
 
     @property
     def deviation_rms(self) -> float:
-        """Root of the mean square [m]."""
+        """Root mean square [m]."""
         return float(np.sqrt(np.mean(self.deviation**2)))
 
     @property
@@ -90,13 +90,13 @@ class Followed:
 
     @property
     def from_chord(self) -> float:
-        """The furthest [m] that the TCP comes from the straight lines between the points."""
+        """The maximum distance [m] of the TCP from the straight lines between the points."""
         tcp = self.samples.base_from_tcp.translation
         return float(_off_the_chord(tcp, self.points.positions, self.samples.move).max())
 
     @property
     def speed_ratios(self) -> tuple[float | None, ...]:
-        """Peak speed over the limit of each joint; None where the limit is not known."""
+        """Peak speed divided by the limit of each joint; None if the limit is not known."""
         return tuple(
             None if joint.max_speed is None else peak / joint.max_speed
             for joint, peak in zip(self.robot.joints, self.joint_peaks.tolist(), strict=True)
@@ -120,11 +120,11 @@ def follow(
     Args:
         robot: The arm.
         points: Two or more.
-        attitudes: At each, (k, 4) or (k, 1); see `reachable.reach`.
+        attitudes: The attitude at each, (k, 4) or (k, 1); see `reachability.reach`.
         flange_from_tcp: The tool.
-        plan: What is asked for.
-        start: Joints (n,) [rad] near which the arm shall begin; without them what turns least.
-        first: Joints (n,) [rad] that it shall have at the first point.
+        plan: The requested trajectory.
+        start: Joints (n,) [rad] near which to begin; without them, those with the least motion.
+        first: Required joints (n,) [rad] at the first point.
         dt: Time [s] between samples.
 
     Returns:

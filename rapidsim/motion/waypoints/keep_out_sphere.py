@@ -1,6 +1,6 @@
-"""The sphere around the base that a trajectory keeps out of, and the way around it.
+"""The sphere around the base that a trajectory keeps out of, and paths around it.
 
-Near the base an arm folds up, and a small move of the TCP asks for large ones of its axes.
+Near the base an arm folds up, and a small motion of the TCP requires large ones of its axes.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ _PLACES = 2000
 
 
 class ThroughBaseError(ValueError):
-    """A line goes through the very middle of the sphere: no way round is nearer than others."""
+    """A line goes through the centre of the sphere: all paths around it are equally long."""
 
 
 def nearest(curve: Curve) -> float:
-    """The least distance [m] of a curve from the origin of the base."""
+    """The minimum distance [m] of a curve from the origin of the base."""
     match curve:
         case Line():
             along = curve.end - curve.start
@@ -41,17 +41,17 @@ def nearest(curve: Curve) -> float:
 
 
 def around(line: Line, radius: float) -> tuple[Curve, ...]:
-    """A line with the part that lies inside a sphere [m] around the base pushed out to the sphere.
+    """A line with the part inside a sphere [m] around the base pushed out to the sphere.
 
     Args:
-        line: Its ends lie outside the sphere, or on it.
+        line: Its ends are outside the sphere, or on it.
         radius: Of the sphere [m].
 
     Returns:
-        The line itself, or what is left of it before and behind an arc.
+        The line itself, or its parts before and after an arc.
 
     Raises:
-        ThroughBaseError: If the line goes through the middle.
+        ThroughBaseError: If the line goes through the centre.
     """
     closest = nearest(line)
     if closest > radius - _ROUNDING:
@@ -79,10 +79,10 @@ def around(line: Line, radius: float) -> tuple[Curve, ...]:
 
 
 def pushed_out(positions: Array, radius: float) -> Array:
-    """Positions (k, 3) [m] with those inside a sphere [m] moved straight out to its surface.
+    """Positions (k, 3) [m] with those inside a sphere [m] moved radially to its surface.
 
     Raises:
-        ThroughBaseError: If one lies in the middle.
+        ThroughBaseError: If one is at the centre.
     """
     distance = np.linalg.norm(positions, axis=1, keepdims=True)
     if (distance < _ROUNDING).any():

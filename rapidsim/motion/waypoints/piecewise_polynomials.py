@@ -1,6 +1,6 @@
-"""Polynomials joined end to end: splines, joint quintics and time laws alike.
+"""Piecewise polynomials: splines, joint quintics and time laws.
 
-Enters a place or a time, leaves values and derivatives; extremes are exact, not sampled.
+Values and derivatives are functions of position or time; extremes are exact, not sampled.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ class Piecewise:
         return float(self.breaks[-1])
 
     def piece(self, x: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
-        """The piece (k,) in which places (k,) lie; the outer ones go on beyond the ends."""
+        """The piece (k,) that contains each point (k,); the outer ones continue beyond the ends."""
         found = np.searchsorted(self.breaks, x, side="right") - 1
         return np.clip(found, 0, len(self.coefficients) - 1).astype(np.int64)
 
     def at(self, x: Array, derivative: int = 0) -> Array:
-        """Values, or a derivative, (k, d) at places (k,)."""
+        """Values, or a derivative, (k, d) at points (k,)."""
         piece = self.piece(x)
         local = (x - self.breaks[piece])[:, None]
         rows = self.coefficients[piece]
@@ -50,7 +50,7 @@ class Piecewise:
         return value
 
     def extremes(self, derivative: int = 0) -> tuple[Array, Array]:
-        """The lowest and the highest value, or derivative, of each piece: two arrays (m, d)."""
+        """The minimum and maximum value, or derivative, of each piece: two arrays (m, d)."""
         count, powers, components = self.coefficients.shape
         rows = self.coefficients.transpose(0, 2, 1).reshape(-1, powers)
         for _ in range(derivative):
@@ -64,7 +64,7 @@ class Piecewise:
         return values.min(axis=1).reshape(shape), values.max(axis=1).reshape(shape)
 
     def peak(self, derivative: int) -> Array:
-        """The largest size (d,) of a derivative."""
+        """The maximum magnitude (d,) of a derivative."""
         low, high = self.extremes(derivative)
         largest: Array = np.maximum(np.abs(low), np.abs(high)).max(axis=0)
         return largest
@@ -91,11 +91,11 @@ def _turning_points(rows: Array) -> Array:
 
 
 def integrated(widths: Array, accelerations: Array) -> Piecewise:
-    """The place from rest at 0 whose second derivative is given piece by piece.
+    """The position, from rest at 0, with a piecewise given second derivative.
 
     Args:
-        widths: Shape (m,): how long each piece is; those of no length are left out.
-        accelerations: Shape (m, p): a polynomial of each piece, lowest power first.
+        widths: Shape (m,): the length of each piece; those of zero length are left out.
+        accelerations: Shape (m, p): a polynomial for each piece, lowest power first.
 
     Returns:
         A function with one component.

@@ -1,6 +1,6 @@
-"""What a trajectory through points shall be: its way, profile and speeds, what it keeps out of.
+"""The plan of a trajectory through points: its path, profile and speeds, and what it avoids.
 
-Enters a `Plan` with points, leaves curves with time laws, or a joint polynomial, not yet solved.
+From a `Plan` and points to curves with time laws, or a joint polynomial, before joints are solved.
 """
 
 from __future__ import annotations
@@ -40,13 +40,13 @@ class Way(StrEnum):
 
     @property
     def of_tcp(self) -> bool:
-        """Whether the way is one of the TCP; otherwise it is one of the joints."""
+        """Whether the path is one of the TCP; otherwise it is one of the joints."""
         return self in (Way.LINE, Way.SPLINE)
 
 
 @dataclass(frozen=True, slots=True)
 class Plan:
-    """A trajectory asked for."""
+    """A requested trajectory."""
 
     way: Way = Way.LINE
     profile: Profile = Profile.TRAPEZOID
@@ -67,7 +67,7 @@ class Plan:
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Why a trajectory is not made."""
+    """Why a trajectory cannot be made."""
 
     message: str
     help: str | None = None
@@ -80,7 +80,7 @@ class Refused:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TcpMotion:
-    """Curves of the TCP, one after the other, each from rest to rest."""
+    """A sequence of curves of the TCP, each from rest to rest."""
 
     curves: tuple[Curve, ...]
     laws: tuple[Piecewise, ...]
@@ -89,24 +89,24 @@ class TcpMotion:
 
     @property
     def starts(self) -> Array:
-        """When each curve begins and the last ends, (m + 1,) [s]."""
+        """The start times of the curves, and the end of the last, (m + 1,) [s]."""
         return np.concatenate([[0.0], np.cumsum([law.end for law in self.laws])])
 
     @property
     def travel(self) -> float:
-        """The way of the TCP [m]."""
+        """The distance travelled by the TCP [m]."""
         return float(sum(curve.travel for curve in self.curves))
 
     @property
     def peak_speed(self) -> float:
-        """The greatest speed of the TCP [m/s]."""
+        """The maximum speed of the TCP [m/s]."""
         return max(
             float(law.peak(1)[0]) * curve.travel / curve.length
             for law, curve in zip(self.laws, self.curves, strict=True)
         )
 
     def at(self, times: Array) -> tuple[Transform, npt.NDArray[np.int64]]:
-        """base_from_tcp (k,) at times (k,) [s], and the point at which the stretch begins."""
+        """base_from_tcp (k,) at times (k,) [s], and the point at which the current curve begins."""
         starts = self.starts
         row = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, len(self.curves) - 1)
         rotations = np.empty((len(times), 3, 3))
@@ -125,12 +125,12 @@ class TcpMotion:
 
 
 def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refused:
-    """The motion of the TCP that a plan asks for, way `LINE` or `SPLINE`.
+    """The motion of the TCP for a plan with way `LINE` or `SPLINE`.
 
     Args:
         points: Two or more.
         attitudes: At each point, (k, 4) or (k, 1).
-        plan: What is asked for.
+        plan: The requested trajectory.
     """
     if plan.way is Way.SPLINE:
         made = _spline_curve(points, attitudes)
@@ -163,12 +163,12 @@ class JointsOverTime:
 
 
 def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime | Refused:
-    """The motion of the joints that a plan asks for, way `JOINT_QUINTIC`.
+    """The motion of the joints for a plan with way `JOINT_QUINTIC`.
 
     Args:
         points: Two or more.
         joints: At each point, (k, n) [rad].
-        plan: What is asked for.
+        plan: The requested trajectory.
     """
     times = points.times
     if times is None:
@@ -194,11 +194,11 @@ def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime 
 
 
 def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointsOverTime | Refused:
-    """All joints evenly from point to point, with a stop at each: way `JOINT`.
+    """All joints in sync from point to point, with a stop at each: way `JOINT`.
 
     Args:
         joints: At each point, (k, n) [rad].
-        ways: How far the TCP goes in between, (k - 1,) [m].
+        ways: How far the TCP travels in between, (k - 1,) [m].
         plan: Profile and speeds.
     """
     breaks, pieces, passed = [np.zeros(1)], [], [0.0]
@@ -275,8 +275,8 @@ def _kept_out(
                 f"the line between {points.pair(number)}" if plan.way is Way.LINE else "the spline"
             )
             message = (
-                f"{where} comes to {closest * 1000.0:.1f} mm of the origin of the base, "
-                f"and shall keep {plan.least_radius * 1000.0:g} mm"
+                f"{where} comes within {closest * 1000.0:.1f} mm of the origin of the base, "
+                f"closer than the {plan.least_radius * 1000.0:g} mm to keep"
             )
             help = "only lines are led around" if plan.avoid else "straight lines can be led around"
             return Refused(message, help, number)

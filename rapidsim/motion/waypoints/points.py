@@ -1,7 +1,7 @@
-"""Points to be passed, with the attitude of the tool at each.
+"""Waypoints, with the attitude of the tool at each.
 
-An attitude is a unit quaternion, or a pitch alone: then the tool lies in the upright plane through
-axis 1 and the point, which is all that an arm with five axes can do and what a pen at a wall wants.
+An attitude is a unit quaternion, or a pitch alone: then the tool is in the vertical plane through
+axis 1 and the point, which is all that an arm with five axes can do and what a pen on a wall needs.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ _ON_AXIS_1 = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Points:
-    """A row of points in the robot's base frame."""
+    """A sequence of points in the robot's base frame."""
 
     positions: Array
     """Shape (k, 3) [m]."""
@@ -40,7 +40,7 @@ class Points:
         return len(self.positions)
 
     def some(self, rows: npt.NDArray[np.int64]) -> Points:
-        """The points of some rows, under the numbers that they have here."""
+        """A subset of the points, keeping their numbers."""
         return Points(
             positions=self.positions[rows],
             attitudes=_rows(self.attitudes, rows),
@@ -52,11 +52,11 @@ class Points:
         )
 
     def number(self, row: int) -> int:
-        """What messages call a point."""
+        """The number of a point in messages."""
         return row + 1 if self.numbers is None else int(self.numbers[row])
 
     def pair(self, row: int) -> str:
-        """What messages call a point and the next."""
+        """The name in messages of a point and the next."""
         return f"points {self.number(row)} and {self.number(row + 1)}"
 
 
@@ -75,7 +75,7 @@ def posed(positions: Array, attitudes: Array) -> Transform:
 
 
 def between(start: Array, end: Array, fraction: Array) -> Array:
-    """Attitudes (k, 4) or (k, 1) at shares (k,) of the way from one to the other."""
+    """Attitudes (k, 4) or (k, 1), interpolated at shares (k,) from one to the other."""
     if len(start) == 4:
         return slerp(start, end, fraction)
     pitch: Array = start + np.asarray(fraction)[:, None] * (end - start)
@@ -92,13 +92,13 @@ def turn(start: Array, end: Array) -> float:
 
 
 def linear_turn_rates(angle: float) -> tuple[float, float]:
-    """How fast a turn goes if quaternions are interpolated linearly, at its ends and in its middle.
+    """The rates of a rotation if quaternions are interpolated linearly, at its ends and middle.
 
     Args:
-        angle: Of the whole turn [rad], below a half turn.
+        angle: Of the whole rotation [rad], below a half turn.
 
     Returns:
-        Rates [rad] for each unit of the interpolation; `slerp` turns at `angle` all the way.
+        Rates [rad] per unit of the interpolation; `slerp` turns at `angle` throughout.
     """
     return 2.0 * float(np.sin(0.5 * angle)), 4.0 * float(np.tan(0.25 * angle))
 

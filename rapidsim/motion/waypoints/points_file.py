@@ -1,6 +1,6 @@
-"""Read points from a table: a header that names columns, a line a point, mm and degrees.
+"""Reads points from a table: a header that names columns, one line per point, mm and degrees.
 
-Leaves `Points` in m and rad. Every mistake is told with file, line and column.
+The result is `Points` in m and rad. Every error is reported with file, line and column.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ def points_from_text(
     """Read the text of a table.
 
     Args:
-        text: Lines; empty ones and those that begin with `#` say nothing.
-        file: What messages call it.
+        text: Lines; empty ones and those that begin with `#` are ignored.
+        file: Its name in messages.
         joint_count: How many joints the arm has, for speeds and accelerations at the points.
         convention: Of the Euler angles e1, e2, e3.
 
     Raises:
-        InputError: If something is missing, unknown, or no number.
+        InputError: If something is missing, unknown, or not a number.
     """
     lines = [
         (number, line)

@@ -1,8 +1,8 @@
 """Joint polynomials of degree 5 through joint vectors, with speeds and accelerations at each.
 
-Between two points a polynomial of degree 5 is all that six conditions leave. It passes through the
-points at the asked times and speeds, and goes where it must in between: beyond the points if a
-speed at one of them is too high for the time to the next. `overshoot` says how far.
+Between two points six conditions determine a polynomial of degree 5. It passes through the points
+at the requested times and speeds, and is not restricted in between: it overshoots if a speed at a
+point is too high for the time to the next. `overshoot` gives the amount.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ def quintics(times: Array, joints: Array, speeds: Array, accelerations: Array) -
     """Join points by polynomials of degree 5.
 
     Args:
-        times: Shape (k,) [s], rising.
+        times: Shape (k,) [s], ascending.
         joints: Shape (k, n) [rad].
         speeds: Shape (k, n) [rad/s].
         accelerations: Shape (k, n) [rad/s2].
@@ -41,7 +41,7 @@ def quintics(times: Array, joints: Array, speeds: Array, accelerations: Array) -
 
 
 def overshoot(trajectory: Piecewise, joints: Array) -> Array:
-    """How far (n,) [rad] a trajectory leaves, between points, the range of the two beside it.
+    """How far (n,) [rad] a trajectory leaves the range between adjacent points.
 
     Args:
         trajectory: One polynomial between each two points.

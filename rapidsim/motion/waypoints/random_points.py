@@ -1,4 +1,4 @@
-"""Points anywhere in a shell around the base, or where an arm gets: practice material for it."""
+"""Random points in a shell around the base, or where an arm can get: practice material."""
 
 from __future__ import annotations
 
@@ -36,18 +36,18 @@ def reached_points(
     *,
     any_attitude: bool,
 ) -> tuple[Array, Array, int]:
-    """Points in a shell that the arm reaches within its limits, each looked at by itself.
+    """Points in a shell that the arm reaches within its limits, each considered by itself.
 
     Args:
         robot: The arm.
         flange_from_tcp: The tool.
         shell: Radii [m] around the base.
-        count: How many are wanted.
+        count: How many to find.
         seed: The same seed gives the same points.
-        any_attitude: Attitudes evenly from all there are; else straight down.
+        any_attitude: Uniformly distributed attitudes; otherwise straight down.
 
     Returns:
-        Positions (k, 3) [m] and quaternions (k, 4), k at most `count`, and how many were drawn.
+        Positions (k, 3) [m] and quaternions (k, 4), k at most `count`, and how many were tried.
     """
     rng = np.random.default_rng(seed)
     positions, quaternions, drawn, kept = [np.empty((0, 3))], [np.empty((0, 4))], 0, 0
@@ -68,7 +68,7 @@ def reached_points(
 def posture_points(
     robot: Robot, flange_from_tcp: Transform, count: int, seed: int
 ) -> tuple[Array, Transform]:
-    """Joints (count, n) [rad] evenly within the limits, and where they put the TCP (count,)."""
+    """Uniformly distributed joints (count, n) [rad] within limits, and TCP poses (count,)."""
     lower, upper = robot.lower.copy(), robot.upper.copy()
     endless = ~np.isfinite(lower) | ~np.isfinite(upper)
     lower[endless], upper[endless] = -np.pi, np.pi

@@ -1,6 +1,6 @@
-"""Which points an arm reaches, how far the others are off, and in which pitch a free tool goes.
+"""Which points an arm reaches, how far off the others are, and the pitch of a free tool.
 
-A tool whose pitch is free is led in the middle of what the joints allow, point by point.
+A tool with free pitch is kept in the middle of what the joints allow, point by point.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _PITCHES: Array = _PITCH_STEP * np.arange(-360.0, 360.0)
 
 @dataclass(frozen=True, slots=True)
 class PointReach:
-    """What an arm can do about one point."""
+    """The reach of an arm at one point."""
 
     why: Unreachable | None
     """What keeps it from it; None if it is reached."""
@@ -45,22 +45,21 @@ class PointReach:
 
     @property
     def message(self) -> str | None:
-        """What is missing, in mm and degrees."""
+        """By how much the point is missed, in mm and degrees."""
         if self.why is None:
             return None
         if self.pitch is None:
             return self.why.message
-        return f"in no pitch; least at {degrees(self.pitch):g} deg: {self.why.message}"
+        return f"at no pitch; closest at {degrees(self.pitch):g} deg: {self.why.message}"
 
 
 def reach(
     robot: Robot, points: Points, flange_from_tcp: Transform
 ) -> tuple[tuple[PointReach, ...], Array]:
-    """Look at every point by itself.
+    """Examine every point by itself.
 
     Returns:
-        What the arm can do about each, and the attitudes (k, 4) or (k, 1), chosen where they are
-        free.
+        The reach at each, and the attitudes (k, 4) or (k, 1), chosen where they are free.
     """
     if points.attitudes is not None:
         base_from_flange = posed(points.positions, points.attitudes) @ flange_from_tcp.inverse()

@@ -1,4 +1,4 @@
-"""Numerical solvers at poses of a trajectory: what a start near the solution is worth."""
+"""Numerical solvers at poses of a trajectory: the benefit of a start near the solution."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SOLVERS = ("lm", "trf", "bfgs")
 
 @dataclass(frozen=True, slots=True)
 class Started:
-    """A solver at a row of poses."""
+    """A solver at a sequence of poses."""
 
     solver: str
     warm: bool
@@ -30,7 +30,7 @@ class Started:
 
 
 def compared_starts(followed: Followed) -> tuple[Started, ...]:
-    """Each of SciPy's solvers, cold and warm, at poses evenly along a trajectory."""
+    """Each of SciPy's solvers, cold and warm, at poses spaced evenly along a trajectory."""
     from rapidsim.motion.configurations.scipy_solvers import search  # noqa: PLC0415
 
     robot, samples = followed.robot, followed.samples

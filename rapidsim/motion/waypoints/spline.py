@@ -1,6 +1,6 @@
-"""Cubic splines through points, not-a-knot: the third derivative runs on through the second point.
+"""Cubic not-a-knot splines: the third derivative is continuous at the second point.
 
-A straight row of points gives a straight line, three points a parabola, two a line.
+Collinear points give a straight line, three points a parabola, two a line.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 
 
 def spline(knots: Array, values: Array) -> Piecewise:
-    """The cubic spline through values (k, d) at rising knots (k,)."""
+    """The cubic spline through values (k, d) at ascending knots (k,)."""
     width = np.diff(knots)[:, None]
     slope = np.diff(values, axis=0) / width
     bend = _second_derivatives(width, slope)

@@ -1,4 +1,4 @@
-"""Joints along a way of the TCP: in the configuration that turns least, or why there are none."""
+"""Joints along a path of the TCP: in the configuration with the least motion, or why none works."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rapidsim.motion.waypoints.branch_ways import BranchWay, branch_ways
 from rapidsim.motion.waypoints.plan import Refused, TcpMotion
 from rapidsim.motion.waypoints.points import Points
 
-NOT_FROM_THERE = "it is reached, but not in the configuration in which the arm comes"
+NOT_FROM_THERE = "it can be reached, but not in the configuration in which the arm arrives"
 _SEARCHED_AT_ONCE = 8
 
 
@@ -35,13 +35,13 @@ def joints_of_tcp(
 
     Args:
         robot: The arm.
-        points: What the motion goes through, for messages.
-        motion: Of the TCP.
+        points: The points of the motion, for messages.
+        motion: The motion of the TCP.
         times: Close to one another.
         tcp_from_flange: The inverse of the tool.
-        start: Joints (n,) [rad] near which the arm shall begin.
-        first: Joints (n,) [rad] at the first point; without them, where what turns least in sum
-            would have to change configurations, one is taken that goes all the way.
+        start: Joints (n,) [rad] near which to begin.
+        first: Joints (n,) [rad] at the first point; without them, if the solution with the least
+            motion would have to change configurations, one that works throughout is taken.
     """
     wanted, segment = motion.at(times)
     base_from_flange = wanted @ tcp_from_flange
@@ -81,7 +81,7 @@ def _no_way(
     free = next((way for way in ways if way.message is None), None)
     help = "move the points, or take another attitude or --path joint"
     if free is not None:
-        help = f"begin with --conf={','.join(map(str, free.confdata))}, which goes all the way"
+        help = f"begin with --conf={','.join(map(str, free.confdata))}, which works all the way"
     return Refused(
         f"{when(points, segment, times, told.row)}: in configuration "
         f"{_brackets(told.confdata)} {told.message or 'the arm comes too near to a singularity'}",
@@ -104,7 +104,7 @@ def _not_searched(
     if isinstance(joints, int):
         why = why_unreachable(robot, base_from_flange[joints])
         said, row = why.message if why else NOT_FROM_THERE, joints
-        help = "take points nearer to each other, another attitude, or another way"
+        help = "use points closer together, another attitude, or another --path"
     else:
         assert jump is not None
         row, joint, size = jump
@@ -123,7 +123,7 @@ def _brackets(conf: Sequence[int]) -> str:
 def solved(
     robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
 ) -> Array | int:
-    """Joints (k, n) of poses (k,), or the first that is not reached."""
+    """Joints (k, n) of poses (k,), or the first that cannot be reached."""
     if not told_apart(robot.kinematics):
         return _searched(robot, base_from_flange, start, first)
     if first is None:
@@ -162,5 +162,5 @@ def _searched(
 
 
 def when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
-    """Between which points and when [s] a sample is, for messages."""
+    """The points between which, and the time [s] at which, a sample is, for messages."""
     return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"

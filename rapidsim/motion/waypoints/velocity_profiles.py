@@ -1,6 +1,6 @@
-"""How fast a stretch is run from rest to rest: four profiles, each within a speed and acceleration.
+"""Time laws from rest to rest: four profiles, each within a speed and acceleration.
 
-Every profile reaches the speed it is given and no more, unless the stretch is too short for that.
+Every profile reaches the given speed and no more, unless the curve is too short for that.
 """
 
 from __future__ import annotations
@@ -36,13 +36,13 @@ class Profile(StrEnum):
 def law(
     profile: Profile, length: float, speed: float, acceleration: float, ease: float = 0.0
 ) -> Piecewise:
-    """The place [m] along a stretch as a function of time [s].
+    """The position [m] on a curve as a function of time [s].
 
     Args:
         profile: The shape.
-        length: Of the stretch [m]; greater than 0.
-        speed: Greatest speed [m/s].
-        acceleration: Greatest acceleration [m/s2].
+        length: Of the curve [m]; greater than 0.
+        speed: Maximum speed [m/s].
+        acceleration: Maximum acceleration [m/s2].
         ease: For the sigmoid, the share of the time at rest at either end, 0 to `LONGEST_EASE`.
 
     Returns:

@@ -1,8 +1,8 @@
-"""What an arm reaches: the volume of its flange, and a section through it.
+"""The workspace of an arm: the volume reached by its flange, and a section through it.
 
-Of any attitude: a place counts if the flange gets there in some posture within the joint limits.
-Found by trying postures, seen in cells; so places between two postures may be missed, and the
-volume is too small rather than too large.
+For any attitude: a position counts if the flange gets there in some posture within the joint
+limits. It is sampled from postures and stored as cells; positions between two postures may be
+missed, so the volume is underestimated rather than overestimated.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _UPRIGHT = 1e-6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Workspace:
-    """Where the flange of an arm gets."""
+    """The positions that the flange of an arm reaches."""
 
     robot: Robot
     cell: float
@@ -40,12 +40,12 @@ class Workspace:
 
     @property
     def radii(self) -> Array:
-        """Distances (columns,) [m] from axis 1 of the middles of cells."""
+        """Distances (columns,) [m] of cell centres from axis 1."""
         return self.cell * (np.arange(self.section.shape[1], dtype=np.float64) + 0.5)
 
     @property
     def heights(self) -> Array:
-        """Heights (rows,) [m] of the middles of cells."""
+        """Heights (rows,) [m] of cell centres."""
         rows = np.arange(self.section.shape[0], dtype=np.float64)
         return self.lowest + self.cell * (rows + 0.5)
 
@@ -56,13 +56,13 @@ class Workspace:
 
     @property
     def volume(self) -> float:
-        """[m3]: the section turned about axis 1 as far as that goes."""
+        """[m3]: the volume of the section swept about axis 1."""
         area = self.section.sum(axis=0) * self.cell**2
         return float(self.swept * np.sum(area * self.radii))
 
     @property
     def extent(self) -> tuple[float, float, float, float]:
-        """Least and greatest distance from axis 1, lowest and highest place [m]."""
+        """Minimum and maximum distance from axis 1, minimum and maximum height [m]."""
         rows, columns = np.nonzero(self.section)
         half = 0.5 * self.cell
         return (
@@ -74,20 +74,20 @@ class Workspace:
 
 
 def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Workspace | str:
-    """Try postures evenly spread over the joints, axis 1 aside, which only turns what is found.
+    """Sample postures evenly over the joints except axis 1, which only rotates the result.
 
     Args:
         robot: The arm.
-        flange_from_point: The point on the flange whose places count; without it the flange itself.
+        flange_from_point: The point on the flange to consider; by default the flange itself.
 
     Returns:
-        The workspace, or why none is told of.
+        The workspace, or why there is none.
     """
     screws = screws_of(robot.kinematics)
     if screws is not None and (
         abs(screws.directions[0, 2]) < 1.0 - _UPRIGHT or np.abs(screws.points[0]).max() > _UPRIGHT
     ):
-        return "axis 1 does not stand upright in the origin of the base"
+        return "axis 1 is not vertical through the origin of the base"
     point = flange_from_point or Transform.identity()
     lower, upper = robot.lower.copy(), robot.upper.copy()
     endless = ~np.isfinite(lower) | ~np.isfinite(upper)

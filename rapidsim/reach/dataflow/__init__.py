@@ -1,1 +1,1 @@
-"""What is known of a program where each statement stands, without running it."""
+"""What is known at each statement of a program without running it."""

@@ -1,4 +1,4 @@
-"""How the tool turns on the arcs of a program that is not running: what CirPathMode surely says."""
+"""CirPathMode in a program that is not running: how the tool turns on arcs, as far as certain."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from rapidsim.reach.dataflow.known_moves import KnownMove
 
 
 def led_by_wrist(known: KnownMove, robot: Robot) -> bool:
-    """Whether two wrist axes lead a move for sure, which then ends elsewhere than its target is.
+    """Whether two wrist axes certainly lead a move, which then ends elsewhere than at its target.
 
-    Moves of a carried work object are looked at by runs alone, so none is asked for here.
+    Only runs examine moves of a carried work object, so those are not considered here.
     """
     if known.move.interpolation is not Interpolation.CIRCLE:
         return False
@@ -21,7 +21,7 @@ def led_by_wrist(known: KnownMove, robot: Robot) -> bool:
 
 
 def may_be_led_by_wrist(known: KnownMove, robot: Robot) -> bool:
-    """Whether two wrist axes lead a move, or nobody knows whether they do."""
+    """Whether two wrist axes lead a move, or may do so."""
     unsure = "circle_path" in known.uncertain
     arc = known.move.interpolation is Interpolation.CIRCLE
     return (arc and unsure) or led_by_wrist(known, robot)

@@ -1,4 +1,4 @@
-"""Data as they are declared and as assignments to a part of them leave them."""
+"""Values of data as declared, and after assignments to a part of them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST_ELEMENTS = 20_000
 
 
 def empty_data(symbol: DataSymbol) -> Known:
-    """What data hold that are declared without a value."""
+    """The value of data declared without one."""
     of = resolved(symbol.type)
     if isinstance(of, ArrayOf) and prod(size or 1 for size in of.dimensions) > MOST_ELEMENTS:
         return Unknown(f"`{symbol.name}` is too large an array to be followed")
@@ -24,7 +24,7 @@ def empty_data(symbol: DataSymbol) -> Known:
 
 
 def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
-    """The whole of the data that a path begins with, after a value is assigned to the path."""
+    """The whole value of the data at the root of a path, after an assignment to the path."""
     if isinstance(path, tree.Reference) or isinstance(value, Unknown):
         return value
     outer = path.array if isinstance(path, tree.Index) else path.record

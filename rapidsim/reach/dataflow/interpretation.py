@@ -1,9 +1,10 @@
-"""Walk through a program without running it, and collect the moves whose arguments are known.
+"""Walks through a program without running it, and collects moves whose arguments are known.
 
-From main the calls are followed with their arguments, so a move is known together with the move
-before it. Where a condition is not known both ways are taken; a loop with known bounds is walked
-round by round, any other once from its entry and once more for all further rounds. What nothing
-calls is walked by itself. Whatever may have been written in between is forgotten, never guessed.
+Calls are followed from main with their arguments, so a move is known together with the move before
+it. Where a condition is not known both branches are taken; a loop with known bounds is walked
+iteration by iteration, any other once from its entry and once more for all further iterations.
+Routines that nothing calls are walked by themselves. Whatever may have been written in between is
+forgotten, never guessed.
 """
 
 from __future__ import annotations
@@ -59,7 +60,7 @@ _START = KnownSettings()
 
 @dataclass(eq=False)
 class Walker:
-    """Walks through the routines of a program, with what is known on the way."""
+    """Walks through the routines of a program, tracking what is known."""
 
     program: Program
     effects: ProgramEffects
@@ -92,7 +93,7 @@ class Walker:
     # --- routines
 
     def walk_all(self) -> None:
-        """Main first, then what nothing calls, then the rest."""
+        """Walk main first, then what nothing calls, then the rest."""
         main = self.program.routines.get(ENTRY)
         if main is not None:
             self._from_start = True
@@ -183,7 +184,7 @@ class Walker:
     # --- data
 
     def read(self, symbol: Symbol) -> Known:
-        """The value of data where the walk is."""
+        """The value of data at the current statement."""
         value = self.state.values.get(symbol)
         if value is not None:
             volatile = not isinstance(value, Unknown) and symbol in self.effects.volatile

@@ -1,4 +1,4 @@
-"""The moves of a program, as far as they are known before it runs."""
+"""The moves of a program, as far as they are known without running it."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ MoveStatement: TypeAlias = tree.Call | tree.RunRow
 
 
 def in_tree(call: MoveStatement) -> tree.Call:
-    """The statement in the tree that says what a move says, but for the numbers of its target."""
+    """The statement in the tree equivalent to a move, except for the numbers of its target."""
     return call.like if isinstance(call, tree.RunRow) else call
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class KnownMove:
-    """A move instruction with known arguments, in one of the ways the program comes to it."""
+    """A move instruction with known arguments, on one of the program's paths to it."""
 
     call: MoveStatement
     module: tree.Module
@@ -36,12 +36,12 @@ class KnownMove:
 
     @property
     def span(self) -> Span:
-        """Where the instruction stands."""
+        """The source span of the instruction."""
         return self.module.span(self.call)
 
     @property
     def statement(self) -> tree.Call:
-        """The instruction as it is written."""
+        """The instruction as written."""
         call = self.call
         if isinstance(call, tree.RunRow):
             return statement_of(call, self.module.source.text)

@@ -1,7 +1,7 @@
-"""Values that are known without running the program, and why others are not.
+"""Values known without running the program, and why others are not.
 
-Expressions are evaluated with the library's own functions, so a target that is known here is bit
-for bit the one that a run computes.
+Expressions are evaluated with the library's own functions, so a target known here is bit for bit
+the one that a run computes.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ Known: TypeAlias = Any
 
 
 class Surroundings(Protocol):
-    """What expressions read, and how functions of the program are called."""
+    """The environment of expressions: the data they read, and functions of the program."""
 
     def read(self, symbol: Symbol) -> Known:
-        """The value of data here."""
+        """The value of data at this point."""
         ...
 
     def call(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument]) -> Known:
@@ -71,17 +71,17 @@ _ON_POSITIONS: Mapping[tuple[str, type, type], Callable[[Any, Any], Any]] = {
 
 @dataclass(frozen=True, slots=True)
 class Evaluator:
-    """Evaluates the expressions of a program at one place of it."""
+    """Evaluates the expressions of a program at one point in it."""
 
     program: Program
     around: Surroundings
 
     def value(self, expression: tree.Expression, of: Type | None = None) -> Known:
-        """The value of an expression, rounded as an assignment would; or why it is not known.
+        """The value of an expression, rounded as in an assignment; or why it is not known.
 
         Args:
             expression: Any expression of the program.
-            of: Its type, where the program's side table has none.
+            of: Its type, if the program's side table has none.
         """
         of = self.program.type_of.get(expression, of)
         try:
@@ -100,7 +100,7 @@ class Evaluator:
     def arguments(
         self, parameters: Sequence[Any], given: Mapping[str, Given]
     ) -> dict[str, Known] | Unknown:
-        """The values a call gives by folded parameter name, or why one of them is not known."""
+        """The argument values of a call by folded parameter name, or why one is not known."""
         values: dict[str, Known] = {}
         for parameter in parameters:
             key = parameter.name.lower()
@@ -250,7 +250,7 @@ class Evaluator:
 
 
 def is_pure(routine: LibraryRoutine) -> bool:
-    """Whether an installed function is one of its arguments alone."""
+    """Whether an installed function depends on its arguments alone."""
     if not routine.simulated or routine.name.lower() in SPECIAL_FORMS:
         return False
     signature = routine.signature
@@ -262,7 +262,7 @@ def is_pure(routine: LibraryRoutine) -> bool:
 
 
 def component_index(record: Record, key: str) -> int:
-    """Which component of a record has a folded name."""
+    """The index of the record component with a folded name."""
     return [component.name.lower() for component in record.components].index(key)
 
 

@@ -1,4 +1,4 @@
-"""Motion settings of a program that is not running: what is set for sure, and what may be.
+"""Motion settings of a program that is not running: which are certain, and which may differ.
 
 Instructions such as ConfL, VelSet and PDispSet are the library's own; they are run against a
 `Recorder`.
@@ -17,18 +17,18 @@ DISPLACEMENTS = frozenset({"displacement", "axis_offsets"})
 
 @dataclass(frozen=True, slots=True)
 class KnownSettings:
-    """The settings where a statement stands."""
+    """The settings in force at a statement."""
 
     settings: MotionSettings = field(default_factory=MotionSettings)
     uncertain: frozenset[str] = frozenset()
     """Fields that may hold something else."""
 
     def forgetting(self, fields: frozenset[str]) -> KnownSettings:
-        """The same after something that may have set some fields."""
+        """These settings after something that may have set some fields."""
         return KnownSettings(self.settings, self.uncertain | fields) if fields else self
 
     def joined(self, other: KnownSettings) -> KnownSettings:
-        """The settings where two ways through a program meet."""
+        """The settings where two control-flow paths join."""
         differing = frozenset(
             name
             for name in MotionSettings.__dataclass_fields__

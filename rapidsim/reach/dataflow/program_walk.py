@@ -1,4 +1,4 @@
-"""All moves of a program: those that a walk through its text knows, and why the others are not."""
+"""All moves of a program: those known from a walk through its text, and why the others are not."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ def walk_program(program: Program) -> WalkedProgram:
     """Walk through all routines of a program that move the robot.
 
     Raises:
-        RunNotFollowedError: If the moves of a run are not known, or not as they are written. Then
-            they must be in the tree.
+        RunNotFollowedError: If the moves of a run are not known, or not as written. Its statements
+            must then be in the tree.
     """
     runs = runs_of(program)
     written = tuple(

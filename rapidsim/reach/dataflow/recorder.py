@@ -1,7 +1,7 @@
-"""A controller without a robot, on which single instructions are performed.
+"""A controller without a robot, on which single instructions are executed.
 
-It has settings, takes moves, lets pass what changes nothing about them, and refuses whatever a run
-would have to answer.
+It has settings, accepts moves, ignores what does not affect them, and refuses whatever only a run
+could answer.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class NeedsRunError(Exception):
 
 
 class Recorder:
-    """Stands for the controller: keeps settings, takes moves, and knows nothing of a robot."""
+    """Stands in for the controller: keeps settings, accepts moves, knows nothing of a robot."""
 
     def __init__(self, settings: MotionSettings) -> None:
         """Begin with the settings where the instruction stands."""
@@ -35,22 +35,22 @@ class Recorder:
         self.intno = 0.0
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
-        """Keep a move; what happens on its way changes nothing about it."""
+        """Record a move; events along its path do not affect it."""
         self.moves.append(move)
 
     def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
-        """What a sensor says of a path is not known; the move is judged as programmed."""
+        """Ignore corrections by a sensor, which are not known; the programmed move is checked."""
         del identity, move
         put()
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
-        """The run that meets it says so."""
+        """Nothing; the run that executes it reports it."""
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
-        """Time changes nothing about the moves."""
+        """Nothing; time does not affect the moves."""
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
-        """Outputs change nothing about the moves."""
+        """Nothing; outputs do not affect the moves."""
 
     def __getattr__(self, name: str) -> NoReturn:
         """Refuse all else."""

@@ -1,4 +1,4 @@
-"""The moves of a run of alike statements, from its columns."""
+"""The moves of a run of alike statements, computed from its columns."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def runs_of(program: Program) -> Runs:
 
 
 def with_rows(call: tree.Call, runs: Runs) -> tuple[MoveStatement, ...]:
-    """A statement of the tree, and those of the run behind it that it stands for."""
+    """A statement of the tree, with those of the run after it that it stands for."""
     return (call, *runs[call][1]) if call in runs else (call,)
 
 
@@ -39,9 +39,9 @@ def moves_of_run(
 
     Args:
         run: The run.
-        rows: Its statements.
+        rows: The statements of the run.
         like: The move of the statement before them.
-        first: What the index of the first of them will be.
+        first: The index that the first of them will have.
 
     Raises:
         RunNotFollowedError: If that move goes elsewhere than its statement says.

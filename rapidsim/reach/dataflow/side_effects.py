@@ -1,6 +1,6 @@
 """Which data each routine may write, which routines move the robot, and what may change any time.
 
-Everything here errs on the side of "may": what is not said to be written keeps its value for sure.
+Everything here is conservative: data not listed as written certainly keep their value.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class _Direct:
 
 @dataclass(frozen=True, slots=True)
 class Effects:
-    """What a stretch of a program may do, with all it calls."""
+    """The possible effects of a part of a program, including everything it calls."""
 
     writes: frozenset[Symbol]
     settings: frozenset[str]
@@ -68,7 +68,7 @@ class ProgramEffects:
 
     @cached_property
     def routines(self) -> tuple[RoutineSymbol, ...]:
-        """All routines, in order of the text."""
+        """All routines, in source order."""
         return tuple(
             symbol
             for module in self.program.modules
@@ -78,13 +78,13 @@ class ProgramEffects:
 
     @cached_property
     def everything(self) -> Effects:
-        """What any routine may do."""
+        """The effects of all routines together."""
         found = [self._routine_effects[routine] for routine in self.routines]
         return _united(found)
 
     @cached_property
     def volatile(self) -> frozenset[Symbol]:
-        """Data that may change at any statement: traps, error handlers and their like write it."""
+        """Data that may change at any statement: traps, error handlers and the like write them."""
         aside: list[Effects] = [self.everything] if self._calls_on_the_way else []
         for routine in self.routines:
             node = routine.node
@@ -105,11 +105,11 @@ class ProgramEffects:
         return any(Does.CALL_ON_THE_WAY in does(one) for one in called)
 
     def of_routine(self, routine: RoutineSymbol) -> Effects:
-        """What a call of a routine may do, its parameters included."""
+        """The effects of calling a routine, including those on its parameters."""
         return self._routine_effects[routine]
 
     def of_bodies(self, *bodies: tree.Body) -> Effects:
-        """What some lists of statements may do."""
+        """The effects of some statement lists."""
         return self._with_calls(self._direct(statements(*bodies)), self._routine_effects)
 
     def locals_of(self, routine: RoutineSymbol) -> frozenset[Symbol]:
@@ -124,7 +124,7 @@ class ProgramEffects:
         return self._locals[routine]
 
     def variables_in(self, expressions: Iterable[tree.Expression]) -> list[Symbol]:
-        """The data that expressions read and that are no constants."""
+        """The non-constant data that expressions read."""
         found: list[Symbol] = []
         for node in descendants(*expressions):
             if isinstance(node, tree.Reference):
@@ -136,12 +136,12 @@ class ProgramEffects:
         return found
 
     def is_written(self, symbol: Symbol) -> bool:
-        """Whether anything in the program may write some data."""
+        """Whether anything in the program may write the data."""
         return symbol in self.everything.writes
 
     @cached_property
     def called(self) -> frozenset[RoutineSymbol]:
-        """The routines that some routine calls by their names."""
+        """The routines that a routine calls by name."""
         return frozenset(one for direct in self._by_routine.values() for one in direct.calls)
 
     @cached_property

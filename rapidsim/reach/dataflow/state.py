@@ -1,4 +1,4 @@
-"""What is known where a statement stands, and what is left of it where ways meet."""
+"""What is known at a statement, and what remains where control-flow paths join."""
 
 from __future__ import annotations
 
@@ -25,22 +25,22 @@ class State:
     """Whether the program can come here."""
 
     def copy(self) -> State:
-        """The same, to be changed apart."""
+        """An independent copy."""
         return State(dict(self.values), self.settings, self.last, self.alive)
 
     def forget(self, symbols: Iterable[Symbol], why: str) -> None:
-        """Let data hold anything; `why` is a format with the name of each."""
+        """Forget the value of data; `why` is a format string for the name of each."""
         for symbol in symbols:
             self.values[symbol] = Unknown(why.format(name=symbol.name))
 
     def without(self, symbols: frozenset[Symbol]) -> State:
-        """The same after the data of a routine are gone."""
+        """The state after the data of a routine have gone out of scope."""
         kept = {symbol: value for symbol, value in self.values.items() if symbol not in symbols}
         return State(kept, self.settings, self.last, self.alive)
 
 
 def joined(ways: Iterable[State]) -> State:
-    """What is known where several ways meet; those the program cannot take do not count."""
+    """What is known where several paths join; unreachable ones are ignored."""
     possible = [way for way in ways if way.alive]
     if not possible:
         return State(alive=False)

@@ -1,4 +1,4 @@
-"""Perform an installed instruction on known values: its own Python function, without a robot."""
+"""Executes an installed instruction on known values: its own Python function, without a robot."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _ANY_TRIGGER: Box[Trigger | None] = Box(Trigger(RaiseInterrupt(0.0)))
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Performed:
-    """What an instruction did to the data it was given by reference."""
+    """The effect of an instruction on the data passed to it by reference."""
 
     written: tuple[tuple[tree.DataPath, Known], ...] = ()
     goes_on: bool = True
@@ -39,13 +39,13 @@ def perform(
     evaluator: Evaluator,
     recorder: Recorder,
 ) -> Performed | str:
-    """Perform an instruction; or say why that takes a run.
+    """Execute an instruction; or say why that takes a run.
 
     Args:
         routine: The instruction.
-        arguments: What its call gives.
-        evaluator: Knows the values of the arguments, as far as they are known.
-        recorder: Takes the settings and moves it makes.
+        arguments: The arguments of its call.
+        evaluator: Knows the values of the arguments, as far as possible.
+        recorder: Receives the settings and moves it makes.
     """
     signature = routine.signature
     if any(parameter.deferred for parameter in signature.parameters):

@@ -1,4 +1,4 @@
-"""The moves that stand in a program's text, run or not."""
+"""The moves in a program's text, executed or not."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ NO_WOBJ = "wobj0"
 
 
 class RunNotFollowedError(Exception):
-    """Moves of a run are not known as they are written, so they must be looked at one by one."""
+    """The moves of a run are not known as written, so they must be examined one by one."""
 
 
 def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
-    """The places of all move instructions; files need not be free of errors."""
+    """The source positions of all move instructions; files may have errors."""
     runs: dict[tree.Statement, tree.Run] = {
         run.like: run for file in files for module in file.modules for run in module.runs
     }
@@ -38,7 +38,7 @@ def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
 
 
 def targets_by_wobj(program: Program) -> dict[str, tuple[str, ...]]:
-    """Declared names of the targets that installed instructions go to, by folded work object."""
+    """Declared names of the targets that installed instructions use, by folded work object."""
     found: dict[str, dict[str, None]] = {}
     for module in program.modules:
         for node in descendants(module):

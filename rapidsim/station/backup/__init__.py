@@ -1,1 +1,1 @@
-"""What a controller backup says of its station."""
+"""Reads the station from a controller backup."""

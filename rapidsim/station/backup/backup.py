@@ -1,8 +1,8 @@
-"""What a controller backup says: its tasks, robots and signals.
+"""What a controller backup contains: its tasks, robots and signals.
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
-of each task and `-MotionTask` for those that move. A task without a type is semistatic there.
-Robots and external axes are those of `MOC.cfg`; the RobotWare stands in `backinfo.txt`, too.
+of each task, and `-MotionTask` for those that move. There, a task without a type is semistatic.
+Robots and external axes come from `MOC.cfg`, the RobotWare version from `backinfo.txt`.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECA
 
 
 def backup_station(backup: Backup) -> Station:
-    """What a backup says."""
+    """The station described by a backup."""
     root = backup.root
     configured = _configured_in(root)
     motion, system = configured.get("MOC", {}), configured.get("SYS", {})
@@ -99,7 +99,7 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
     for robot in robots:
         if robot.carried_by:
             yield (
-                f"{robot.label} stands on {robot.carried_by}, whose axes MOC.cfg does not "
+                f"{robot.label} is mounted on {robot.carried_by}, whose axes MOC.cfg does not "
                 "describe fully: its moves are not checked, and in a run the unit stands still"
             )
 

@@ -1,8 +1,8 @@
-"""A controller's configuration file, `SYSPAR/*.cfg`: types, and the instances of each.
+"""A controller's configuration file, `SYSPAR/*.cfg`: types and their instances.
 
 A type is a line such as `EIO_SIGNAL:`, an instance a line of attributes: `-Name "doGrip"
--Default 1`. A backslash at the end of a line goes on with the next. An attribute without a value is
-a switch.
+-Default 1`. A backslash at the end of a line continues it on the next. An attribute without a value
+is a switch.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _ATTRIBUTE = re.compile(r'-([A-Za-z]\w*)(?:\s+(?:"([^"]*)"|(?!-[A-Za-z])(\S+)))?
 
 
 def read_configuration(text: str) -> Configuration:
-    """The instances of each type, by its name in upper case; what is neither is passed over."""
+    """The instances of each type, by its upper-case name; lines that are neither are skipped."""
     found: dict[str, list[Instance]] = {}
     instances: list[Instance] = []
     for line in _CONTINUED.sub(" ", text.replace("\r", "")).splitlines():
@@ -50,10 +50,10 @@ def _instance(line: str) -> Instance:
 
 
 def text_in(root: Path, *names: str) -> str:
-    """The text of a file below a folder, whose name may be in any case; empty if there is none.
+    """The text of a file below a folder, its name in any case; empty if there is none.
 
     Raises:
-        InputError: If it leads out of the folder, or is no file but a pipe or the like.
+        InputError: If it leads out of the folder, or is not a regular file.
     """
     folder = root
     for name in names:

@@ -1,10 +1,10 @@
-"""Tracks and positioners of a backup: mechanical units of `SYSPAR/MOC.cfg` beside the robots.
+"""Tracks and positioners of a backup: mechanical units in `SYSPAR/MOC.cfg` besides the robots.
 
-An axis is spread over many types: MECHANICAL_UNIT names its SINGLE, that its SINGLE_TYPE (track or
-rotating) and JOINT, which has the number of its place in `extjoint` and names the rest: bounds of
-ARM, acceleration of ACC_DATA, transmission, and the speed of its motor. Units of ABB's own
-positioners have no such instances in a backup: of these only the names are known. So it is with a
-unit that a program must activate: its axes have no values until then, and a run has no such units.
+An axis is spread over many types: MECHANICAL_UNIT refers to its SINGLE, which refers to its
+SINGLE_TYPE (track or rotating) and JOINT. JOINT has its position in `extjoint` and refers to the
+rest: bounds in ARM, acceleration in ACC_DATA, transmission, motor speed. Units of ABB's own
+positioners have no such instances in a backup: only their names are known. The same goes for a unit
+that a program must activate: its axes have no values until then, and a run has no such units.
 
 Source: Technical reference manual System parameters, topic Motion.
 """
@@ -28,7 +28,7 @@ _ROTATING = ("FREE_ROT", "EXT_ROT")
 
 @dataclass(frozen=True, slots=True)
 class ExternalUnits:
-    """The units beside the robots."""
+    """The mechanical units besides the robots."""
 
     axes: tuple[tuple[ExternalAxis, ...], ...] = ()
     """Those that a run has, of each robot."""
@@ -37,9 +37,9 @@ class ExternalUnits:
 
 
 def external_units(motion: Configuration, system: Configuration) -> ExternalUnits:
-    """The units that each robot has, as MOC.cfg and the unit groups of SYS.cfg say it.
+    """The units of each robot, according to MOC.cfg and the unit groups in SYS.cfg.
 
-    A unit that stands in no group belongs to the first robot.
+    A unit in no group belongs to the first robot.
     """
     robots = [one for one in motion.get("ROBOT", ()) if one.get("use_robot_type")]
     owners = _owners(system, [one.get("name") for one in robots])

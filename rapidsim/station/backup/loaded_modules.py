@@ -1,7 +1,7 @@
-"""Modules that a configuration loads into tasks: CAB_TASK_MODULES of `SYSPAR/SYS.cfg`.
+"""Modules that a configuration loads into tasks: CAB_TASK_MODULES in `SYSPAR/SYS.cfg`.
 
-A backup keeps them in the folder of the task, but for those that lie in an add-in. Of these only
-the names are known; what the system itself brings, RELEASE:, is the library.
+A backup keeps them in the folder of the task, except those of an add-in, of which only the names
+are known. Modules of the system itself (RELEASE:) are covered by the library.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ def missing_modules(
     """The modules of a task that its folder lacks.
 
     Args:
-        wanted: What the configuration loads into the task.
-        folder: The task's, in the RAPID folder of a backup.
+        wanted: The modules that the configuration loads into the task.
+        folder: The task's folder, in the RAPID folder of a backup.
 
     Returns:
-        Those that lie in the HOME of the backup, and the names of those that are not in it.
+        Those in HOME of the backup, and the names of those that it lacks.
     """
     own = {module.stem.lower() for module in folder.rglob("*") if module.is_file()}
     found: list[Path] = []

@@ -1,6 +1,6 @@
-"""A folder of configuration files outside a backup: SYS.cfg, EIO.cfg and MOC.cfg to be loaded.
+"""Configuration files outside a backup: a folder with SYS.cfg, EIO.cfg and MOC.cfg to load.
 
-Who publishes a program for a controller gives its tasks and signals so.
+This is how a program published for a controller comes with its tasks and signals.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 
 @dataclass(frozen=True, slots=True)
 class ConfiguredTask:
-    """A task and the modules that are loaded into it."""
+    """A task and the modules loaded into it."""
 
     settings: TaskSettings
     modules: tuple[str, ...]
@@ -31,7 +31,7 @@ class ConfiguredTask:
 
 @dataclass(frozen=True, slots=True)
 class LooseConfiguration:
-    """What the files of a folder say."""
+    """The content of a folder's configuration files."""
 
     tasks: tuple[ConfiguredTask, ...]
     io: CellIo
@@ -39,12 +39,12 @@ class LooseConfiguration:
 
 
 def has_configuration(folder: Path) -> bool:
-    """Whether configuration files lie in a folder."""
+    """Whether a folder contains configuration files."""
     return folder.is_dir() and any(one.name.lower() in _FILES for one in folder.iterdir())
 
 
 def loose_configuration(folder: Path) -> LooseConfiguration:
-    """Read the files."""
+    """Read the files of a folder."""
     system = read_configuration(text_in(folder, "SYS.cfg"))
     loaded = system.get("CAB_TASK_MODULES", ())
     io, _ = backup_io(read_configuration(text_in(folder, "EIO.cfg")))

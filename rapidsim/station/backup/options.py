@@ -1,7 +1,7 @@
-"""Options of a controller that bring RAPID of their own which the library does not have.
+"""Controller options with RAPID routines that the library does not have.
 
-What their modules declare stands in no file of a backup, so a name of a program may be theirs.
-The options that a controller has are the products in `BACKINFO/backinfo.txt`.
+No file of a backup contains the declarations of their modules, so an unknown name may be one of
+theirs. A controller's options are the products in `BACKINFO/backinfo.txt`.
 
 Sources: a public backup with 642-2 Palletizing PowerPac, whose programs name PM_ data and types
 that no file of it declares; and the RAPID syntax file for Vim of KnoP, which keeps the instructions
@@ -30,10 +30,10 @@ _NOT_KNOWN = (
 
 
 def unknown_options(products: Sequence[str]) -> tuple[str, ...]:
-    """What stands for the modules of those options, in words.
+    """A description for each of those options, in place of the names of its modules.
 
     Args:
-        products: The products of a backup as they are listed.
+        products: The products of a backup as listed.
     """
     return tuple(
         f"modules of the option {product}"

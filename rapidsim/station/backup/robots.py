@@ -1,7 +1,7 @@
-"""What a controller backup says of its robots: `SYSPAR/MOC.cfg`.
+"""The robots of a controller backup: `SYSPAR/MOC.cfg`.
 
 The type of an arm is a name such as `ROB1_1200_0.9_5_TypeB`: type, reach in metres, payload in kg.
-Its base frame stands in metres, the bounds of its axes (ARM) in radians, or in metres.
+Its base frame is in metres, the bounds of its axes (ARM) in radians or metres.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _JOINTS = 7
 
 
 def backup_robots(motion: Configuration) -> tuple[StationRobot, ...]:
-    """The robots of a backup in its order; without a name where the catalogue lacks the arm."""
+    """The robots of a backup in its order; nameless if the catalogue lacks the arm."""
     arms = {one.get("name", ""): one for one in motion.get("ARM", ())}
     return tuple(_robot(one, arms) for one in motion.get("ROBOT", ()) if one.get("use_robot_type"))
 
@@ -41,7 +41,7 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
 
 
 def catalogue_name(type_name: str) -> str | None:
-    """The arm of the catalogue with this type, reach and payload; None if there is none."""
+    """The arm in the catalogue with this type, reach and payload; None if there is none."""
     prefix = _PREFIX.match(type_name)
     if prefix is None:
         return None
@@ -84,13 +84,13 @@ def _bounds(arms: Sequence[Instance | None]) -> tuple[tuple[float, float] | None
 
 
 def bounds(arm: Instance) -> tuple[float, float] | None:
-    """What an axis may do [rad or m]; None where the file does not say."""
+    """The range of an axis [rad or m]; None if the file does not give it."""
     lower, upper = number(arm, "lower_joint_bound"), number(arm, "upper_joint_bound")
     return None if lower is None or upper is None or lower >= upper else (lower, upper)
 
 
 def base_frame(instance: Instance) -> Transform:
-    """world_from_base; where it stands in the origin if the file does not say."""
+    """world_from_base; the identity if the file does not give it."""
     position = [number(instance, f"base_frame_pos_{axis}") or 0.0 for axis in "xyz"]
     turned = [number(instance, f"base_frame_orient_u{n}") for n in range(4)]
     quaternion = [1.0 if n == 0 and u is None else u or 0.0 for n, u in enumerate(turned)]
@@ -100,7 +100,7 @@ def base_frame(instance: Instance) -> Transform:
 
 
 def number(instance: Instance, attribute: str) -> float | None:
-    """The value of an attribute; None where it is missing or no number."""
+    """The value of an attribute; None if it is missing or not a number."""
     try:
         return float(instance[attribute])
     except (KeyError, ValueError):

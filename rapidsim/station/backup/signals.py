@@ -1,7 +1,7 @@
-"""What a controller backup says of its signals: `SYSPAR/EIO.cfg`.
+"""The signals of a controller backup: `SYSPAR/EIO.cfg`.
 
-Types, widths, start values and limits of signals, and the cross connections between them. Which
-bus and device carries a signal is nothing that a run would need.
+Types, widths, default values and limits of signals, and the cross connections between them. A run
+does not need to know which bus and device carries a signal.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
     """The signals of an I/O configuration and how they are wired.
 
     Returns:
-        Signals and cross connections, and a remark for each connection that is left out.
+        Signals and cross connections, and a remark for each connection left out.
     """
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
     shown, others = _system_outputs(types.get("SYSSIG_OUT", ()))
@@ -53,7 +53,7 @@ def _system_outputs(
         else:
             others.setdefault(word, []).append(f"`{name}`")
     return shown, tuple(
-        f"EIO.cfg: no run follows {word}: {', '.join(names)} stays as it is"
+        f"EIO.cfg: {word} is not simulated: {', '.join(names)} keeps its value"
         for word, names in others.items()
     )
 
@@ -121,7 +121,7 @@ def _without_rings(
 ) -> tuple[tuple[CrossConnection, ...], tuple[str, ...]]:
     kept = tuple(one for one in crosses if not follows_itself(one, crosses))
     left_out = dict.fromkeys(one.result for one in crosses if one not in kept)
-    return kept, tuple(f"EIO.cfg: `{name}` follows itself: left out" for name in left_out)
+    return kept, tuple(f"EIO.cfg: `{name}` depends on itself: left out" for name in left_out)
 
 
 def _number(text: str | None) -> float | None:

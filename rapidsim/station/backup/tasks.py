@@ -1,4 +1,4 @@
-"""What a configuration says of tasks: CAB_TASKS of `SYS.cfg`."""
+"""The tasks in a configuration: CAB_TASKS in `SYS.cfg`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class TaskSettings:
-    """One task."""
+    """The settings of one task."""
 
     name: str
     kind: TaskKind

@@ -7,7 +7,7 @@ MODULE axis_past_its_limit
     MoveAbsJ start,v500,fine,tool0;
     careful;
     MoveAbsJ over,v500,fine,tool0;
-      ! stops: `over` asks ABB IRB 1600-6/1.2 for axis 6 at 420.0 deg, 20.0 deg past its limit
+      ! stops: `over` exceeds the axis limits of ABB IRB 1600-6/1.2: axis 6 at 420.0 deg, 20.0 deg past its limit
   ENDPROC
 
   PROC careful()

@@ -1,1 +1,1 @@
-"""Decisions that are none, handlers that do not handle, settings left behind."""
+"""Constant decisions, handlers that do not handle, settings not restored."""

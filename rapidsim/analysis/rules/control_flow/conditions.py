@@ -1,4 +1,4 @@
-"""Rules F402, F403 and F409: decisions that are none, loops that never end, tests with a gap."""
+"""Rules F402, F403 and F409: constant conditions, endless loops, TEST without DEFAULT."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_not_before_and(facts: Facts) -> Iterator[Diagnostic]:
-    """NOT before an AND without parentheses: it turns around the whole."""
+    """NOT before an AND without parentheses: it negates the whole."""
     for part in facts.parts:
         for node in part.all(tree.Unary):
             inner = node.operand

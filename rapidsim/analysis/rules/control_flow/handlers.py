@@ -20,7 +20,7 @@ class SwallowedError(Violation, code="F408"):
 
 
 def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
-    """ERROR clauses that repeat or pass over every error."""
+    """ERROR clauses that retry or skip on every error."""
     for part in facts.routine_parts:
         handler = None if part.routine is None else part.routine.error
         if handler is None or handler.numbers is not None:

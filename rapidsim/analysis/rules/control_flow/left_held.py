@@ -1,4 +1,4 @@
-"""Rules F420 and F422: interrupts and the robot, held and on some way not let go again."""
+"""Rules F420 and F422: interrupts disabled or the robot stopped, and not released on every path."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class RobotLeftStopped(Violation, code="F420"):
 
 
 def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
-    """Ways out of a routine on which interrupts are kept for ever."""
+    """Ways out of a routine that leave interrupts disabled."""
     for part in facts.routine_parts:
         for left in _left(part, facts, Does.HOLD_INTERRUPTS):
             assert part.routine is not None
@@ -31,7 +31,7 @@ def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_robot_left_stopped(facts: Facts) -> Iterator[Diagnostic]:
-    """Ways out of a trap on which the robot stands still for ever."""
+    """Ways out of a trap that leave the robot stopped."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
             for left in _left(part, facts, Does.HOLD_ROBOT):

@@ -1,4 +1,4 @@
-"""Rule F411: settings of the motion that a routine does not put back on every path out."""
+"""Rule F411: motion settings that a routine does not restore on every path out."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ModeLeak(Violation, code="F411"):
 
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
-    """For each routine and mode the first way out on which the mode may be left on."""
+    """For each routine and mode, the first exit at which the mode may still be on."""
     beginning = _beginning(facts)
     for part in facts.routine_parts:
         routine = part.routine

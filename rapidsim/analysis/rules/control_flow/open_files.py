@@ -1,4 +1,4 @@
-"""Rule F421: files that a loop opens again and again and does not close."""
+"""Rule F421: files that a loop opens repeatedly without closing them."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class OpenedInLoop(Violation, code="F421"):
 
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
-    """What each round of a loop opens for certain, if nothing in the loop may close it."""
+    """What each iteration of a loop certainly opens, if nothing in the loop may close it."""
     closing = bits_where(lambda part: _closes(part.all(tree.Call), facts), facts)
     for part in facts.routine_parts:
         bodies = [loop.body for loop in part.all(tree.For)]

@@ -15,7 +15,7 @@ class Recursion(Violation, code="F410"):
 
 
 def find_recursion(facts: Facts) -> Iterator[Diagnostic]:
-    """The first call on each way from a routine back to itself."""
+    """The first call on each call path from a routine back to itself."""
     calls: dict[tree.Routine, dict[tree.Routine, tree.Call | tree.FunctionCall]] = {}
     for part in facts.routine_parts:
         assert part.routine is not None

@@ -1,4 +1,4 @@
-"""Rule F413: interrupts that hold each other up or are connected twice."""
+"""Rule F413: traps that block other interrupts, and interrupts connected twice."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rule F418: loops and waits that end when data change which nothing changes meanwhile."""
+"""Rule F418: loops and waits whose condition depends on data that nothing changes meanwhile."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ class _Task:
     def unchanging(
         self, condition: tree.Expression, meanwhile: Iterable[tree.Node], part: Part
     ) -> str | None:
-        """The data of a condition, as a text, if nothing changes any of them meanwhile."""
+        """The data of a condition, as text, if nothing changes any of them meanwhile."""
         if self._is_open:
             return None
         found = self._variables(condition)

@@ -19,7 +19,7 @@ class WaitWithoutTimeout(Violation, code="I802"):
 
 
 def find_waits_without_timeout(facts: Facts) -> Iterator[Diagnostic]:
-    """Waits for signals, conditions and other tasks that have no limit of time."""
+    """Waits for signals, conditions and other tasks that have no timeout."""
     for part in facts.routine_parts:
         for call in part.all(tree.Call):
             routine = facts.installed(call)

@@ -1,1 +1,1 @@
-"""What rules ask of a program beside its facts."""
+"""Derived facts about a program that rules share."""

@@ -1,4 +1,4 @@
-"""What gives data another value: assignments, and calls that are given data to change."""
+"""What changes data: assignments, and calls that may modify their arguments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _PATHS = (tree.Reference, tree.Index, tree.Component)
 
 
 def changed_in(part: Part, facts: Facts) -> Iterator[Symbol | None]:
-    """The data that a routine changes itself, or passes on to where they may be."""
+    """The data that a routine changes itself, or passes on to calls that may."""
     kinds = (tree.Assignment, tree.Connect, tree.LateCall)
     yield from changed_by(
         [*(node for kind in kinds for node in part.all(kind)), *part.calls], facts
@@ -27,7 +27,7 @@ def changed_in(part: Part, facts: Facts) -> Iterator[Symbol | None]:
 
 
 def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | None]:
-    """The data that some nodes change, not looking into them or where they lead to."""
+    """The data that some nodes change themselves, ignoring nested nodes and called routines."""
     for node in nodes:
         match node:
             case tree.Assignment(target=target) if isinstance(target, _PATHS):

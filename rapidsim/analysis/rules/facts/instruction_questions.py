@@ -1,4 +1,4 @@
-"""What rules ask about calls: which argument is for which parameter, and what moves."""
+"""Facts about calls: which argument goes to which parameter, and which calls move the robot."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MoveCall:
-    """A call that moves the robot, with the arguments rules look at."""
+    """A call that moves the robot, with the arguments that rules examine."""
 
     call: tree.Call
     arguments: Mapping[str, tree.Expression | None]
@@ -32,7 +32,7 @@ _MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary(
 def arguments_of(
     call: tree.Call | tree.FunctionCall, facts: Facts
 ) -> list[tuple[Formal | None, tree.Expression | None]]:
-    """Each argument with its parameter; None where the routine or the parameter is not known."""
+    """Each argument with its parameter; None where the routine or the parameter is unknown."""
     symbol = facts.symbol(call)
     formals: tuple[Formal, ...] = ()
     if isinstance(symbol, LibrarySymbol):
@@ -57,22 +57,22 @@ def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
 
 
 def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
-    """What a call does, by its name alone where no names are looked up.
+    """What a call does, judged by its name alone when names are not resolved.
 
-    Of two routines of one name only the first is looked into.
+    Of two routines of one name only the first is considered.
     """
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
 def moves(part: Part, facts: Facts) -> Iterator[MoveCall]:
-    """The calls of installed instructions that move the robot."""
+    """The calls of installed move instructions."""
     for call in part.all(tree.Call):
         if (move := as_move(call, facts)) is not None:
             yield move
 
 
 def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
-    """A statement as a move, if it is one."""
+    """A statement as a move; None if it is not one."""
     if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
         return None
     known = _MOVES.setdefault(facts, {})

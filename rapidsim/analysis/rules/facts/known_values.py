@@ -1,7 +1,7 @@
-"""Values that are known before a program runs: literals, constants, persistents as they are stored.
+"""Values that are known before a program runs: literals, constants, persistents as stored.
 
-A record or an array is a tuple, a name resolves as analysis resolved it. A persistent counts with
-the value in the text: it is what the program starts with.
+A record or an array is a tuple, and names resolve as in analysis. A persistent counts with the
+value in the text, which the program starts with.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ def known_value(
         expression: Of any type.
         facts: The task.
         persistents: Whether a PERS counts as known.
-        depth: How many names led here; what is defined by itself has no value.
+        depth: How many names have been followed; circular definitions have no value.
 
     Returns:
-        None where the value varies or is not known; data that are declared without a value too.
+        None if the value varies, is not known, or was never given in the declaration.
     """
 
     def read(reference: tree.Reference) -> Value | None:
@@ -36,7 +36,7 @@ def known_value(
 
 
 def numbers(value: object, count: int) -> tuple[float, ...] | None:
-    """A value as so many numbers; None if it is something else."""
+    """A value as a tuple of the given number of numbers; None if it is something else."""
     if not isinstance(value, tuple) or len(value) != count:
         return None
     if not all(isinstance(part, float) for part in value):

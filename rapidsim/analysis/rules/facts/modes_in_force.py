@@ -1,4 +1,4 @@
-"""Modes that a routine sets and that may be in force still where it ends."""
+"""Modes that a routine sets and that may still be in force where it ends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Left:
-    """A mode that is left in force."""
+    """A mode left in force."""
 
     call: tree.Call
     """What set it."""
@@ -44,12 +44,12 @@ _Open = Mapping[str, tree.Call]
 def left_in_force(
     part: Part, facts: Facts, matters: Callable[[LibraryRoutine], bool]
 ) -> Iterator[Left]:
-    """The modes that may be in force at some end of a routine, each at the first such end.
+    """The modes that may be in force at some exit of a routine, each at the first such exit.
 
     Args:
-        part: A routine. Of one with jumps nothing is told.
+        part: A routine; one with jumps yields nothing.
         facts: The task.
-        matters: Which instructions to look at; what puts their modes back counts as well.
+        matters: Which instructions to look at; those that restore their modes count as well.
     """
     settings = {
         call: setting
@@ -83,12 +83,12 @@ class _Ways:
         self.found: dict[str, tuple[tree.Call, str]] = {}
 
     def end(self, open_modes: _Open, ends: str) -> None:
-        """A way out of the routine."""
+        """Record an exit of the routine."""
         for mode, call in open_modes.items():
             self.found.setdefault(mode, (call, ends))
 
     def follow(self, body: tree.Body, open_modes: _Open) -> _Open | None:
-        """What may be in force behind a list; None where execution never gets there."""
+        """What may be in force after a statement list; None if execution never gets there."""
         current: _Open | None = open_modes
         for statement in body:
             if current is None:

@@ -1,4 +1,4 @@
-"""What nodes lead to: the routines of the user that may run because of them."""
+"""The user routines that nodes may cause to run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.syntax import tree
 
 
 def reached(nodes: Iterable[tree.Node], facts: Facts) -> int:
-    """The bits of the routines that nodes of any kind may call, and of those that these call."""
+    """The bits of the routines that nodes may call, directly or indirectly."""
     bits = 0
     for node in descendants(*nodes):
         routine = facts.routine_called(node)
@@ -20,7 +20,7 @@ def reached(nodes: Iterable[tree.Node], facts: Facts) -> int:
 
 
 def bits_where(holds: Callable[[Part], bool], facts: Facts) -> int:
-    """The bits of the routines of which something holds."""
+    """The bits of the routines for which a predicate holds."""
     bits = 0
     for part, bit in facts.bit_of.items():
         if holds(part):

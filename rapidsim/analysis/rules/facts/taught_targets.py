@@ -1,4 +1,4 @@
-"""The target that was taught, of which a move goes beside it: p10 of `Offs(RelTool(p10,..),..)`."""
+"""The taught target from which a move's target is derived: p10 of `Offs(RelTool(p10,..),..)`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.syntax import tree
 
 
 def taught_target(target: tree.Expression, facts: Facts) -> tree.Expression:
-    """What stands within functions that answer a target beside the one they are given."""
+    """The innermost target inside functions that displace the target they are given."""
     while True:
         match target:
             case tree.Parenthesised(inner=inner):

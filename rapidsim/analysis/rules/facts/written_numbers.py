@@ -1,4 +1,4 @@
-"""Where a part of an aggregate stands in the text: literals of aggregates have no nodes."""
+"""Source spans of parts of an aggregate: literals in aggregates have no nodes."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ _TOKEN = re.compile(r'"(?:[^"\n]|"")*"|![^\r\n]*|[\[\],]')
 
 
 def part_span(module: tree.Module, aggregate: tree.Node, path: Sequence[int]) -> Span:
-    """The text of a part of an aggregate.
+    """The text span of a part of an aggregate.
 
     Args:
-        module: Where the aggregate stands.
-        aggregate: `[a, [b, c]]` as it is written.
+        module: The module that contains the aggregate.
+        aggregate: `[a, [b, c]]` as written.
         path: Positions from the outside in, from 0: (1, 0) is `b`. Empty is the aggregate itself.
 
     Returns:
-        The part without blanks around it; the aggregate where the path leads nowhere.
+        The part without surrounding blanks; the aggregate if there is no such part.
     """
     text = module.source.text
     start, end = aggregate.start, aggregate.end

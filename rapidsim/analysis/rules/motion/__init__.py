@@ -1,1 +1,1 @@
-"""Zones, targets, tools and first moves that will surprise."""
+"""Surprising zones, targets, tools and first moves."""

@@ -1,4 +1,4 @@
-"""Rule M517: persistent targets that are moved on from where they are."""
+"""Rule M517: persistent targets that are displaced from their own position."""
 
 from __future__ import annotations
 

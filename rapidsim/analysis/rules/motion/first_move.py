@@ -1,4 +1,4 @@
-"""Rules M512 and M515: a first move on a line, and moves without speed."""
+"""Rules M512 and M515: a linear first move, and moves without speed."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class MoveWithoutSpeed(Violation, code="M515"):
 
 
 def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
-    """The first move that main comes to, if it is a line."""
+    """The first move that main makes, if it is linear or circular."""
     if facts.entry is None:
         return
     found = _first_move(facts.entry, facts, set())
@@ -36,7 +36,7 @@ def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves on lines with a speed that is known to be none."""
+    """Linear and circular moves whose TCP speed is known to be 0."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             if Does.CARTESIAN not in move.does or {"v", "t"} & move.arguments.keys():

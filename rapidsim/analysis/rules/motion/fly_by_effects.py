@@ -1,8 +1,8 @@
-"""What a program does behind a move that passes its target in a zone, through calls too.
+"""What a program does after a move that passes its target in a zone, including through calls.
 
-Of each routine is summed up what it does before it moves or waits itself, whether the robot may
-still be on its way when it returns, and with which moves it leaves. One dataflow over the calls of
-the task makes that of what the rows of the library say that their routines do.
+Each routine is summarised: what it does before it moves or waits itself, whether the robot may
+still be moving when it returns, and with which moves it ends. One dataflow analysis over the call
+graph derives this from the effects that the library lists for its routines.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Effect:
 
 @dataclass(frozen=True, slots=True)
 class BehindMove:
-    """An effect behind a move that flies by its target."""
+    """An effect after a move that passes its target in a zone."""
 
     move: tree.Call
     effect: Effect
@@ -71,7 +71,7 @@ class _Summary:
 
 
 def effects_behind_moves(facts: Facts) -> Iterator[BehindMove]:
-    """What surely follows a fly-by move, and each output beside it, routine by routine."""
+    """What certainly follows a fly-by move, and every output set after one, routine by routine."""
     summaries: dict[tree.Routine, _Summary] = {}
     parts = facts.callees_first
     found: dict[Part, list[BehindMove]] = {}
@@ -112,7 +112,7 @@ class _Way:
         self.found: list[BehindMove] = []
 
     def summary(self) -> _Summary:
-        """What the routine does; fills `found`."""
+        """The summary of a routine; fills `found`."""
         routine = self._part.routine
         assert routine is not None
         body, *others = clauses(routine)

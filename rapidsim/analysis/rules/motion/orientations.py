@@ -1,4 +1,4 @@
-"""Rule M501 where it can be read from the text: quaternions that are written out."""
+"""Rule M501 for literal quaternions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _TYPO = 0.1
 
 
 def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
-    """Literal quaternions in declarations and in statements, of whatever record they are part."""
+    """Literal quaternions in declarations and statements, part of whatever record."""
     paths: dict[type, tuple[tuple[int, ...], ...]] = {}
     for part in facts.parts:
         declared = {node.value: node for node in part.all(tree.Data) if node.value is not None}

@@ -1,4 +1,4 @@
-"""Rules M510, M511 and M514: what is written in targets, one by one and beside each other."""
+"""Rules M510, M511 and M514: the data of targets, alone and compared with each other."""
 
 from __future__ import annotations
 
@@ -78,9 +78,9 @@ def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def tells_of_axes(node: tree.Data, usual: Sequence[float]) -> bool:
-    """Whether a declaration says of each external axis what targets with these positions say.
+    """Whether a declaration says the same about each external axis as targets with these positions.
 
-    Then it makes no difference how many of those there are.
+    If so, their number makes no difference.
     """
     if node.type.key != "robtarget" or node.dimensions or node.value is None:
         return True
@@ -94,7 +94,7 @@ def tells_of_axes(node: tree.Data, usual: Sequence[float]) -> bool:
 
 
 def find_bad_confdata(facts: Facts) -> Iterator[Diagnostic]:
-    """Declared targets whose configuration cannot be."""
+    """Declared targets whose configuration data are invalid."""
     for target in _targets(facts):
         configuration = numbers(target.value[_CONFIGURATION], 4)
         if configuration is None or max(abs(cf) for cf in configuration) >= _UNUSED:

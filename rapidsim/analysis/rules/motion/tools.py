@@ -1,4 +1,4 @@
-"""Rules M507 to M509: tools, work objects and loads that do not fit each other."""
+"""Rules M507 to M509: tools, work objects and loads that are inconsistent."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
-    """Declared tools and loads whose numbers cannot be."""
+    """Declared tools and loads with impossible values."""
     for part in facts.parts:
         for node in part.all(tree.Data):
             kind = node.type.key
@@ -96,7 +96,7 @@ def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves whose tool and work object are held by the same or by none."""
+    """Moves whose tool and work object are both held by the robot, or neither."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             tool = move.arguments.get("tool")

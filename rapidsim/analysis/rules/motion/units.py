@@ -1,4 +1,4 @@
-"""Rule M516: metres and radians where RAPID has millimetres and degrees."""
+"""Rule M516: metres and radians in place of millimetres and degrees."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_radians(facts: Facts) -> Iterator[Diagnostic]:
-    """Angles that are made with pi, or are parts of it."""
+    """Angles that are computed with pi, or are fractions of it."""
     for part in facts.parts:
         for node in part.all(tree.Data):
             if node.type.key == "jointtarget" and not node.dimensions and node.value is not None:

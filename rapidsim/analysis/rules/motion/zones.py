@@ -1,4 +1,4 @@
-"""Rules M502 and M503: what a program does while the robot is still on its way through a zone."""
+"""Rules M502 and M503: what a program does while the robot is still moving through a zone."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class OutputInZone(Violation, code="M503"):
 
 
 def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
-    """Waits and outputs behind fly-by moves: each move and each output once."""
+    """Waits and outputs after fly-by moves: each move and each output once."""
     part_of = {call: part for part in facts.routine_parts for call in part.all(tree.Call)}
     reported: set[tree.Node] = set()
     for one in effects_behind_moves(facts):

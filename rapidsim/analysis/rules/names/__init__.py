@@ -1,1 +1,1 @@
-"""Names and data nobody uses, sets or can see."""
+"""Names and data that nothing uses, sets or can see."""

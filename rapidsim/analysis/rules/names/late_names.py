@@ -1,4 +1,4 @@
-"""Rule N207: calls by a name that is put together at run time, such as `%"part"+ValToStr(n)%;`."""
+"""Rule N207: calls by a name composed at run time, such as `%"part"+ValToStr(n)%;`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class AmbiguousLateBinding(Violation, code="N207"):
 
 
 def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
-    """Calls by name that no procedure of the task can answer."""
+    """Calls by name that match no procedure of the task."""
     if not facts.is_read or facts.analysis.loads_modules:
         return
     procedures = [
@@ -40,7 +40,7 @@ def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
-    """What the names in calls by name may be, one pattern a call."""
+    """The possible names in calls by name, one pattern per call."""
     found = [
         _pattern(_pieces(call.routine, facts))
         for part in facts.parts

@@ -22,7 +22,7 @@ class ReadBeforeSet(Violation, code="F412"):
 
 
 def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
-    """The first use of each variable of numbers, texts or records that nothing sets."""
+    """The first use of each variable of type number, string or record that nothing sets."""
     if not facts.is_read:
         return
     set_somewhere = {symbol for part in facts.parts for symbol in changed_in(part, facts)}

@@ -1,4 +1,4 @@
-"""Rule T310: optional parameters that are used without asking whether they are there."""
+"""Rule T310: optional parameters that are used without checking that they are present."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class AbsentOptionalUsed(Violation, code="T310"):
 
 
 def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
-    """The first use of each optional parameter that nothing asks for."""
+    """The first use of each optional parameter whose presence is never checked."""
     calls: dict[tree.Routine, list[_Caller]] | None = None
     for part in facts.routine_parts:
         optionals = _optionals(part)

@@ -30,7 +30,7 @@ class RedefinedBuiltin(Violation, code="N206"):
 
 
 def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
-    """Data declared inside that hide data declared outside."""
+    """Local or LOCAL data that hide data of an outer scope."""
     outside: dict[str, list[tuple[tree.Module, tree.Data]]] = {}
     for part in facts.parts:
         if part.routine is None:

@@ -28,7 +28,7 @@ class UnusedRoutine(Violation, code="N205"):
 
 
 def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
-    """Data whose name nothing uses in the text that can see it."""
+    """Data that nothing uses in the text where they are visible."""
     by_name = any(_BY_NAME & may_do(call, facts) for part in facts.parts for call in part.calls)
     module_names: dict[tree.Module, frozenset[str]] = {}
     for part in facts.parts:

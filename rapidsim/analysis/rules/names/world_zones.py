@@ -1,4 +1,4 @@
-"""Rule N217: world zones that are data of a routine."""
+"""Rule N217: world zones declared inside a routine."""
 
 from __future__ import annotations
 

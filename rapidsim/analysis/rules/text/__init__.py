@@ -1,1 +1,1 @@
-"""Bytes, numbers, layout and house style."""
+"""Bytes, numbers, layout and style."""

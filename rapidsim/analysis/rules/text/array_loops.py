@@ -1,4 +1,4 @@
-"""Rule T325: loops that run over the bounds of an array."""
+"""Rule T325: loops that exceed the bounds of an array."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class _Rounds:
 
 
 def find_loops_beyond_arrays(facts: Facts) -> Iterator[Diagnostic]:
-    """Elements whose index is too small in the first round of a loop, or too large in the last."""
+    """Elements whose index is out of bounds in the first or last iteration of a loop."""
     for part in facts.routine_parts:
         for loop in part.all(tree.For):
             rounds = _of_for(loop, facts)

@@ -1,4 +1,4 @@
-"""Rules T307 to T309: what floating-point numbers of single precision do to a program."""
+"""Rules T307 to T309: pitfalls of single-precision numbers."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def find_float_equality(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_long_integers(facts: Facts) -> Iterator[Diagnostic]:
-    """Whole numbers, written in digits, that num rounds."""
+    """Whole numbers, written as digits, that num rounds."""
     for part in facts.parts:
         for node in part.all(tree.Number):
             if not 2**24 < node.value < _LARGEST or not node.text.isdecimal():

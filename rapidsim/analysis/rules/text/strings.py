@@ -1,4 +1,4 @@
-"""Rule T326: strings that are put together and become too long."""
+"""Rule T326: concatenated strings that become too long."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class TextTooLong(Violation, code="T326"):
 
 
 def find_long_texts(facts: Facts) -> Iterator[Diagnostic]:
-    """Sums of strings whose constant parts alone are longer than a string may be."""
+    """Concatenations whose constant parts alone exceed the maximum length."""
     for part in facts.parts:
         sums = [node for node in part.all(tree.Binary) if node.operator == "+"]
         inner = {_bare(side) for node in sums for side in (node.left, node.right)}

@@ -1,4 +1,4 @@
-"""Rules S901 and S908 to S910: house style in statements. None is looked for unasked."""
+"""Rules S901 and S908 to S910: style of statements; all are off by default."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class LongRoutine(Violation, code="S908"):
 
     @property
     def help(self) -> str:
-        """The cure."""
+        """The remedy."""
         return f"divide it; {_LONGEST_ROUTINE} can be looked over"
 
 
@@ -43,7 +43,7 @@ class InlineTarget(Violation, code="S910"):
 
 
 def find_keyword_case(facts: Facts) -> Iterator[Diagnostic]:
-    """Reserved words with small letters, each with the edit that writes capitals."""
+    """Reserved words with lower-case letters, each with the edit that capitalises it."""
     for file in facts.files:
         tokens = lex(file.source.text)
         for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):
@@ -58,7 +58,7 @@ def find_keyword_case(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_long_routines(facts: Facts) -> Iterator[Diagnostic]:
-    """Routines of more statements than can be looked over."""
+    """Routines with too many statements to take in at once."""
     for part in facts.routine_parts:
         assert part.routine is not None
         count = sum(
@@ -80,7 +80,7 @@ def find_commented_out(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_inline_targets(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves to a target that is written out."""
+    """Moves with an inline target."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             target = move.arguments.get("topoint") or move.arguments.get("tojointpos")

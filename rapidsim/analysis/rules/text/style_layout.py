@@ -1,4 +1,4 @@
-"""Rules S902 to S906: blanks, empty lines and line lengths. None is looked for unasked."""
+"""Rules S902 to S906: whitespace, empty lines and line lengths; all are off by default."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class LineTooLong(Violation, code="S906"):
 
 
 def find_indentation(facts: Facts) -> Iterator[Diagnostic]:
-    """Statements that begin a line at another depth than the first of their list."""
+    """Statements whose indentation differs from the first statement of their list."""
     for part in facts.routine_parts:
         assert part.routine is not None
         waiting = list(clauses(part.routine))
@@ -57,7 +57,7 @@ def find_indentation(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_trailing_space(facts: Facts) -> Iterator[Diagnostic]:
-    """Blanks before line ends, each with the edit that takes them out."""
+    """Trailing whitespace, each with the edit that removes it."""
     for file in facts.files:
         for match in _TRAILING.finditer(file.source.text):
             span = Span(file.source, match.start(), match.end())
@@ -65,7 +65,7 @@ def find_trailing_space(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_blank_lines(facts: Facts) -> Iterator[Diagnostic]:
-    """Stretches of more than two empty lines, each with the edit that leaves two."""
+    """More than two consecutive empty lines, each with the edit that leaves two."""
     for file in facts.files:
         for match in _BLANK_LINES.finditer(file.source.text):
             lines = match.group().splitlines(keepends=True)
@@ -77,7 +77,7 @@ def find_blank_lines(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_final_newline(facts: Facts) -> Iterator[Diagnostic]:
-    """Files that end within a line; the edit takes the line end of the line before."""
+    """Files whose last line has no line ending; the edit adds that of the line before."""
     for file in facts.files:
         text = file.source.text
         if not text or text.endswith(("\n", "\r")):
@@ -90,7 +90,7 @@ def find_final_newline(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_long_lines(facts: Facts) -> Iterator[Diagnostic]:
-    """Lines of statements and comments that are longer than an editor shows."""
+    """Lines of statements and comments that are too long."""
     for file in facts.files:
         source = file.source
         data = {

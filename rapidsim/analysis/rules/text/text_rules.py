@@ -1,4 +1,4 @@
-"""Rules E106 and E107: bytes of a file that controllers or other tools stumble over."""
+"""Rules E106 and E107: bytes in a file that controllers or other tools cannot handle."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class BadEncoding(Violation, code="E107"):
 
 
 def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
-    """One finding a file, with the edits that leave CR LF."""
+    """One finding per file, with the edits that leave CR LF."""
     for file in facts.files:
         source = file.source
         doubled = list(_DOUBLED.finditer(source.text))
@@ -40,7 +40,7 @@ def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_bad_encoding(facts: Facts) -> Iterator[Diagnostic]:
-    """One finding a file, at the first character that is outside the set."""
+    """One finding per file, at the first character outside the set."""
     for file in facts.files:
         text = file.source.text
         if text.isascii():

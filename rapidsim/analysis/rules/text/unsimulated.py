@@ -1,4 +1,4 @@
-"""Rule E105: what is checked and will not be simulated."""
+"""Rule E105: what is checked but not simulated."""
 
 from __future__ import annotations
 

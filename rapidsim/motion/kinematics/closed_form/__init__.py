@@ -1,1 +1,1 @@
-"""Arms whose inverse kinematics is a formula."""
+"""Arms with closed-form inverse kinematics."""

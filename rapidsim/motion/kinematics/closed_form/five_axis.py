@@ -1,7 +1,7 @@
 """Arms with five axes: waist, shoulder, elbow, wrist pitch, wrist roll, such as the RV-M1.
 
 The flange point, the wrist and the direction of the roll axis lie in the vertical plane that the
-waist turns. A pose whose roll axis leaves that plane cannot be taken; how far it leaves is told.
+waist turns. A pose whose roll axis leaves that plane is unreachable; the deviation is reported.
 
 Joints are 0 with the arm stretched forward, the roll axis in line with it. The frame of the flange
 has z out of it, y up and x to the left there.
@@ -50,7 +50,7 @@ class FiveAxisGeometry:
 
     @property
     def reach(self) -> float:
-        """Longest distance [m] of the flange from the shoulder."""
+        """Maximum distance [m] of the flange from the shoulder."""
         return self.a2 + self.a3 + self.d5
 
 
@@ -134,7 +134,7 @@ class FiveAxis(Kinematics):
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
         """The Jacobian loses rank with the elbow stretched, or the roll axis on the waist axis.
 
-        Its first three rows, the velocity, do so earlier where the flange is on the waist axis,
+        Its first three rows, the velocity, lose rank already if the flange is on the waist axis,
         whatever the roll axis does: then no joint moves the flange sideways.
         """
         elbow = abs(float(np.sin(joints[2])))

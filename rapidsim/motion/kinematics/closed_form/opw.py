@@ -1,9 +1,9 @@
-"""The usual industrial arm: three axes that place the wrist centre, three that meet in it.
+"""The usual industrial arm: three axes that position the wrist centre, three that intersect in it.
 
-An ortho-parallel basis (axis 2 square to axis 1, axis 3 parallel to axis 2) with a spherical wrist,
-described by seven lengths. The angles theta of the formulas are zero with the arm straight up; the
-joint values differ from them by a sign, an offset and, for arms that move axis 3 through a rod, by
-the angle of axis 2.
+An ortho-parallel basis (axis 2 perpendicular to axis 1, axis 3 parallel to axis 2) with a spherical
+wrist, described by seven lengths. The angles theta of the formulas are zero with the arm straight
+up; the joint values differ from them by a sign, an offset and, for arms that move axis 3 through a
+rod, by the angle of axis 2.
 
 Source:
     Brandstötter, Angerer, Hofbaur (2014), An analytical solution of the inverse kinematics problem
@@ -64,12 +64,12 @@ class OrthoParallel(Kinematics):
 
     @property
     def spherical_wrist(self) -> bool:
-        """It has one."""
+        """True."""
         return True
 
     @property
     def posture(self) -> Array:
-        """Lower arm upright, forearm level, axis 5 bent, whatever the maker calls zero."""
+        """Lower arm upright, forearm level, axis 5 bent, wherever the manufacturer puts zero."""
         return self.joints_from_theta(np.array([0.0, 0.0, np.pi / 2.0, 0.0, _BENT_WRIST, 0.0]))
 
     @cached_property
@@ -90,7 +90,7 @@ class OrthoParallel(Kinematics):
 
     @cached_property
     def single(self) -> SinglePose:
-        """The same for one pose, in plain floats."""
+        """The same queries for one pose, in plain floats."""
         frames = map(
             rigid.from_transform,
             (
@@ -103,7 +103,7 @@ class OrthoParallel(Kinematics):
         return SinglePose(self.geometry, *frames)
 
     def theta_from_joints(self, joints: Array) -> Array:
-        """Angles of the formulas (..., 6) [rad] of joint vectors (..., 6) [rad]."""
+        """Angles of the formulas (..., 6) [rad] from joint vectors (..., 6) [rad]."""
         serial = np.array(joints, dtype=np.float64)
         serial[..., 2] += self.geometry.coupling * serial[..., 1]
         return self._signs * serial - self._offsets
@@ -115,7 +115,7 @@ class OrthoParallel(Kinematics):
         return principal(joints)
 
     def stance(self, joints: Array) -> Array:
-        """How lower arm and forearm stand, shape (k, 4), with joints (k, 6); see `PathRates`."""
+        """Directions of lower arm and forearm, shape (k, 4), for joints (k, 6); see `PathRates`."""
         theta = self.theta_from_joints(joints)
         lower, fore = theta[:, 1], theta[:, 1] + theta[:, 2]
         columns = np.sin(lower), np.cos(lower), np.sin(fore), np.cos(fore)
@@ -171,7 +171,7 @@ class OrthoParallel(Kinematics):
         return BranchJoints(joints, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 6); on a border it is the front, the positive one."""
+        """The branch of joint vectors (..., 6); on a border, the front or positive one."""
         if joints.ndim == 1:
             return np.array(self.single.branch_of(joints.tolist()))
         shoulder, elbow, wrist = (factor < -ROUNDING for factor in self._factors(joints))

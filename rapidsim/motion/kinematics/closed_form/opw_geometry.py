@@ -43,17 +43,17 @@ class OpwGeometry:
 
     @cached_property
     def reach(self) -> float:
-        """Longest distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
+        """Maximum distance [m] of the wrist centre from axis 2; the scale of every tolerance."""
         return self.c2 + self.fore
 
     @cached_property
     def fore(self) -> float:
-        """Straight way [m] from the elbow, axis 3, to the wrist centre."""
+        """Straight-line distance [m] from the elbow, axis 3, to the wrist centre."""
         return hypot(self.a2, self.c3)
 
     @cached_property
     def fore_lean(self) -> float:
-        """How far [rad] that way leans forward of axis 4."""
+        """By what angle [rad] that line leans forward of axis 4."""
         return atan2(self.a2, self.c3)
 
     def wrist_forward(self, s2: Number, c23: Number, s23: Number) -> Number:
@@ -71,7 +71,7 @@ class OpwGeometry:
         return self.c1 + self.c2 * c2 - self.a2 * s23 + self.c3 * c23
 
     def limiting_length(self, x: float, y: float, z: float) -> str | None:
-        """Which length keeps the wrist centre from a place [m]; None if none does."""
+        """Which length keeps the wrist centre from a point [m]; None if none does."""
         radius = hypot(x, y)
         if radius < abs(self.b):
             nearest = 1e3 * abs(self.b)

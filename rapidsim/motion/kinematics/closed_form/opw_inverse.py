@@ -1,7 +1,8 @@
 """Inverse kinematics of ortho-parallel arms in the angles theta of the formulas.
 
-Enter poses of the last frame, whose origin is the wrist centre; leave angles, unwrapped to no turn
-in particular. No solution is lost where two of them meet, because nothing is computed by acos.
+Input are poses of the last frame, whose origin is the wrist centre; output are angles, not
+unwrapped to any particular turn. No solution is lost where two of them meet, because nothing is
+computed by acos.
 """
 
 from __future__ import annotations
@@ -58,14 +59,15 @@ def all_branches(geometry: OpwGeometry, opw6: Transform) -> tuple[Array, Mask, A
 def one_branch(
     geometry: OpwGeometry, opw6: Transform, branch: int, near: Array
 ) -> tuple[Array, Mask]:
-    """One branch of a row of poses (k,).
+    """One branch of a sequence of poses (k,).
 
     Args:
         geometry: The arm.
         opw6: Poses (k,) of the last frame.
         branch: 0 to 7.
         near: theta (k, 6) or (6,) [rad]; axes 1 and 4 keep it where the pose leaves them
-            undetermined. A single one stands before the row: there the last determined value holds.
+            undetermined. A single one precedes the first row: there the last determined value
+            holds.
 
     Returns:
         theta (k, 6) [rad] and where they exist (k,).

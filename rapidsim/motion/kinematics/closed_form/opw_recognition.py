@@ -1,7 +1,7 @@
-"""Tell an ortho-parallel arm with a spherical wrist from six axes in space.
+"""Recognises an ortho-parallel arm with a spherical wrist from six axes in space.
 
-Enters what a robot description says at joint values 0: a line for each axis and the frames of links
-and flange. Leaves the arm with its closed-form solver, or the reason why it is not one.
+Input is a robot description at joint values 0: a line for each axis and the frames of links and
+flange. Output is the arm with its closed-form solver, or the reason why it is not one.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def _lacking(directions: Array) -> str | None:
     """The first angle between axes that an ortho-parallel arm would not have."""
     for first, second in ((0, 1), (2, 3), (3, 4), (4, 5)):
         if abs(float(directions[first] @ directions[second])) > ANGLE_TOLERANCE:
-            return f"axis {second + 1} is not square to axis {first + 1}"
+            return f"axis {second + 1} is not perpendicular to axis {first + 1}"
     if np.linalg.norm(np.cross(directions[1], directions[2])) > ANGLE_TOLERANCE:
         return "axis 3 is not parallel to axis 2"
     return None

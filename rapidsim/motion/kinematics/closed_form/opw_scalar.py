@@ -1,7 +1,7 @@
 """One pose of an ortho-parallel arm in plain floats, ten times as fast as a batch of one.
 
-The formulas are those of `opw` and `opw_inverse`, number by number: programs come to their moves
-one at a time. Poses are `Rigid`, joint vectors sequences of six floats [rad].
+The formulas are those of `opw` and `opw_inverse` for single numbers: programs produce moves one at
+a time. Poses are `Rigid`, joint vectors sequences of six floats [rad].
 """
 
 from __future__ import annotations
@@ -63,14 +63,14 @@ class SinglePose:
     def inverse_on_branch(
         self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
     ) -> list[float] | None:
-        """Joints on a branch; None where it does not get there.
+        """Joints on a branch; None if it does not reach the pose.
 
         Args:
             base_from_flange: The pose.
             branch: 0 to 7.
-            near: Joints that are in the nearest turns, and whose values stay where the pose leaves
-                an axis undetermined. Without them joints are in their principal turn, and there are
-                none where an axis is undetermined.
+            near: Joints take the turns closest to these, and keep these values where the pose
+                leaves an axis undetermined. Without them joints are in their principal turns, and
+                there are none where an axis is undetermined.
         """
         g = self.geometry
         opw6 = composed(composed(self.opw_from_base, base_from_flange), self.flange_from_opw6)
@@ -128,7 +128,7 @@ class SinglePose:
         return [turned_towards(before, joint) for before, joint in zip(near, joints, strict=True)]
 
     def branch_of(self, joints: Sequence[float]) -> int:
-        """The branch of a joint vector; on a border it is the front, the positive one."""
+        """The branch of a joint vector; on a border, the front or positive one."""
         g = self.geometry
         _, t2, t3, _, t5, _ = self._theta(joints)
         out = g.wrist_forward(sin(t2), cos(t2 + t3), sin(t2 + t3))

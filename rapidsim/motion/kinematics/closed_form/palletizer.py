@@ -1,9 +1,8 @@
 """Palletizers with four axes, whose rods keep the flange level, such as the IRB 460 and 660.
 
-Rods turn the forearm and the flange: joint 3 is the angle of the forearm from level whatever joint
-2 does, and the flange points down. Joints are 0 with the upper arm straight up and the forearm
-level.
-RAPID stores the fourth joint as axis 6; axes 4 and 5 do not exist.
+Rods drive the forearm and the flange: joint 3 is the angle of the forearm from horizontal,
+independent of joint 2, and the flange points down. Joints are 0 with the upper arm straight up and
+the forearm level. RAPID stores the fourth joint as axis 6; axes 4 and 5 do not exist.
 
 Source: r = a1 + c2 sin q2 + c3 cos q3 + wrist, z = c1 + c2 cos q2 - c3 sin q3 - drop.
 """
@@ -133,7 +132,7 @@ class Palletizer(Kinematics):
         return BranchJoints(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 4); on a border it is the front, the forward elbow."""
+        """The branch of joint vectors (..., 4); on a border, the front or the forward elbow."""
         joints = np.asarray(joints, dtype=np.float64)
         behind = self.flange_forward(joints) < -ROUNDING * self.geometry.reach
         backward = np.cos(joints[..., 2] - joints[..., 1]) < -ROUNDING

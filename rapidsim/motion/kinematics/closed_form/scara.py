@@ -1,4 +1,4 @@
-"""SCARA arms: two parallel turning axes, a sliding axis 3 and a turning axis 4, all upright.
+"""SCARA arms: two parallel turning axes, a sliding axis 3 and a turning axis 4, all vertical.
 
 Joints are 0 with both arms stretched forward, the spline up. Axes 1 and 2 turn counterclockwise
 seen from above, axis 4 clockwise: about z of the flange, which points down. Axis 3 goes down from
@@ -154,7 +154,7 @@ class Scara(Kinematics):
         return BranchJoints(found, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 4); stretched or folded it is that of the positive."""
+        """The branch of joint vectors (..., 4); stretched or folded, that of a positive axis 2."""
         negative = np.sin(np.asarray(joints, dtype=np.float64)[..., 1]) < -ROUNDING
         branch: npt.NDArray[np.int64] = AXIS_2_NEGATIVE * negative.astype(np.int64)
         return branch
@@ -171,7 +171,7 @@ class Scara(Kinematics):
         distance = float(np.hypot(x, y))
         if distance > g.reach:
             return (
-                f"it is {1e3 * distance:.0f} mm from axis 1, and both arms stretched are "
+                f"it is {1e3 * distance:.0f} mm from axis 1, and both arms stretched reach "
                 f"{1e3 * g.reach:.0f} mm"
             )
         if distance < abs(g.a1 - g.a2):

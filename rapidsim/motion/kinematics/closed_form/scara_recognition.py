@@ -1,4 +1,4 @@
-"""Recognise a SCARA in where its axes stand with all joints at 0."""
+"""Recognises a SCARA from the positions of its axes with all joints at 0."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ _DIRECTIONS = np.array([[0.0, 0.0, 1.0]] * 3 + [[0.0, 0.0, -1.0]])
 
 
 def scara_arm(axes: AxesAtZero, slides: Mask) -> Scara | str:
-    """The arm with its closed form, or why it is not of this structure.
+    """The arm with its closed form, or why it does not have this structure.
 
     Args:
-        axes: The axes; of one that slides only the direction counts.
+        axes: The axes; only the direction of a sliding one counts.
         slides: Which of them (m,) slide.
     """
     if len(slides) != JOINT_COUNT or np.flatnonzero(slides).tolist() != [SLIDING]:

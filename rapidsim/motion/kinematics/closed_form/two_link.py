@@ -1,7 +1,7 @@
-"""The triangle of upper arm and forearm, which every arm with two parallel axes closes.
+"""The triangle of upper arm and forearm, common to all arms with two parallel axes.
 
-Nothing is computed by acos: the elbow comes from the tangent of its half angle, so the stretched
-and the folded arm keep every digit and no solution is lost where two of them meet.
+Nothing is computed by acos: the elbow follows from the tangent of its half angle, so the stretched
+and the folded arm keep full precision and no solution is lost where two of them meet.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ def close_triangle(
         bend: 1 where the forearm turns forward from the upper arm, -1 where backward.
 
     Returns:
-        The angle (...) [rad] of the upper arm from straight up, the angle (...) [rad] by which the
+        The angle (...) [rad] of the upper arm from vertical, the angle (...) [rad] by which the
         forearm turns from it, both positive forward, and how far (...) [m] the point is outside the
         ring that the arm reaches. Outside, the arm points at it, stretched or folded.
     """

@@ -1,1 +1,1 @@
-"""Arms whose inverse kinematics is a search."""
+"""Arms whose inverse kinematics is a numerical search."""

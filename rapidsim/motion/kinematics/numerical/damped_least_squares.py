@@ -1,8 +1,9 @@
-"""Damped least squares: walk joints towards a pose, many searches abreast.
+"""Damped least squares: moves joints towards a pose, many searches in parallel.
 
-The error is the way of the flange [m] and the rotation vector [rad] that are left, the step that of
-Levenberg and Marquardt with the exact Jacobian. Damping falls with every step that helps and rises
-with every one that does not, so the walk neither stops nor explodes where the arm is singular.
+The error is the remaining displacement of the flange [m] and rotation vector [rad], the step that
+of Levenberg and Marquardt with the exact Jacobian. Damping decreases with every step that helps and
+increases with every one that does not, so the search neither stalls nor diverges where the arm is
+singular.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ _STUCK_DAMPING = 1e6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Descended:
-    """Where searches (k,) have ended."""
+    """The final states of searches (k,)."""
 
     joints: Array
     """Shape (k, n) [rad]."""
@@ -40,7 +41,7 @@ class Descended:
 
     @property
     def reached(self) -> Mask:
-        """Shape (k,): whether the search has come to the pose."""
+        """Shape (k,): whether the search has reached the pose."""
         reached: Mask = (self.distance <= REACHED) & (self.angle <= REACHED)
         return reached
 
@@ -58,8 +59,8 @@ def descend(
         chain: The arm.
         base_from_flange: A pose for each start.
         starts: Joint vectors.
-        lower: Limits (n,) [rad] that the joints keep on the way; without them, none.
-        upper: The same from above.
+        lower: Lower limits (n,) [rad] observed during the search; None for none.
+        upper: Upper limits, likewise.
     """
     low = np.full(chain.joint_count, -np.inf) if lower is None else lower
     high = np.full(chain.joint_count, np.inf) if upper is None else upper

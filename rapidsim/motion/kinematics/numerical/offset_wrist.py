@@ -1,8 +1,8 @@
-"""Starts for arms whose axis 6 passes beside the crossing of axes 4 and 5, such as the GoFa.
+"""Start vectors for arms whose axis 6 misses the intersection of axes 4 and 5, such as the GoFa.
 
-Such an arm has no closed form, but one whose axis 6 is moved into the crossing has. Its solutions
-for a pose, shifted by the offset in the direction that axis 6 may have turned it, lie near those
-of the true arm. That direction is not known, so some around the circle are tried.
+Such an arm has no closed form, but it has one if axis 6 is moved into the intersection. Its
+solutions for a pose, shifted by the offset in the direction to which axis 6 may have turned it, are
+close to those of the true arm. That direction is not known, so some around the circle are tried.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class NearArm:
     """Where the true flange may stand from that of the near arm, in flange, (DIRECTIONS, 3) [m]."""
 
     def starts(self, base_from_flange: Transform) -> Array:
-        """Joint vectors (DIRECTIONS * 8, 6) [rad] near those of one pose."""
+        """Joint vectors (DIRECTIONS * 8, 6) [rad] close to those of one pose."""
         shifted = base_from_flange.translation - self.offsets @ base_from_flange.rotation.T
         rotation = np.broadcast_to(base_from_flange.rotation, (len(shifted), 3, 3))
         branches = self.arm.inverse(Transform(rotation, shifted))
@@ -36,7 +36,7 @@ class NearArm:
 
 
 def near_arm(axes: AxesAtZero) -> NearArm | None:
-    """The near arm of six axes; None if they lack more than the crossing of axis 6."""
+    """The near arm of six axes; None if they lack more than the intersection with axis 6."""
     if len(axes.points) != 6:
         return None
     crossing = point_nearest(axes.points[3:5], axes.directions[3:5])
@@ -62,12 +62,12 @@ def near_arm(axes: AxesAtZero) -> NearArm | None:
 
 
 def point_nearest(points: Array, directions: Array) -> Array:
-    """The point (3,) of a line that is nearest to another line.
+    """The point (3,) of a line that is closest to another line.
 
     Args:
         points: A point of each line, shape (2, 3) [m].
-        directions: Unit vectors (2, 3) along them. Where the lines are parallel, the point is that
-            beside the second's point.
+        directions: Unit vectors (2, 3) along them. If the lines are parallel, the result is the
+            point closest to the second line's point.
     """
     normal = np.cross(directions[0], directions[1])
     length = float(normal @ normal)

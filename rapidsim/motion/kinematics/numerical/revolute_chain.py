@@ -1,8 +1,8 @@
-"""Arms of the catalogue without a closed form: a row of turning axes, solved by search.
+"""Catalogue arms without a closed form: a chain of turning axes, solved by search.
 
-Such are arms whose axis 6 passes beside the crossing of axes 4 and 5, and arms with seven axes.
-They are described by where their axes stand with all joints at 0, so no convention stands between
-the numbers and a drawing of the arm.
+These are arms whose axis 6 misses the intersection of axes 4 and 5, and arms with seven axes. They
+are described by the positions of their axes with all joints at 0, so the numbers can be compared
+with a drawing of the arm without any convention in between.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Vector = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class AxisRowGeometry:
-    """Where axes and flange stand in base with all joints at 0."""
+    """Positions of axes and flange in base with all joints at 0."""
 
     points: tuple[Vector, ...]
     """A point on each axis [m], from base to flange; the frame of its link stands there."""
@@ -36,7 +36,7 @@ class AxisRowGeometry:
 
     @cached_property
     def axes(self) -> AxesAtZero:
-        """The axes, with link frames that are parallel to the base."""
+        """The axes, with link frames parallel to the base."""
         directions = np.array(self.directions, dtype=np.float64)
         points = np.array(self.points, dtype=np.float64)
         directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
@@ -48,7 +48,7 @@ class AxisRowGeometry:
 
 
 def searched_arm(geometry: AxisRowGeometry, limits: Sequence[tuple[float, float]]) -> Numerical:
-    """The arm within limits [rad], from which searches start."""
+    """The arm with the limits [rad] within which searches start."""
     lower, upper = np.array(limits).T
     chain = SerialChain.uncoupled(geometry.axes)
     return Numerical(chain, lower, upper, near_arm(geometry.axes))
@@ -59,17 +59,17 @@ def search_notices(name: str, why: str, joint_count: int) -> tuple[str, ...]:
 
     Args:
         name: The arm.
-        why: What it has that no closed form has, such as `it has 7 axes`.
+        why: Why it has no closed form, such as `it has 7 axes`.
         joint_count: How many joints it has.
     """
     searched = (
-        f"{name}: {why}, so its joints are searched for step by step; solutions beyond "
+        f"{name}: {why}, so its joints are found by a numerical search; solutions beyond "
         "those found may exist"
     )
     if joint_count <= 6:
         return (searched,)
     nearest = (
-        f"{name}: of the many ways to hold a pose the nearest of those found is "
-        "taken; the arm angle and the configuration of targets are not heeded"
+        f"{name}: of the many solutions for a pose the closest of those found is "
+        "used; the arm angle and the configuration of targets are ignored"
     )
     return searched, nearest

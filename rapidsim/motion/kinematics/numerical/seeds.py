@@ -1,4 +1,4 @@
-"""Where a search for joints begins: spread evenly over the limits, the same in every run."""
+"""Start vectors of a search for joints: spread evenly over the limits, the same in every run."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ MOST_JOINTS = len(_PRIMES)
 def spread_starts(lower: Array, upper: Array, count: int) -> Array:
     """Joint vectors (count, n) [rad] between limits (n,), the middle first.
 
-    Joints without limits, and those that go further than one turn to a side, start within it: what
-    lies beyond is the same pose.
+    Joints without limits, and those with more than one turn to a side, start within one: beyond it
+    the poses repeat.
 
     Source:
         Halton (1960), On the efficiency of certain quasi-random sequences of points.

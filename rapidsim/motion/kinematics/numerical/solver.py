@@ -1,8 +1,8 @@
-"""Arms without a closed form: joints are searched for, from many starts, by damped least squares.
+"""Arms without a closed form: damped least squares from many start vectors.
 
-Such arms have no branches that could be told apart by a sign. What `inverse` returns are the
-distinct solutions that the search has found, and there may be others; a path is followed from each
-pose to the next, which keeps it on what would be its branch.
+Such arms have no branches that a sign could identify. `inverse` returns the distinct solutions that
+the search has found, and there may be others; a path is followed from each pose to the next, which
+keeps it on what would be its branch.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ SAME = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class Numerical(Kinematics):
-    """Kinematics of any row of turning joints, by search."""
+    """Kinematics of any chain of turning joints, by search."""
 
     chain: SerialChain
     lower: Array
@@ -45,25 +45,25 @@ class Numerical(Kinematics):
 
     @property
     def branch_count(self) -> int:
-        """How many solutions `inverse` returns at most."""
+        """The maximum number of solutions that `inverse` returns."""
         return MOST_SOLUTIONS
 
     @property
     def posture(self) -> Array | None:
-        """That of the arm which moves almost the same."""
+        """The posture of the arm with almost the same motion."""
         return None if self.near is None else self.near.arm.posture
 
     @cached_property
     def starts(self) -> Array:
-        """Joint vectors (STARTS, n) [rad] from which every pose is searched for."""
+        """Joint vectors (STARTS, n) [rad] from which every search starts."""
         return spread_starts(self.lower, self.upper, STARTS)
 
     @cached_property
     def stretched(self) -> tuple[Array, float]:
-        """A point (3,) [m] that no joint moves, and the longest way [m] of the flange from it.
+        """A point (3,) [m] that no joint moves, and the flange's maximum distance [m] from it.
 
-        The way leads from axis to axis by points that both their links carry, so no joint changes
-        the length of its parts; a shorter one may exist.
+        The latter is an upper bound: the length of a path from axis to axis through points fixed to
+        both their links, so no joint changes the length of its parts; a tighter one may exist.
         """
         axes = self.chain.axes
         stations = [
@@ -90,8 +90,9 @@ class Numerical(Kinematics):
     def inverse(self, base_from_flange: Transform) -> Branches:
         """Solutions within the limits that the search finds for poses (...,).
 
-        At most `MOST_SOLUTIONS`, those next to the middle of the limits first. Arms with more than
-        six joints have endlessly many; which are found is chance, but the same in every run.
+        At most `MOST_SOLUTIONS`, those closest to the middle of the limits first. Arms with more
+        than six joints have infinitely many; which are found is arbitrary, but the same in every
+        run.
         """
         leading = base_from_flange.translation.shape[:-1]
         poses = Transform(
@@ -117,9 +118,9 @@ class Numerical(Kinematics):
     def inverse_on_branch(
         self, base_from_flange: Transform, branch: int, near: Array
     ) -> BranchJoints:
-        """Joints of poses (k,) that continue those of `near`, whatever the branch.
+        """Joints for poses (k,) that continue those of `near`, whatever the branch.
 
-        With a single vector each row is searched for from the one before it.
+        With a single vector, the search for each row starts from the previous one.
         """
         near = np.asarray(near, dtype=np.float64)
         if near.ndim == 2:
@@ -136,7 +137,7 @@ class Numerical(Kinematics):
         return BranchJoints(in_turn_of(joints, exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """0: there are no branches to tell apart."""
+        """0: there are no branches to distinguish."""
         return np.zeros(np.shape(joints)[:-1], dtype=np.int64)
 
     def _search(self, pose: Transform) -> tuple[Array, float, float]:
