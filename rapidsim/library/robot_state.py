@@ -123,7 +123,8 @@ def calc_joint_t(
 ) -> JointTarget:
     r"""Axis positions that reach a target in its configuration.
 
-    With \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
+    Configuration and limits are held to as by a move: with ConfJ off the nearest will do. With
+    \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
     """
     ignored(controller.honesty, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
     of_wobj = WOBJ0 if wobj is None else wobj.value
