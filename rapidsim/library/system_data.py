@@ -29,6 +29,7 @@ from rapidsim.language.errors import RapidError
 from rapidsim.language.types import NUM
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Does
 
 NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
@@ -71,7 +72,8 @@ def get_sys_data(
     of: ArgumentType = NUM,
 ) -> None:
     """Copy the active tool, work object or load of the gripper, and tell its name."""
-    ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
+    if means_another(controller.tasks, task_ref, task_name):
+        ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
     motion = controller.motion
     tool, wobj = motion.active_names()
     match of.name:

@@ -100,7 +100,7 @@ def test_save_writes_the_values_of_persistents(tmp_path: Path) -> None:
         tmp_path,
         'Load "part.mod";',
         '%"draw"% 3;',
-        r'Save "part" \FilePath:="HOME:/kept" \File:="copy.mod";',
+        r'Save \TaskName:="T_ROB1","part" \FilePath:="HOME:/kept" \File:="copy.mod";',
         '%"draw"% 4;',
         r'UnLoad \Save,"part.mod";',
         'Load "part.mod";',
