@@ -26,7 +26,7 @@ class FileAccess:
         Raises:
             RapidError: See `HomeFolder.open_file`.
         """
-        file = self.cell.home.open_file(path, mode)
+        file = self.cell.home.open_file(path, mode, self.clock.now())
         self.clock.event(
             EventKind.FILE, f"opened {path} to {mode.value}", path=path, mode=mode.value
         )
@@ -44,7 +44,7 @@ class FileAccess:
 
     def copy_file(self, old: str, new: str) -> None:
         """Copy a file of the home folder."""
-        self.cell.home.copy(old, new)
+        self.cell.home.copy(old, new, self.clock.now())
         self.clock.event(EventKind.FILE, f"copied {old} to {new}", path=new)
 
     def rename_file(self, old: str, new: str) -> None:
@@ -78,6 +78,14 @@ class FileAccess:
     def file_size(self, path: str) -> int | None:
         """Size of a file [bytes]; None if there is none."""
         return self.cell.home.size(path)
+
+    def written_s(self, path: str) -> float | None:
+        """When a file was written [s]."""
+        return self.cell.home.written_s(path)
+
+    def loaded_s(self, path: str) -> float:
+        """When a program file had been written that was then loaded [s]."""
+        return self.cell.home.loaded_s(path)
 
     def bytes_in(self, path: str) -> int:
         """Bytes of all files below a folder."""

@@ -119,13 +119,13 @@ class TaskMotion:
         return self.resolver.target(given, external, tool, wobj, self.clock.place)
 
     def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
-        """Axis positions that reach a target in its configuration.
+        """Axis positions that reach a target in its configuration; with ConfJ off, near it.
 
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        end = self.unit.queue.end
-        joints = self.resolver.reach(target, tool, wobj, end, self.clock.place)
+        end, monitored = self.unit.queue.end, self.settings.conf_j
+        joints = self.resolver.reach(target, tool, wobj, end, self.clock.place, monitored=monitored)
         return JointTarget(self.resolver.rob_joint(joints), target.extax)
 
     def finish(self) -> None:

@@ -9,6 +9,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.reach_and_motion_data import (
+    CircleUncertain,
     ConfigurationChangesOnLine,
     ConfigurationNotReachable,
     JointOutOfRange,
@@ -18,11 +19,13 @@ from rapidsim.findings.reach_and_motion_data import (
     UnreachableTarget,
 )
 from rapidsim.findings.wrist_circles import WristCircleFails
+from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.syntax import tree
 
 _ABOUT_TARGETS = (
     *(UnreachableTarget, JointOutOfRange, ConfigurationNotReachable, ConfigurationChangesOnLine),
     *(PathNotReachable, PathThroughSingularity, PathConfiguration, WristCircleFails),
+    *(CircleUncertain, QuaternionNotUnit),
 )
 _TARGETS = ("robtarget", "jointtarget")
 

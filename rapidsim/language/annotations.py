@@ -113,6 +113,7 @@ IntTypes = Annotated[float, types.Alias("inttypes", types.NUM)]
 OpCalc = Annotated[float, types.Alias("opcalc", types.NUM)]
 OpNum = Annotated[float, types.Alias("opnum", types.NUM)]
 SocketStatus = Annotated[float, types.Alias("socketstatus", types.NUM)]
+TspStatus = Annotated[float, types.Alias("tsp_status", types.NUM)]
 StringDig = Annotated[str, types.Alias("stringdig", types.STRING)]
 SymNum = Annotated[float, types.Alias("symnum", types.NUM)]
 

@@ -14,6 +14,10 @@ class Camera(Protocol):
     job: str
     runs: bool
     """Whether it is in run mode; only then it takes pictures."""
+    parameters: dict[str, float | bool | str]
+    """What its job can be set to, by folded name."""
+    exposure: dict[str, float]
+    """By the name of its optional argument: what CamSetExposure gave."""
 
 
 class Cameras(Protocol):

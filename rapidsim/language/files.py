@@ -96,6 +96,14 @@ class Files(Protocol):
         """Size of a file [bytes]; None if there is no such file."""
         ...
 
+    def written_s(self, path: str) -> float | None:
+        """When a file was written [s], 0 where it was there before; None if there is none."""
+        ...
+
+    def loaded_s(self, path: str) -> float:
+        """When a program file had been written that was then loaded [s]; 0 where before."""
+        ...
+
     def bytes_in(self, path: str) -> int:
         """Bytes of all files below a folder."""
         ...

@@ -1,22 +1,25 @@
 r"""Cameras: pictures whose results the station's [[camera]] tables give.
 
 Of a camera that the station does not describe nothing is known: it is skipped, and the run says so.
-Exposure and parameters are not simulated.
+Exposure and parameters are kept for whoever asks, and change nothing in what is found.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
-"CamGetResult", "CamNumberOfResults", "CamSetRunMode"; Application manual Integrated Vision.
+"CamGetResult", "CamNumberOfResults", "CamSetRunMode", "CamGetParameter"; Application manual
+Integrated Vision.
 """
 
 from __future__ import annotations
 
-from rapidsim.language.annotations import CameraDev, Num, String, Switch, Var
+from rapidsim.language.annotations import Bool, CameraDev, Num, String, Switch, Var
 from rapidsim.language.cameras import Camera
 from rapidsim.language.controller import ClockService, Controller
 from rapidsim.language.error_numbers import (
+    ERR_CAM_GET_MISMATCH,
     ERR_CAM_MAXTIME,
     ERR_CAM_NO_MORE_DATA,
     ERR_CAM_NO_PROGMODE,
     ERR_CAM_NO_RUNMODE,
+    ERR_CAM_SET_MISMATCH,
     rapid_error,
 )
 from rapidsim.language.option_data import CameraTarget
@@ -173,6 +176,94 @@ def _name(controller: Controller, camera: Reference[object]) -> str:
     return camera.value if isinstance(camera.value, str) else written
 
 
+def cam_set_parameter(
+    controller: Controller,
+    camera: Var[CameraDev],
+    par_name: String,
+    *,
+    num_val: Num | None = None,
+    bool_val: Bool | None = None,
+    str_val: String | None = None,
+) -> None:
+    """Set a parameter of the job in a camera."""
+    found = _camera(controller, "CamSetParameter", camera)
+    if found is None:
+        return
+    given = next((one for one in (num_val, bool_val, str_val) if one is not None), None)
+    value = found.parameters.get(par_name.lower())
+    if given is None or type(value) is not type(given):
+        raise rapid_error(ERR_CAM_SET_MISMATCH, _mismatch(found, par_name, value))
+    found.parameters[par_name.lower()] = given
+
+
+def cam_get_parameter(
+    controller: Controller,
+    camera: Var[CameraDev],
+    par_name: String,
+    *,
+    num_var: Var[Num] | None = None,
+    bool_var: Var[Bool] | None = None,
+    str_var: Var[String] | None = None,
+) -> None:
+    """Read a parameter of the job in a camera."""
+    found = _camera(controller, "CamGetParameter", camera)
+    if found is None:
+        return
+    value = found.parameters.get(par_name.lower())
+    if num_var is not None and isinstance(value, float):
+        num_var.value = value
+    elif bool_var is not None and isinstance(value, bool):
+        bool_var.value = value
+    elif str_var is not None and isinstance(value, str):
+        str_var.value = value
+    else:
+        raise rapid_error(ERR_CAM_GET_MISMATCH, _mismatch(found, par_name, value))
+
+
+def cam_set_exposure(
+    controller: Controller,
+    camera: Var[CameraDev],
+    *,
+    exposure_time: Num | None = None,
+    brightness: Num | None = None,
+    contrast: Num | None = None,
+) -> None:
+    """Set how a camera exposes its pictures."""
+    found = _camera(controller, "CamSetExposure", camera)
+    if found is not None:
+        given = {_TIME: exposure_time, _BRIGHTNESS: brightness, _CONTRAST: contrast}
+        found.exposure.update((of, value) for of, value in given.items() if value is not None)
+
+
+def cam_get_exposure(
+    controller: Controller,
+    camera: Var[CameraDev],
+    *,
+    exposure_time: Switch = False,
+    brightness: Switch = False,
+    contrast: Switch = False,
+) -> Num:
+    """How a camera exposes its pictures: what CamSetExposure gave."""
+    del exposure_time
+    found = _camera(controller, "CamGetExposure", camera)
+    if found is None:
+        return 0.0
+    of = _BRIGHTNESS if brightness else _CONTRAST if contrast else _TIME
+    if of not in found.exposure:
+        controller.honesty.not_simulated(f"CamGetExposure of {found.name}", "0: nothing has set it")
+    return found.exposure.get(of, 0.0)
+
+
+_TIME, _BRIGHTNESS, _CONTRAST = "ExposureTime", "Brightness", "Contrast"
+_WORDS = {float: "a num", bool: "a bool", str: "a string"}
+
+
+def _mismatch(camera: Camera, name: str, value: float | bool | str | None) -> str:
+    if value is None:
+        return f"the station gives no parameter `{name}` of the camera {camera.name}"
+    return f"`{name}` of the camera {camera.name} is {_WORDS[type(value)]}"
+
+
 def alias_camera(
     controller: ClockService, camera_name: String | CameraDev, to_camera: Var[CameraDev]
 ) -> None:
@@ -184,8 +275,10 @@ def alias_camera(
 CAMERAS = table(
     routine("AliasCamera", alias_camera),
     routine("CamFlush", cam_flush),
+    routine("CamGetExposure", cam_get_exposure, r"Camera \ExposureTime|\Brightness|\Contrast"),
     routine("CamGetLoadedJob", cam_get_loaded_job),
     routine("CamGetName", cam_get_name),
+    routine("CamGetParameter", cam_get_parameter, r"Camera ParName \NumVar|\BoolVar|\StrVar"),
     routine(
         "CamGetResult", cam_get_result, r"Camera CamTarget \SceneId \MaxTime", does=Does.GIVE_UP
     ),
@@ -197,6 +290,8 @@ CAMERAS = table(
         r"Camera \SceneId \KeepTargets \AwaitComplete",
         does=Does.WAIT,
     ),
+    routine("CamSetExposure", cam_set_exposure),
+    routine("CamSetParameter", cam_set_parameter, r"Camera ParName \NumVal|\BoolVal|\StrVal"),
     routine("CamSetProgramMode", cam_set_program_mode),
     routine("CamSetRunMode", cam_set_run_mode),
     routine("CamStartLoadJob", cam_start_load_job),

@@ -21,6 +21,7 @@ from rapidsim.library.displacement import DISPLACEMENT
 from rapidsim.library.error_interrupts import ERROR_INTERRUPTS
 from rapidsim.library.errors import ERRORS
 from rapidsim.library.file_system import FILE_SYSTEM
+from rapidsim.library.file_times import FILE_TIMES
 from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
@@ -86,6 +87,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Text tables": TEXT_TABLES,
         "Files": FILES,
         "Files and folders": FILE_SYSTEM,
+        "Times of files": FILE_TIMES,
         "Loading modules": LOADING,
         "Raw bytes": RAW_BYTES,
         "Message queues": MESSAGES,

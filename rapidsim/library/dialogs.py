@@ -111,13 +111,18 @@ def ui_message_box(
     image: String | None = None,
     **asked: Unpack[Asked],
 ) -> BtnRes:
-    """Show a message with buttons; the button, or its number in the program's own list."""
-    del image, default_btn
+    r"""Show a message with buttons; the button, or its number in the program's own list.
+
+    Broken off without an answer it gives \DefaultBtn.
+    """
+    del image
     _report(controller.honesty, "UIMessageBox", asked)
     if buttons == NO_BUTTONS:
         controller.operator.show(_prompt(asked))
         return NO_RESULT
-    return _pressed(controller, "UIMessageBox", asked, _prompt(asked), buttons, btn_array)
+    unanswered = NO_RESULT if default_btn is None else default_btn
+    prompt = _prompt(asked)
+    return _pressed(controller, "UIMessageBox", asked, prompt, buttons, btn_array, unanswered)
 
 
 def ui_num_entry(
@@ -257,6 +262,7 @@ def _pressed(
     prompt: str,
     buttons: float | None,
     own: list[str] | None,
+    unanswered: float = NO_RESULT,
 ) -> float:
     keys = _buttons(buttons) if own is None else [(text, n) for n, text in enumerate(own, 1)]
 
@@ -264,7 +270,7 @@ def _pressed(
         return controller.operator.ask_choice(prompt, [text for text, _ in keys], ends=ends)
 
     pressed = answered(controller, name, options, ask, None)
-    return NO_RESULT if pressed is None else float(keys[pressed][1])
+    return unanswered if pressed is None else float(keys[pressed][1])
 
 
 def _buttons(buttons: float | None) -> tuple[tuple[str, float], ...]:

@@ -19,7 +19,6 @@ from rapidsim.language.error_numbers import (
     ERR_LOADNO_INUSE,
     ERR_LOADNO_NOUSE,
     ERR_PATH,
-    ERR_TASKNAME,
     ERR_UNKPROC,
     ERR_UNLOAD,
     rapid_error,
@@ -29,6 +28,7 @@ from rapidsim.language.files import FileMode, Files
 from rapidsim.language.modules import LoadSession, SavedModule
 from rapidsim.library.files import joined_path
 from rapidsim.library.table import routine, table
+from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Does
 
 LARGEST_FILE = 10_000_000
@@ -150,9 +150,7 @@ def save(
     file: String | None = None,
 ) -> None:
     """Write a module into a file, with the values that its persistents have now."""
-    if task_name is not None and not controller.tasks.has_task(task_name):
-        raise rapid_error(ERR_TASKNAME, f"there is no task {task_name} in this run")
-    if task_ref is not None or task_name is not None:
+    if means_another(controller.tasks, task_ref, task_name):
         controller.honesty.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
         return
     module = controller.modules.saved(module_name)

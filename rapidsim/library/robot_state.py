@@ -8,8 +8,6 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 
 from __future__ import annotations
 
-import re
-
 from rapidsim.language.annotations import ErrNum, InOut, Num, Pers, String, Switch, TaskId, Var
 from rapidsim.language.controller import Controller, Motion
 from rapidsim.language.data import (
@@ -19,7 +17,6 @@ from rapidsim.language.data import (
     Pos,
     RobJoint,
     RobTarget,
-    Signal,
     ToolData,
     WobjData,
 )
@@ -29,6 +26,7 @@ from rapidsim.language.tasks import TaskService
 from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.task_arguments import named_task
 from rapidsim.library.traits import Does
 
 
@@ -123,7 +121,8 @@ def calc_joint_t(
 ) -> JointTarget:
     r"""Axis positions that reach a target in its configuration.
 
-    With \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
+    Configuration and limits are held to as by a move: with ConfJ off the nearest will do. With
+    \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
     """
     ignored(controller.honesty, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
     of_wobj = WOBJ0 if wobj is None else wobj.value
@@ -155,12 +154,7 @@ def _other_task(
 
     A task without a robot asks for that of the task it belongs to.
     """
-    meant = controller.robot_task
-    if task_name is not None:
-        meant = task_name
-    elif task_ref is not None and isinstance(task_ref.value, Signal):
-        # A controller has a `taskid` for each task, named after it: T_ROB1Id.
-        meant = re.sub(r"Id$", "", task_ref.value.name, flags=re.IGNORECASE)
+    meant = named_task(task_ref, task_name) or controller.robot_task
     return None if meant.lower() == controller.task_name.lower() else meant
 
 

@@ -12,6 +12,7 @@ import math
 
 from rapidsim.language.annotations import (
     AnySignal,
+    ArgumentType,
     Bool,
     DioNum,
     Dnum,
@@ -38,6 +39,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.reference import Reference
+from rapidsim.language.types import STRING
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
@@ -168,12 +170,21 @@ def valid_io(signal: Var[AnySignal]) -> Bool:
     return isinstance(signal.value, Signal) and bool(signal.value.name)
 
 
-def alias_io(from_signal: Ref[SignalOrName], to_signal: Var[AnySignal]) -> None:
+def alias_io(
+    from_signal: Ref[SignalOrName],
+    to_signal: Var[AnySignal],
+    *,
+    of: ArgumentType = STRING,
+    to: ArgumentType = STRING,
+) -> None:
     """Let a signal variable mean a signal, given itself or by its name."""
     source = from_signal if isinstance(from_signal, str | Signal) else from_signal.value
     name = source.name if isinstance(source, Signal) else source
     if not isinstance(name, str) or not isinstance(to_signal.value, Signal):
         raise rapid_error(ERR_ALIASIO_TYPE, "AliasIO connects signals only")
+    if isinstance(source, Signal) and of != to:
+        told = f"{source.name or 'a signal'} is a {of.name}; a {to.name} cannot mean it"
+        raise rapid_error(ERR_ALIASIO_TYPE, told)
     if to_signal.value.is_configured:
         told = f"{to_signal.value.name} is itself a signal of the cell; AliasIO connects variables"
         raise rapid_error(ERR_ALIASIO_DEF, told)

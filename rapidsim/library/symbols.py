@@ -20,11 +20,12 @@ from rapidsim.language.annotations import (
     TaskId,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller
 from rapidsim.language.reference import Reference
 from rapidsim.language.symbols import DataName, Search
 from rapidsim.language.types import NUM
 from rapidsim.library.table import routine, table
+from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Does
 
 
@@ -39,7 +40,7 @@ def get_data_val(
     of: ArgumentType = NUM,
 ) -> None:
     """Read data whose name is a string."""
-    _own_task_only(controller.honesty, "GetDataVal", task_ref, task_name)
+    _own_task_only(controller, "GetDataVal", task_ref, task_name)
     read = controller.symbols.read(object_, of, _where(block))
     if isinstance(value, list):
         assert isinstance(read, list)
@@ -59,7 +60,7 @@ def set_data_val(
     of: ArgumentType = NUM,
 ) -> None:
     """Write data whose name is a string."""
-    _own_task_only(controller.honesty, "SetDataVal", task_ref, task_name)
+    _own_task_only(controller, "SetDataVal", task_ref, task_name)
     controller.symbols.write(object_, of, _where(block), _given(value))
 
 
@@ -136,11 +137,11 @@ def _where(block: Reference[DataName | None] | None) -> DataName | None:
 
 
 def _own_task_only(
-    controller: Honesty, name: str, task_ref: object | None, task_name: str | None
+    controller: Controller, name: str, task_ref: Reference[object] | None, task_name: str | None
 ) -> None:
-    for option, value in ((r"\TaskRef", task_ref), (r"\TaskName", task_name)):
-        if value is not None:
-            controller.not_simulated(f"{name} {option}", "the data of the task itself")
+    if means_another(controller.tasks, task_ref, task_name):
+        option = r"\TaskRef" if task_name is None else r"\TaskName"
+        controller.honesty.not_simulated(f"{name} {option}", "the data of the task itself")
 
 
 _PLACE = r"\Block|\TaskRef|\TaskName"

@@ -1,7 +1,7 @@
 r"""What a program asks about the controller and the tool that is active.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
-"GetSysData", "SetSysData", "EventType", "UIClientExist".
+"GetSysData", "SetSysData", "EventType", "UIClientExist", "IsSysId", "ProgMemFree".
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from rapidsim.language.annotations import (
     EventTypeNum,
     ExecLevelNum,
     InOut,
+    Num,
     Pers,
     String,
     Switch,
@@ -22,13 +23,14 @@ from rapidsim.language.annotations import (
     TpNum,
     Var,
 )
-from rapidsim.language.controller import Controller, Interrupts
+from rapidsim.language.controller import Controller, Honesty, Interrupts
 from rapidsim.language.data import LOAD0, LoadData, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.types import NUM
 from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
+from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Does
 
 NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
@@ -36,6 +38,8 @@ NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
 NO_EVENT = 0.0
 """The constant EVENT_NONE: the program runs by itself, not for an event such as power on."""
 
+FREE_MEMORY_BYTES = 2.0**26
+_MEMORY_NOTE = "64 MB, whatever is loaded"
 _VIRTUAL = "virtual"
 _NAME = "rapidsim"
 
@@ -61,6 +65,17 @@ def get_sys_info(
     return next((answer for asked, answer in answers if asked), "")
 
 
+def is_sys_id(system_id: String) -> Bool:
+    """Whether the controller has this identity."""
+    return system_id == _NAME
+
+
+def prog_mem_free(controller: Honesty) -> Num:
+    """How many bytes of program memory are free: always the same."""
+    controller.not_simulated("ProgMemFree", _MEMORY_NOTE)
+    return FREE_MEMORY_BYTES
+
+
 def get_sys_data(
     controller: Controller,
     dest_object: Pers[AnyType],
@@ -71,7 +86,8 @@ def get_sys_data(
     of: ArgumentType = NUM,
 ) -> None:
     """Copy the active tool, work object or load of the gripper, and tell its name."""
-    ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
+    if means_another(controller.tasks, task_ref, task_name):
+        ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
     motion = controller.motion
     tool, wobj = motion.active_names()
     match of.name:
@@ -162,6 +178,8 @@ SYSTEM_DATA = table(
         get_sys_info,
         r"\SerialNo|\SWVersion|\SWVersionName|\RobotType|\CtrlId|\LanIp|\CtrlLang|\SystemName",
     ),
+    routine("IsSysId", is_sys_id),
+    routine("ProgMemFree", prog_mem_free, treated_as=_MEMORY_NOTE),
     routine("GetSysData", get_sys_data, r"\TaskRef|\TaskName DestObject \ObjectName"),
     routine(
         "SetSysData",

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from rapidsim.language import types
-from rapidsim.language.annotations import Bool, Mode, Num, String, Switch, TaskId, Var
+from rapidsim.language.annotations import Bool, Mode, Num, String, Switch, TaskId, TspStatus, Var
 from rapidsim.language.controller import ClockService, Controller
 from rapidsim.language.data import Tasks
 from rapidsim.language.error_numbers import (
@@ -30,6 +30,8 @@ from rapidsim.library.traits import Does
 
 SyncIdent = Annotated[object, next(one for one in types.OPAQUE if one.name == "syncident")]
 TaskList = Annotated[list[Tasks], Mode.PERS]
+CHOSEN = 3.0
+"""The constant TSP_STATUS_ACT."""
 
 
 def wait_sync_task(
@@ -142,6 +144,12 @@ def task_is_executing(controller: Controller, task_ref: TaskId | String) -> Bool
     return _is_in_the_run(controller, "TaskIsExecuting", task_ref)
 
 
+def get_tsp_status(controller: Controller, task_ref: TaskId | String) -> TspStatus:
+    """Whether a task is chosen in the task selection panel: all tasks of a run are."""
+    _is_in_the_run(controller, "GetTSPStatus", task_ref)
+    return CHOSEN
+
+
 def _is_in_the_run(controller: Controller, function: str, task: object) -> bool:
     if not isinstance(task, str):
         ignored(controller.honesty, function, {"TaskRef": task})
@@ -188,5 +196,6 @@ TASKS = table(
     routine("TaskRunMec", task_run_mec),
     routine("MotionPlannerNo", motion_planner_no),
     routine("TaskIsActive", task_is_active),
+    routine("GetTSPStatus", get_tsp_status),
     routine("TaskIsExecuting", task_is_executing),
 )

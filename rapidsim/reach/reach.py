@@ -129,7 +129,7 @@ def _error_of_main(
         return (), ""
     if why := why_left_out(program, walked):
         return (), why
-    return run_for_error(program, robot, options), ""
+    return run_for_error(program, robot, options, walked), ""
 
 
 def _unrun_collisions(

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
 from rapidsim.findings.runs import EndlessWait, NotDeclaredHere, is_of_runs
 from rapidsim.interpreter.limits import NotExecutableError
@@ -140,7 +140,9 @@ def run_for_moves(
     )
 
 
-def run_for_error(program: Program, robot: Robot, options: RunOptions) -> tuple[Diagnostic, ...]:
+def run_for_error(
+    program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
+) -> tuple[Diagnostic, ...]:
     """The error that ends a run of main, for a program whose moves are known without one."""
     if program.routines.get(options.entry.lower()) is None:
         return ()
@@ -149,8 +151,9 @@ def run_for_error(program: Program, robot: Robot, options: RunOptions) -> tuple[
         run = simulate(program, robot, options=replace(limited, home=None, network=None))
     except (InputError, NotExecutableError):
         return ()
-    errors = (one for one in run.diagnostics if one.severity is Severity.ERROR and _of_run(one))
-    found = tuple(_as_sure(one, run, (program,), options) for one in errors)
+    moves = [module.span(call) for call, module in walked.written]
+    errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
+    found = tuple(_doubted(one, run, (program,), options) for one in errors)
     # What follows from a move that this arm cannot make is as sure as the arm is.
     unmade = any(one.failed_moves for one in run.robots)
     return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
@@ -206,6 +209,15 @@ def _of_run(found: Diagnostic) -> bool:
     return is_of_runs(found) and not _of_text(found)
 
 
+def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
+    """Whether only a run tells a finding: its error, or what a function says of reach."""
+    if _of_run(found):
+        return found.severity is Severity.ERROR
+    of_reach = found.severity is Severity.ERROR or found.violation.code.startswith("K")
+    at = found.span
+    return of_reach and at is not None and not any(map(at.begins_in, moves)) and not _of_text(found)
+
+
 def _of_text(found: Diagnostic) -> bool:
     """Whether the text alone tells it, and has."""
     return isinstance(found.violation, NotDeclaredHere)
@@ -215,8 +227,12 @@ def _as_sure(
     found: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
 ) -> Diagnostic:
     """The finding; what may follow from what a check does not have is no error."""
-    if not _of_run(found):
-        return found
+    return _doubted(found, run, programs, options) if _of_run(found) else found
+
+
+def _doubted(
+    found: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
+) -> Diagnostic:
     guesses = (
         bool(run.unsimulated)
         or len(options.cell_tasks) > len(programs)

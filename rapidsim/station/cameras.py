@@ -4,17 +4,20 @@
 name = "cam1"
 after = 0.2
 repeat = true
+parameters = { "Pattern_1.Accept_Threshold" = 70 }
 pictures = [[{ name = "part", position = [120, 30, 0], quaternion = [1, 0, 0, 0], val1 = 98 }], []]
 """
 
 from __future__ import annotations
+
+from collections.abc import Iterator
 
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.language.data import IDENTITY_POSE, Orient, Pos, Pose
 from rapidsim.language.option_data import CameraTarget
 from rapidsim.station.toml_reader import Reader, Table
 
-_KEYS = ("name", "after", "repeat", "pictures")
+_KEYS = ("name", "after", "repeat", "parameters", "pictures")
 _VALUES = ("val1", "val2", "val3", "val4", "val5")
 _FOUND_KEYS = ("name", "position", "quaternion", *_VALUES, "string1", "string2", "type")
 
@@ -37,9 +40,22 @@ def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
                 _pictures(reader, table, path, name),
                 reader.not_negative(table, path, "after") or 0.0,
                 repeats is True,
+                tuple(_parameters(reader, table, path)),
             )
         )
     return tuple(scripts)
+
+
+def _parameters(
+    reader: Reader, table: Table, path: str
+) -> Iterator[tuple[str, float | bool | str]]:
+    for name, value in reader.table(table, "parameters", f"{path}.parameters").items():
+        if isinstance(value, bool | str):
+            yield name.lower(), value
+        elif isinstance(value, int | float):
+            yield name.lower(), float(value)
+        else:
+            reader.wrong(f"{path}.parameters.{name}", "a number, a text, true or false is needed")
 
 
 def _pictures(

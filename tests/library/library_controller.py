@@ -348,6 +348,12 @@ class RecordingController(NoSockets, Undisturbed):
     def file_size(self, path: str) -> int | None:
         return len(self.files[path]) if path in self.files else None
 
+    def written_s(self, path: str) -> float | None:
+        return 0.0 if path in self.files else None
+
+    def loaded_s(self, path: str) -> float:
+        return 0.0
+
     def bytes_in(self, path: str) -> int:
         return sum(map(len, self.files.values()))
 

@@ -222,6 +222,7 @@ def test_reading_lines(controller: RecordingController) -> None:
     assert controller.call("ReadStr", device) == ""
     assert controller.call("ReadStr", device) == "end"
     assert controller.call("ReadStr", device) == "EOF"
+    controller.call("ClearIOBuff", device)
     controller.call("Rewind", device)
     assert controller.call("ReadStr", device, line=2.0) == "two"
 

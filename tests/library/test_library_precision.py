@@ -27,7 +27,7 @@ NEEDS_MORE = {
     *("SocketGetStatus", "SocketPeek", "SocketReceive"),
     *("GetTaskName", "TasksInSync"),
     *("MToolTCPCalib", "UIListView", "ReadAnyBin", "ReadBin", "ReadNum", "TextTabGet"),
-    *("ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),
+    *("ModTime", "ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),
     "GetNextMechUnit",
     *("GetJointData", "CorrRead", "IRMQMessage", "RMQGetMsgHeader"),
 }

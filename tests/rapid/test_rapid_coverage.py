@@ -1,13 +1,15 @@
 """The book leaves no production of the grammar and no node of the tree out."""
 
+import re
 from dataclasses import fields
 from pathlib import Path
 
 import pytest
-from rapid_promises import sources
+from rapid_promises import MODULES, sources
 from test_rapid_book import PROGRAMS
 
 from rapidsim.diagnostics import Source
+from rapidsim.library.catalogue import ROUTINES
 from rapidsim.syntax import tree
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.limits import bounded
@@ -16,6 +18,7 @@ from rapidsim.syntax.repair import repaired
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import ACCEPT
 
+WORD = re.compile(rb"[A-Za-z_]\w*")
 ABSTRACT = {tree.Node, tree.RoutineNode}
 OF_LONG_PROGRAMS = {tree.Run, tree.RunRow}
 """What a check makes of thousands of moves: tests/check/test_check_runs.py."""
@@ -104,3 +107,12 @@ def test_no_program_stands_twice() -> None:
     assert all(len(programs) >= 5 for programs in chapters.values())
     assert len({source.text for source in BOOK}) == len(BOOK)
     assert len(names) > 100
+
+
+def test_every_simulated_routine_is_called_somewhere_in_the_tests() -> None:
+    tests = Path(__file__).parents[1]
+    programs = MODULES | {".py"}
+    texts = [path.read_bytes() for path in tests.rglob("*") if path.suffix in programs]
+    words = {word.lower() for text in texts for word in WORD.findall(text)}
+    known = [routine.name for routine in ROUTINES.values() if routine.simulated]
+    assert not [name for name in known if name.lower().encode() not in words]

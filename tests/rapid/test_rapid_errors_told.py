@@ -20,7 +20,10 @@ PROGRAMS = [
 STOPPED = [
     program
     for program in PROGRAMS
-    if any(kind == "stops" for _, _, kind, _ in promised(sources(program)))
+    if any(
+        kind == "stops" or (kind == "error" and text.startswith("M5"))
+        for _, _, kind, text in promised(sources(program))
+    )
 ]
 WAITS = "R106"
 """A check cannot know that nobody ever sets an input: to it this is a warning."""

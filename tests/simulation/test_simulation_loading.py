@@ -12,6 +12,7 @@ from rapidsim.analysis.rules.names.unused import UnusedData, UnusedRoutine
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED
 
 MAIN = r"""MODULE cell
   VAR num count:=5;
@@ -100,7 +101,7 @@ def test_save_writes_the_values_of_persistents(tmp_path: Path) -> None:
         tmp_path,
         'Load "part.mod";',
         '%"draw"% 3;',
-        r'Save "part" \FilePath:="HOME:/kept" \File:="copy.mod";',
+        r'Save \TaskName:="T_ROB1","part" \FilePath:="HOME:/kept" \File:="copy.mod";',
         '%"draw"% 4;',
         r'UnLoad \Save,"part.mod";',
         'Load "part.mod";',
@@ -111,6 +112,36 @@ def test_save_writes_the_values_of_persistents(tmp_path: Path) -> None:
     assert it.texts == ["13", "17", "18", "error 20122"]
     assert (tmp_path / "kept" / "copy.mod").read_text() == PART.replace(":=10", ":=13")
     assert (tmp_path / "part.mod").read_text() == PART.replace(":=10", ":=17")
+
+
+def test_a_file_written_after_its_module_was_loaded_is_later(tmp_path: Path) -> None:
+    told = r'TPWrite ValToStr(FileTime("part.mod" \ModifyTime)>ModTime("part"));'
+    it = ran_with(
+        tmp_path,
+        "VAR iodev device;",
+        "VAR stringdig digits;",
+        'Load "part.mod";',
+        told,
+        "WaitTime 1000;",
+        'CopyFile "part.mod","copy.mod";',
+        told,
+        r'Open "part.mod",device \Append;',
+        "Close device;",
+        told,
+        'UnLoad "part.mod";',
+        'Load "part.mod";',
+        told,
+        r'TPWrite ValToStr(FileTimeDnum("copy.mod" \AccessTime)-ModTimeDnum("cell"));',
+        r'TPWrite ValToStr(ModTime("part" \StrDig:=digits)>0)+digits;',
+        'TPWrite ValToStr(FileTime("none.mod"));',
+        'TPWrite ValToStr(ModTime("none"));',
+        part=PART,
+    )
+    assert it.texts == [
+        *("FALSE", "FALSE", "TRUE", "FALSE", "1000", "TRUE946685800"),
+        f"error {ERR_FILEACC:g}",
+        f"error {ERR_MOD_NOTLOADED:g}",
+    ]
 
 
 def test_a_load_session_reads_first_and_links_later(tmp_path: Path) -> None:

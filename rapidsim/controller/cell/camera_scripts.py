@@ -22,6 +22,8 @@ class CameraScript:
     """From asking for a picture to its results."""
     repeats: bool = False
     """The pictures begin again after the last one; else later ones show nothing."""
+    parameters: tuple[tuple[str, float | bool | str], ...] = ()
+    """What its job can be set to, by folded name, and the values at the start."""
 
 
 @dataclass(slots=True, eq=False)
@@ -33,5 +35,12 @@ class CameraState:
     job: str = ""
     runs: bool = False
     taken: int = 0
+    parameters: dict[str, float | bool | str] = field(default_factory=dict)
+    exposure: dict[str, float] = field(default_factory=dict)
     results: list[tuple[float, CameraTarget]] = field(default_factory=list)
     """Those nobody has fetched, and when [s] they are there."""
+
+
+def camera_state(script: CameraScript) -> CameraState:
+    """A camera as it is when the run begins."""
+    return CameraState(script, script.name, parameters=dict(script.parameters))

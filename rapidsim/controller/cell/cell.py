@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
-from rapidsim.controller.cell.camera_scripts import CameraState
+from rapidsim.controller.cell.camera_scripts import camera_state
 from rapidsim.controller.cell.conveyors import ConveyorState
 from rapidsim.controller.cell.description import CrossConnection, Status, Stimulus
 from rapidsim.controller.cell.home_folder import HomeFolder
@@ -159,7 +159,7 @@ class Cell:
             self.sensors = inputs.network.sensors
         self.starts_at = inputs.starts_at
         """Date and time of day at time zero."""
-        self.cameras = {one.name.lower(): CameraState(one, one.name) for one in inputs.io.cameras}
+        self.cameras = {one.name.lower(): camera_state(one) for one in inputs.io.cameras}
         """By folded name."""
         self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
         """By folded name of the unit."""

@@ -149,10 +149,13 @@ class HomeFolder:
         self._ramdisk = ramdisk
         self._files: list[HomeFile] = []
         """Those that were open when the last one was opened."""
-        self._written: dict[Path, None] = {}
+        self._written: dict[Path, float] = {}
+        """And the virtual time [s] at which each was last opened to be written."""
+        self._loaded: dict[Path, float] = {}
+        """Of each program file that was read: when it had been written."""
         self._disk = _Disk()
 
-    def open_file(self, path: str, mode: FileMode) -> OpenFile:
+    def open_file(self, path: str, mode: FileMode, now_s: float = 0.0) -> OpenFile:
         """Open a file named as RAPID names it.
 
         Raises:
@@ -176,7 +179,7 @@ class HomeFolder:
             reason = (error.strerror or "cannot be opened").lower()
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
-            self._written[place] = None
+            self._written[place] = now_s
         file = HomeFile(stream, path, self._disk)  # type: ignore[arg-type]
         self._files = [one for one in self._files if not one.is_closed] + [file]
         return file
@@ -204,13 +207,14 @@ class HomeFolder:
             raise rapid_error(ERR_IOERROR, f"{path}: {reason}") from None
         if len(data) > most:
             raise rapid_error(ERR_PRGMEMFULL, f"{path} has more than {most:g} bytes")
+        self._loaded[place] = self._written.get(place, 0.0)
         for folder in (self._folder, self._ramdisk):
             root = _real(folder)
             if folder is not None and root is not None and place.is_relative_to(root):
                 return folder / place.relative_to(root), data
         return place, data
 
-    def copy(self, old: str, new: str) -> None:
+    def copy(self, old: str, new: str, now_s: float = 0.0) -> None:
         """Copy a file.
 
         Raises:
@@ -222,7 +226,7 @@ class HomeFolder:
             target.parent.mkdir(parents=True, exist_ok=True)
             self._disk.use(source.stat().st_size)
             shutil.copyfile(source, target, follow_symlinks=False)
-        self._written[target] = None
+        self._written[target] = now_s
 
     def rename(self, old: str, new: str) -> None:
         """Give a file another name or place; raises as `copy` does."""
@@ -231,8 +235,7 @@ class HomeFolder:
             self._disk.make(target)
             target.parent.mkdir(parents=True, exist_ok=True)
             source.rename(target)
-        self._written.pop(source, None)
-        self._written[target] = None
+        self._written[target] = self._written.pop(source, 0.0)
 
     def remove(self, path: str) -> None:
         """Delete a file."""
@@ -273,6 +276,15 @@ class HomeFolder:
         for file in self._files:
             file.flush()
         return place.stat().st_size if place.is_file() else None
+
+    def written_s(self, path: str) -> float | None:
+        """When the run wrote a file, 0 where it did not; None if there is no such file."""
+        place = self._place(path, or_root=True)
+        return self._written.get(place, 0.0) if place.exists() else None
+
+    def loaded_s(self, path: str) -> float:
+        """When the run had written a program file that it then read, 0 where it did not."""
+        return self._loaded.get(self._place(path), 0.0)
 
     def bytes_in(self, path: str) -> int:
         """Bytes of all files below a folder."""

@@ -22,6 +22,7 @@ from rapidsim.controller.moves.configuration_choice import (
     nearest,
     nearest_without_switch,
     rounded,
+    stored_or_nearest,
 )
 from rapidsim.controller.moves.motion_findings import fault_violation
 from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
@@ -39,7 +40,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
-from rapidsim.language.moves import SingularArea
+from rapidsim.language.moves import Place, SingularArea
 from rapidsim.motion.configurations.confdata import (
     Configuration,
     configuration,
@@ -138,6 +139,27 @@ class Arrivals:
         errno = ERR_OUTSIDE_REACH if why.joint is None else ERR_ROBLIMIT
         reason = reason_with_lengths(self.robot, base_from_flange, why)
         raise MoveRefusedError(errno, UnreachableTarget(name, self.robot.title, reason))
+
+    def at_target(
+        self, base_from_flange: Transform, target: str, stored: ConfData, near: Array, place: Place
+    ) -> Configuration:
+        """How the arm would stand at a target that no move goes to: as stored, as moves do.
+
+        Raises:
+            MoveRefusedError: When it cannot, and the nearest is not taken.
+        """
+        working = self.working(base_from_flange, target)
+        chosen, wanted = stored_or_nearest(working, stored, near), rounded(stored)
+        if not told_apart(self.robot.kinematics) or self._stands_as(chosen, wanted):
+            return chosen
+        (found,) = by_stored(self.robot, base_from_flange[None], [wanted])
+        listed = tuple(conf_text(one.confdata) for one in found or working)
+        violation = ConfigurationNotReachable(target, conf_text(wanted), listed[0], listed)
+        if not self.takes_nearest:
+            raise MoveRefusedError(ERR_ROBLIMIT, violation)
+        key = ("configuration", place.span)
+        self.journal.finding(violation, place, once=key, assumed=True)
+        return chosen
 
     def _require_circle(self, asked: AskedMove, segment: Segment) -> None:
         fault = circle_fault(segment)

@@ -183,9 +183,16 @@ class Resolver:
         return RobTarget(pose.trans, pose.rot, conf, self.ext_joint(external))
 
     def reach(
-        self, target: RobTarget, tool: ToolData, wobj: WobjData, near: Waypoint, place: Place
+        self,
+        target: RobTarget,
+        tool: ToolData,
+        wobj: WobjData,
+        near: Waypoint,
+        place: Place,
+        *,
+        monitored: bool,
     ) -> Array:
-        """Joints (n,) [rad] of a target in its configuration, or the nearest that works.
+        """Joints (n,) [rad] of a target in its configuration; not monitored, the nearest to it.
 
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
@@ -198,8 +205,12 @@ class Resolver:
         base_from_flange = placed.base_from_flange(
             self.robot.kinematics, placed.curve_from_tcp(target), external
         )
+        stored = target.robconf
+        if monitored:
+            arrivals = self._arrivals
+            return arrivals.at_target(base_from_flange, _TARGET, stored, near.joints, place).joints
         working = self._arrivals.working(base_from_flange, _TARGET)
-        return stored_or_nearest(working, target.robconf, near.joints).joints
+        return stored_or_nearest(working, stored, near.joints).joints
 
     @cached_property
     def _arrivals(self) -> Arrivals:

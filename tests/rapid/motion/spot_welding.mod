@@ -10,6 +10,10 @@ MODULE spot_welding
     p:=CRobT();
     SpotL Offs(p,0,0,40),v500,gun,spot\InPos,tool0; ! warning: R104
     TPWrite ValToStr(Round(Distance(CPos(),p.trans))); ! -> 40
+    SpotJ Offs(p,0,0,80),v500,gun,spot\InPos,tool0; ! warning: R104
+    TPWrite ValToStr(Round(Distance(CPos(),p.trans))); ! -> 80
+    SpotMJ Offs(p,0,0,60),v500\G1:=spot\G2:=spot,tool0; ! warning: R104
+    TPWrite ValToStr(Round(Distance(CPos(),p.trans))); ! -> 60
     SpotML p,v500\G1:=spot\G2:=spot,tool0;  ! warning: R104
     TPWrite ValToStr(Round(Distance(CPos(),p.trans))); ! -> 0
   ENDPROC

@@ -6,6 +6,7 @@ MODULE dialogs_timeout
     VAR errnum broke;
     VAR btnres pressed;
     TPWrite ValToStr(UIMessageBox(\Message:="ok?"\Buttons:=btnYesNo\MaxTime:=1\BreakFlag:=broke)); ! -> ok? ! -> 0
+    TPWrite ValToStr(UIMessageBox(\Message:="or?"\Buttons:=btnYesNo\DefaultBtn:=resNo\MaxTime:=1\BreakFlag:=broke)=resNo); ! -> or? ! -> TRUE
     TPWrite ValToStr(UINumEntry(\Message:="n?"\InitValue:=5\MaxTime:=1\BreakFlag:=broke)); ! -> n? ! -> 5
     TPWrite ValToStr(UINumTune(\Message:="t?",3,0.1\MaxTime:=1\BreakFlag:=broke)); ! -> t? ! -> 3
     TPWrite UIAlphaEntry(\Message:="s?"\InitString:="D2"\MaxTime:=1\BreakFlag:=broke); ! -> s? ! -> D2

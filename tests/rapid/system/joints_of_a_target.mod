@@ -15,7 +15,7 @@ MODULE joints_of_a_target
     j:=CalcJointT(p,tool0);
     TPWrite "end";                          ! -> end
   ERROR
-    IF ERRNO=ERR_ROBLIMIT TPWrite "limit";
+    IF ERRNO=ERR_ROBLIMIT TPWrite "limit"; ! -> limit
     IF ERRNO=ERR_OUTSIDE_REACH TPWrite "reach"; ! -> reach
     TRYNEXT;
   ENDPROC
