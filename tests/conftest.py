@@ -42,6 +42,9 @@ settings.register_profile("fast", settings.get_profile("ci"), max_examples=40)
 settings.register_profile("explore", deadline=None, max_examples=500)
 settings.load_profile(PROFILE)
 
+COMPILED = "RAPIDSIM_TESTS_COMPILED"
+"""The variable that tells the processes of the suite where compiled modules go."""
+
 # Files with tests of seconds; the tools first, for mypy takes longer than all others.
 LONGEST = {
     name: place
@@ -65,14 +68,19 @@ LONGEST = {
 def pytest_configure(config: pytest.Config) -> None:
     """Who wants no compiled modules beside the sources gets them elsewhere for what tests start.
 
-    Else each of these processes compiles all that it imports. Those that run tests read what is
-    compiled beside the packages, and compile the rest in memory: that is quicker than all anew.
+    Else each of these processes compiles all that it imports. They share a folder, whichever worker
+    starts them. Those that run tests read what is compiled beside the packages, and compile the
+    rest in memory: that is quicker than all anew.
     """
-    runs_tests = not config.getoption("numprocesses", None)
-    if runs_tests and os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
+    if not os.environ.get("PYTHONDONTWRITEBYTECODE"):
+        return
+    if COMPILED not in os.environ:
         folder = TemporaryDirectory(prefix="rapidsim-tests-", ignore_cleanup_errors=True)
         config.add_cleanup(folder.cleanup)
-        os.environ["PYTHONPYCACHEPREFIX"] = folder.name
+        os.environ[COMPILED] = folder.name
+    if not config.getoption("numprocesses", None):
+        del os.environ["PYTHONDONTWRITEBYTECODE"]
+        os.environ["PYTHONPYCACHEPREFIX"] = os.environ[COMPILED]
 
 
 @pytest.hookimpl(wrapper=True)

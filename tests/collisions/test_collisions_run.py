@@ -10,6 +10,8 @@ from collision_cells import ARM, TABLE, cell, codes, report
 from command_line import call
 
 from rapidsim.api.schemas import json_schema
+from rapidsim.plots import write
+from rapidsim.plots.look import DARK
 
 DOWN = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0;"
 
@@ -56,7 +58,11 @@ def test_the_summary_says_what_happened_and_what_the_shapes_are_worth(tmp_path: 
     assert "none; closest 18.8 mm, link 6 and `table`" in " ".join(ended.out.split())
 
 
-def test_a_report_lists_contacts_and_the_nearest_of_each_move(tmp_path: Path) -> None:
+def test_a_report_lists_contacts_and_the_nearest_of_each_move(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The darkness of pictures is that of their theme; the tests of `plots` draw them in both.
+    monkeypatch.setattr(write, "THEMES", (DARK,))
     cell(tmp_path, DOWN.format(-150), f"[collisions]\nclearance = 30\n{TABLE}")
     shown = ("--no-record", "--report", "run.html", "--plots", "plots")
     ended = call("run", "cell.mod", *shown, cwd=tmp_path)

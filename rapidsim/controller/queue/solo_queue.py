@@ -250,12 +250,13 @@ class SoloQueue:
         if left_at is None or not block.is_open:
             return ""
         tool = block.moves[block.commit.move].segment.tcp_from_flange.inverse()
-        here, there = (one.base_from_tcp @ tool for one in (self.standing(), left_at))
+        stands = self.standing()
+        here, there = (one.base_from_tcp @ tool for one in (stands, left_at))
         way = float(np.linalg.norm(there.translation - here.translation))
         turn = float(np.linalg.norm(vector_from_rotation(there.rotation @ here.rotation.T)))
         if way > REGAINED_M or turn > REGAINED:
             return f"{1e3 * way:.1f} mm and {np.degrees(turn):.1f} deg"
-        off = np.abs(self.standing().joints - left_at.joints)
+        off = np.abs(stands.joints - left_at.joints)
         axis = int(np.argmax(off))
         return (
             f"with axis {axis + 1} {np.degrees(off[axis]):.0f} {self.robot.joints[axis].measure}"
