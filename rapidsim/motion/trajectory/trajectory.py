@@ -36,6 +36,7 @@ from rapidsim.values import dataclass
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
+_PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
 _NO_WAY = 1e-9
 """A path whose TCP gains less than this [m/m] leads nowhere: it turns the tool."""
@@ -360,6 +361,13 @@ class Trajectory:
             place: One place, or places (k,).
         """
         places = np.atleast_1d(np.asarray(place, dtype=np.float64))
+        # In parts, so that not all of a long run is laid down at once.
+        parts = np.array_split(places, len(places) // _PLACES_AT_ONCE + 1)
+        times = np.concatenate([self._times_at(part) for part in parts])
+        return times if np.ndim(place) else float(times[0])
+
+    def _times_at(self, places: Array) -> Array:
+        """The same of places (k,)."""
         times = self._command.time_at(places)
         if self._windows.filter_time > 0.0:
             # The mean over a window has passed what the command passed before it.
@@ -370,7 +378,7 @@ class Trajectory:
                 times + self._windows.widest,
                 within=_NEAR_S,
             )
-        return times if np.ndim(place) else float(times[0])
+        return times
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
         """Row (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""
