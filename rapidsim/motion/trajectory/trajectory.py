@@ -213,10 +213,14 @@ class Trajectory:
             travel[at] = path.travelled(s)
         return travel
 
-    def at(self, times: Array) -> Samples:
-        """The arm at some instants (k,) [s], in any order."""
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
+        """The arm at some instants (k,) [s], in any order.
+
+        Where it is `coarse`, axes are within 1e-6 rad or m, which is found in half of the time, or
+        a quarter where moves are short.
+        """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        samples = self._planned(times) if self._command.last_row else self._standing(times)
+        samples = self._planned(times, coarse) if self._command.last_row else self._standing(times)
         for led in self._corrected:
             beside = (led.start_s <= times) & (times < led.until_s)
             if beside.any():
@@ -226,10 +230,7 @@ class Trajectory:
         return samples
 
     def postures(self, times: Array) -> Postures:
-        """The axes at some instants (k,) [s], in any order, within 1e-6 rad or m of `at`.
-
-        That is found in half of the time, or a quarter where moves are short.
-        """
+        """The axes at some instants (k,) [s], in any order, as a coarse `at` has them."""
         if not self._command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
             return Postures(samples.move, samples.joints, samples.external)
@@ -254,14 +255,14 @@ class Trajectory:
             if held.any():
                 yield one.stretch, held
 
-    def _planned(self, times: Array) -> Samples:
+    def _planned(self, times: Array, coarse: bool) -> Samples:
         """The arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._by_axes
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
         rates = np.empty(0)
         if by_axes:
-            joints, rates = mean_joints(self._command, self._windows, times)
+            joints, rates = mean_joints(self._command, self._windows, times, coarse=coarse)
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.

@@ -13,9 +13,11 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.singularities import per_metre
+from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
+from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.time_shares import Share, by_line
 from rapidsim.values import dataclass
@@ -187,14 +189,14 @@ def _along_the_path(
     return margin, singularity, off_path if off_path.mm > _ON_PATH_MM else None
 
 
-def _looked_at(run: RobotRun, times: Array) -> tuple[Array, Array, Array, Array]:
+def _looked_at(run: RobotRun, times: Array) -> tuple[Index, Array, np.ndarray, Array]:
     """What the arm is at times (k,) [s].
 
     Returns:
         The move under way (k,), what is left to the nearer limit of each joint (k, n) [rad], the
         smallest singular value (k,), and how far the TCP is off the path (k,) [m].
     """
-    robot, samples = run.robot, run.trajectory.at(times)
+    robot, samples = run.robot, run.trajectory.at(times, coarse=len(run.moves) > MOST_EXACT)
     left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
     jacobians = per_metre(robot.kinematics, robot.kinematics.jacobian(samples.joints))
     smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
@@ -202,8 +204,12 @@ def _looked_at(run: RobotRun, times: Array) -> tuple[Array, Array, Array, Array]
 
 
 def _sample_times(run: RobotRun, end: float) -> Array:
-    """Instants under way; the ends of moves are among them, standstill before the first is not."""
+    """Instants under way; standstill before the first move is not.
+
+    The ends of moves are among them, unless there are more than instants.
+    """
     start = run.moves[0].start_s
     count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
-    ends = np.array([move.end_s for move in run.moves])
+    ended = run.moves if len(run.moves) <= _MOST_SAMPLES else ()
+    ends = np.array([move.end_s for move in ended])
     return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))
