@@ -88,4 +88,6 @@ def from_transform(transform: Transform) -> Rigid:
 def to_transform(rigid: Rigid) -> Transform:
     """The same transform as arrays."""
     matrix, translation = rigid
-    return Transform(np.array(matrix).reshape(3, 3), np.array(translation))
+    # Not reshaped: a view would keep a second array, and long runs have millions of these.
+    rows = (matrix[:3], matrix[3:6], matrix[6:])
+    return Transform(np.array(rows), np.array(translation))

@@ -47,6 +47,8 @@ class Place:
     routine: str
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
+    is_lasting: bool = field(default=True, compare=False)
+    """Whether it is the same when the statement is executed again; not so in a run of moves."""
 
     def __repr__(self) -> str:
         """One line."""

@@ -20,6 +20,9 @@ DEFAULT_DT = 0.012
 MOST_SAMPLES = 120_000
 """A longer run is sampled more coarsely unless the user asks otherwise; this is some 80 MB."""
 MOST_SAMPLES_ASKED = 20_000_000
+_MOST_EDGED = MOST_SAMPLES // 2
+"""Of more moves starts and ends have no samples of their own: a recording's size is that of its
+samples, not of its program."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,7 +34,7 @@ class RecordedRobot:
     """Goes before the names of its entities and frames; empty where there is one robot."""
     clock: Clock
     dt: float
-    """Time [s] between samples; starts and ends of moves have samples of their own."""
+    """Time [s] between samples; those of starts and ends of moves are not counted."""
 
     @property
     def one(self) -> RobotRun:
@@ -74,6 +77,8 @@ class RecordedRobot:
     def still_from_end(self, move: ExecutedMove) -> Transform:
         """The programmed end of a move in the still frame."""
         end = move.base_from_tcp
+        if not self.on_track:
+            return end
         batch = Transform(end.rotation[None], end.translation[None])
         return self.still_from(batch, move.external[None])[0]
 
@@ -121,6 +126,11 @@ def sample(simulation: Simulation, dt: float | None) -> tuple[RecordedRobot, ...
     clock = clock_of(move for robot in robots for move in robot.moves)
     several = len(robots) > 1
     return tuple(
-        RecordedRobot(sampled(simulation, one, step), one.task if several else "", clock, step)
+        RecordedRobot(
+            sampled(simulation, one, step, most_moves=_MOST_EDGED),
+            one.task if several else "",
+            clock,
+            step,
+        )
         for one in robots
     )

@@ -43,7 +43,7 @@ class Turning(Trajectory):
     def duration(self) -> float:
         return self.end_s
 
-    def at(self, times: Array) -> Samples:
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
         joints = times[:, None] * np.array([0.1, 0.2, 0.3, 0.4, 0.5, 0.6])
         move = (times >= 0.5 * self.end_s).astype(np.int64)
         pose = self.robot.kinematics.forward(joints)
@@ -159,7 +159,7 @@ def test_a_beat_that_makes_no_sense_is_said(dt: float, tmp_path: Path) -> None:
 @pytest.mark.parametrize("suffix", WRITERS)
 def test_an_interrupted_trace_keeps_the_older_one(suffix: str, tmp_path: Path) -> None:
     class Interrupted(Turning):
-        def at(self, times: Array) -> Samples:
+        def at(self, times: Array, *, coarse: bool = False) -> Samples:
             raise KeyboardInterrupt
 
     path = tmp_path / f"turn{suffix}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,10 @@ import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.trajectory.time_scalings import timings_of
+from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.trajectory import command as commands
+from rapidsim.motion.trajectory.command import MotionCommand, Piece
+from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
 
 
 def test_all_at_once_is_one_by_one() -> None:
@@ -55,3 +59,38 @@ def test_marks_are_about_a_second_apart() -> None:
     at_mark = (long.s[long.marks] - long.s[0]) * (ends - before)
     assert counted[0].sum() == pytest.approx(long.s[-1] - long.s[0], abs=1e-12)
     assert counted[1] == pytest.approx(whole - at_mark, abs=1e-9)
+
+
+def test_a_motion_that_repeats_is_laid_down_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    there, back = path_of(Programmer().line((0.1, 0, 0))), path_of(Programmer().line((-0.1, 0, 0)))
+    pieces = [Piece(0.0, path, plan(path, LIMITS), 0.0, path.length) for path in (there, back)]
+    laid: list[int] = []
+
+    def counted(timings: Sequence[Timing]) -> Timings:
+        laid.append(len(timings))
+        return timings_of(timings)
+
+    monkeypatch.setattr(commands, "timings_of", counted)
+    command = MotionCommand()
+    for turn in range(40):
+        piece = pieces[turn % 2]
+        command.append(replace(piece, start_time=command.end + 0.01))
+    times = np.linspace(0.0, command.end, 2_000)
+    places = command.place_at(times)
+    assert laid == [2]
+    starts, _ = command.starts(np.arange(1, 41))
+    own = [pieces[turn % 2].timing.s_at(times - start) for turn, start in enumerate(starts)]
+    assert places == pytest.approx(np.sum(own, axis=0), abs=1e-12)
+
+
+def test_many_paths_are_evaluated_as_few_are(monkeypatch: pytest.MonkeyPatch) -> None:
+    path = path_of(Programmer().line((0.1, 0, 0), z=zone(10)).line((0, 0.1, 0)))
+    timing = plan(path, LIMITS)
+    command = MotionCommand()
+    for _ in range(10):
+        command.append(Piece(command.end, path, timing, 0.0, path.length))
+    times = np.random.default_rng(2).uniform(0.0, command.end, 200)
+    at_once = command.joints_at(times)
+    monkeypatch.setattr(commands, "_PIECES_AT_ONCE", 3)
+    in_parts = command.copy().joints_at(times)
+    assert in_parts == pytest.approx(at_once, abs=1e-12)

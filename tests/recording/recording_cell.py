@@ -121,7 +121,7 @@ class EasyTrajectory(Trajectory):
     def off_path(self, samples: Samples) -> Array:
         return np.zeros(len(samples.times))
 
-    def at(self, times: Array) -> Samples:
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
         rows = [self._row(float(time)) for time in times]
         joints = np.array([row[1] for row in rows])
         index = np.array([row[0] for row in rows], dtype=np.int64)

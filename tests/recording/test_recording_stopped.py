@@ -57,7 +57,7 @@ class Interrupting(Trajectory):
     def duration(self) -> float:
         return 1.0
 
-    def at(self, times: Array) -> Samples:
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
         raise KeyboardInterrupt
 
 

@@ -59,7 +59,7 @@ class StraightTrajectory:
     def off_path(self, samples: Samples) -> Array:
         return np.zeros(len(samples.times))
 
-    def at(self, times: Array) -> Samples:
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
         share = np.clip(times / self.duration, 0.0, 1.0)
         joints = HOME + share[:, None] * (PICK - HOME)
         move = (times > 0.5).astype(np.int64)

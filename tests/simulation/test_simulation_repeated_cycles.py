@@ -104,3 +104,41 @@ def test_only_what_is_new_is_planned(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert len(run.moves) == 120
     # The first round begins elsewhere, and the arm needs a round to come back to the same bits.
     assert len(planned) < 10
+
+
+PALLET = """MODULE pallet
+  CONST robtarget a:=[[800,-200,700],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget b:=[[750,200,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ConfL\\Off;
+    ConfJ\\Off;
+    FOR layer FROM 1 TO 3 DO
+      FOR x FROM 1 TO 4 DO
+        FOR y FROM 1 TO 10 DO
+          MoveJ a,v5000,fine,tool0;
+          MoveJ Offs(b,5*x,5*y,0),v5000,fine,tool0;
+        ENDFOR
+      ENDFOR
+    ENDFOR
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_a_pallet_of_many_places_is_planned_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    planned: list[Robot] = []
+
+    def counted(
+        robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look
+    ) -> MotionPath | PathFault:
+        planned.append(robot)
+        return build_path(robot, segments, model, look)
+
+    monkeypatch.setattr("rapidsim.controller.queue.solo_queue.build_path", counted)
+    (tmp_path / "pallet.mod").write_text(PALLET)
+    run = simulate([tmp_path / "pallet.mod"], robot="irb1600")
+    assert len(run.moves) == 240
+    # To each place and back, and the way from where the arm starts.
+    assert len(planned) == 81

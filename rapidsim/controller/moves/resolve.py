@@ -99,6 +99,8 @@ class Resolver:
         Raises:
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
+        if not place.is_lasting:
+            return self._resolved(move, place, start, settings, index)
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
         key = (id(place), move, settings, *stands)

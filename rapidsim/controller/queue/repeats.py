@@ -15,7 +15,8 @@ from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 
-_MOST_BLOCKS = 64
+_MOST_BLOCKS = 1_000
+"""A pallet has hundreds. A run keeps their plans anyway; a controller that stays on does not."""
 _MOST_SEGMENTS = 200
 """Of a longer block nothing is kept: it is not what a cycle repeats, and it takes memory."""
 

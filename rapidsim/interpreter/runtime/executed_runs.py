@@ -96,7 +96,7 @@ class ExecutedRun:
         source, routine, texts = self.like.span.source, self.like.routine, self.like.arguments
         for row, target in zip(self._rows(), targets_of(self.run.numbers), strict=True):
             arguments = _Texts(texts, self.parameter, source, row.target)
-            place = Place(Span(source, row.start, row.end), routine, arguments)
+            place = Place(Span(source, row.start, row.end), routine, arguments, is_lasting=False)
             yield ExecutedRow(row, place, target)
 
     def _rows(self) -> Iterator[tree.RunRow]:

@@ -25,6 +25,8 @@ Index = npt.NDArray[np.int64]
 
 ROUNDING_M = 1e-11
 """Places so near count as one."""
+_PIECES_AT_ONCE = 128
+"""So many have their paths laid end to end, which bounds the memory."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -165,11 +167,16 @@ class MotionCommand:
             return
         row = np.maximum(row, 1)
         numbers = self.pieces_of(row)
-        joined = self._paths_of(np.unique(numbers))
-        own = np.searchsorted(joined.numbers, numbers)
-        s = self._table[row, _Column.FROM_S] + way + joined.paths.starts[own]
-        for each, at in groups(joined.paths.on[own]):
-            yield joined.paths.paths[each], s[at], at
+        asked = np.unique(numbers)
+        s = self._table[row, _Column.FROM_S] + way
+        for first in range(0, len(asked), _PIECES_AT_ONCE):
+            some = asked[first : first + _PIECES_AT_ONCE]
+            here = np.flatnonzero((some[0] <= numbers) & (numbers <= some[-1]))
+            joined = self._paths_of(some)
+            own = np.searchsorted(joined.numbers, numbers[here])
+            on, start = joined.paths.on[own], joined.paths.starts[own]
+            for each, at in groups(on):
+                yield joined.paths.paths[each], s[here[at]] + start[at], here[at]
 
     def starts(self, row: Index) -> tuple[Array, Array]:
         """The start times of rows (k,) [s], and their positions S [m]."""
@@ -338,8 +345,13 @@ class MotionCommand:
             highest = int(np.searchsorted(all_numbers, last, side="right")) - 1
             rows = self._table[lowest : highest + 1]
             numbers = rows[:, _Column.PIECE].astype(np.int64)
-            timings = timings_of([piece.timing for piece in self._pieces[first - 1 : last]])
-            stretch = timings.begin[numbers - first] + rows[:, _Column.MARK].astype(np.int64)
+            # A cycle that repeats has the same timing each time, and each is laid down once.
+            all_of_them = [piece.timing for piece in self._pieces[first - 1 : last]]
+            distinct = {id(one): one for one in all_of_them}
+            place_of = {one: place for place, one in enumerate(distinct)}
+            own = np.array([place_of[id(one)] for one in all_of_them])[numbers - first]
+            timings = timings_of(list(distinct.values()))
+            stretch = timings.begin[own] + rows[:, _Column.MARK].astype(np.int64)
             before = timings.since_marks(stretch, rows[:, _Column.OFFSET])
             joined = _JoinedTimings(timings, lowest, highest, stretch, before)
             self._joined_timings = joined

@@ -36,6 +36,7 @@ from rapidsim.values import dataclass
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
+_PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
 _NO_WAY = 1e-9
 """A path whose TCP gains less than this [m/m] leads nowhere: it turns the tool."""
@@ -212,10 +213,14 @@ class Trajectory:
             travel[at] = path.travelled(s)
         return travel
 
-    def at(self, times: Array) -> Samples:
-        """The arm at some instants (k,) [s], in any order."""
+    def at(self, times: Array, *, coarse: bool = False) -> Samples:
+        """The arm at some instants (k,) [s], in any order.
+
+        Where it is `coarse`, axes are within 1e-6 rad or m, which is found in half of the time, or
+        a quarter where moves are short.
+        """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
-        samples = self._planned(times) if self._command.last_row else self._standing(times)
+        samples = self._planned(times, coarse) if self._command.last_row else self._standing(times)
         for led in self._corrected:
             beside = (led.start_s <= times) & (times < led.until_s)
             if beside.any():
@@ -225,10 +230,7 @@ class Trajectory:
         return samples
 
     def postures(self, times: Array) -> Postures:
-        """The axes at some instants (k,) [s], in any order, within 1e-6 rad or m of `at`.
-
-        That takes half the time, or a quarter if moves are short.
-        """
+        """The axes at some instants (k,) [s], in any order, as a coarse `at` has them."""
         if not self._command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
             return Postures(samples.move, samples.joints, samples.external)
@@ -253,14 +255,14 @@ class Trajectory:
             if held.any():
                 yield one.stretch, held
 
-    def _planned(self, times: Array) -> Samples:
+    def _planned(self, times: Array, coarse: bool) -> Samples:
         """The arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._by_axes
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
         rates = np.empty(0)
         if by_axes:
-            joints, rates = mean_joints(self._command, self._windows, times)
+            joints, rates = mean_joints(self._command, self._windows, times, coarse=coarse)
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.
@@ -360,6 +362,13 @@ class Trajectory:
             place: One position, or positions (k,).
         """
         places = np.atleast_1d(np.asarray(place, dtype=np.float64))
+        # In parts, so that not all of a long run is laid down at once.
+        parts = np.array_split(places, len(places) // _PLACES_AT_ONCE + 1)
+        times = np.concatenate([self._times_at(part) for part in parts])
+        return times if np.ndim(place) else float(times[0])
+
+    def _times_at(self, places: Array) -> Array:
+        """The same of places (k,)."""
         times = self._command.time_at(places)
         if self._windows.filter_time > 0.0:
             # The mean over a window has passed what the command passed before it.
@@ -370,7 +379,7 @@ class Trajectory:
                 times + self._windows.widest,
                 within=_NEAR_S,
             )
-        return times if np.ndim(place) else float(times[0])
+        return times
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
         """Row (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""

@@ -7,7 +7,7 @@ The window moves only when a pointer would leave it, so that the text does not j
 from __future__ import annotations
 
 import bisect
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import rerun as rr
 
@@ -48,13 +48,14 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    states = list(_pointers(run.one.lines, run.one.moves))
+    lines, moves = run.one.lines, run.one.moves
+    instants = sorted({0.0, *(line.time_s for line in lines), *(move.start_s for move in moves)})
     remarks: tuple[str, ...] = ()
-    if len(states) > MOST_TEXTS:
+    if len(instants) > MOST_TEXTS:
         apart_s = run.sampled.end_s / MOST_TEXTS
-        states = list(_apart(states, apart_s))
+        instants = list(_apart(instants, apart_s))
         remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
-    rows = list(_texts(states))
+    rows = list(_texts(_pointers(instants, lines, moves)))
     if rows:
         stream.send_columns(
             run.entity(ENTITY),
@@ -67,20 +68,21 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     return remarks
 
 
-def _apart(states: Sequence[_Pointers], apart_s: float) -> Iterator[_Pointers]:
-    """The states that are some time apart."""
+def _apart(instants: Sequence[float], apart_s: float) -> Iterator[float]:
+    """The instants that are some time apart."""
     next_s = 0.0
-    for state in states:
-        if state.time_s >= next_s:
-            yield state
-            next_s = state.time_s + apart_s
+    for time_s in instants:
+        if time_s >= next_s:
+            yield time_s
+            next_s = time_s + apart_s
 
 
-def _pointers(lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]) -> Iterator[_Pointers]:
-    """Both pointers at each instant at which one of them moves."""
+def _pointers(
+    instants: Sequence[float], lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]
+) -> Iterator[_Pointers]:
+    """Both pointers at instants [s], in order."""
     line_times = [line.time_s for line in lines]
     move_times = [move.start_s for move in moves]
-    instants = sorted({0.0, *line_times, *move_times})
     for time_s in instants:
         # Before the first statement the pointer waits at it.
         line = lines[max(bisect.bisect_right(line_times, time_s) - 1, 0)] if lines else None
@@ -101,7 +103,7 @@ def _pointers(lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]) -> I
         )
 
 
-def _texts(states: Sequence[_Pointers]) -> Iterator[tuple[float, str]]:
+def _texts(states: Iterable[_Pointers]) -> Iterator[tuple[float, str]]:
     """The window at each change of what it shows."""
     shown: str | None = None
     source: Source | None = None

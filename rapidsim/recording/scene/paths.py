@@ -13,7 +13,7 @@ import numpy.typing as npt
 import rerun as rr
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.frames.transform import Array
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.targets import base_from_tcp
 from rapidsim.recording import palette
@@ -64,25 +64,28 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
     """
     kinematics = run.robot.kinematics
     joints = run.samples.joints[0]
-    flange = kinematics.forward(joints)
+    # A place of the arm: where a TCP is, and the flange as seen from it.
+    tcp, tcp_from_flange = kinematics.forward(joints), Transform.identity()
     for move in run.one.moves:
         if not _stands_still(run, move):
-            joints, flange = move.joints, move.base_from_tcp @ move.tcp_from_flange
+            joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
             continue
-        flange_from_tcp = move.tcp_from_flange.inverse()
-        start = flange.apply(flange_from_tcp.translation)
+        start = tcp.translation
+        if move.tcp_from_flange is not tcp_from_flange:
+            # Another tool, whose TCP is elsewhere on the same flange.
+            start = (tcp @ tcp_from_flange @ move.tcp_from_flange.inverse()).translation
         end = move.base_from_tcp.translation
         match move.move.interpolation:
             case Interpolation.JOINT | Interpolation.AXES | Interpolation.EXTERNAL_AXES:
                 share = np.linspace(0.0, 1.0, _CURVE_POINTS)[:, None]
                 between = joints + share * (move.joints - joints)
+                flange_from_tcp = move.tcp_from_flange.inverse()
                 yield (kinematics.forward(between) @ flange_from_tcp).translation
             case Interpolation.LINE:
                 yield np.stack([start, end])
             case Interpolation.CIRCLE:
                 yield arc_through(start, _circle_point(run, move), end, _CURVE_POINTS)
-        joints = move.joints
-        flange = move.base_from_tcp @ move.tcp_from_flange
+        joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
 
 
 def _stands_still(run: RecordedRobot, move: ExecutedMove) -> bool:

@@ -53,9 +53,10 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
         if finding.span is not None and finding.severity is not Severity.NOTE
     }
     found: dict[tuple[object, ...], Target] = {}
-    for move in run.one.moves:
-        still_from_tcp = run.still_from_end(move)
-        place = tuple(np.round(still_from_tcp.translation / _SAME).astype(np.int64).tolist())
+    ends = [run.still_from_end(move) for move in run.one.moves]
+    translations = np.array([end.translation for end in ends]).reshape(-1, 3)
+    places = np.round(translations / _SAME).astype(np.int64).tolist()
+    for move, still_from_tcp, place in zip(run.one.moves, ends, places, strict=True):
         target = Target(
             target_name(move),
             still_from_tcp,

@@ -13,15 +13,19 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.singularities import per_metre
+from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
+from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.time_shares import Share, by_line
 from rapidsim.values import dataclass
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
+_AT_ONCE = 2_000
+"""So many samples are looked at at once, which bounds the memory."""
 _SLOWEST = 5
 _ON_PATH_MM = 1e-3
 _MEASURED_FACTOR = 1.05
@@ -152,7 +156,9 @@ def _along_the_path(
 ) -> tuple[JointMargin, SingularityMargin, OffPath | None]:
     robot = run.robot
     times = _sample_times(run, min(run.trajectory.duration, end_s))
-    samples = run.trajectory.at(times)
+    parts = np.array_split(times, len(times) // _AT_ONCE + 1)
+    looks = [_looked_at(run, part) for part in parts]
+    under_way, left, smallest, off_m = map(np.concatenate, zip(*looks, strict=True))
     indices = np.array([move.index for move in run.moves])
 
     def move_at(row: int) -> ExecutedMove:
@@ -160,11 +166,10 @@ def _along_the_path(
 
         A run that is cut off where a move begins has the one before.
         """
-        before = int(np.searchsorted(indices, samples.move[row], side="right")) - 1
+        before = int(np.searchsorted(indices, under_way[row], side="right")) - 1
         move = run.moves[max(before, 0)]
         return replace(move, index=offset + move.index)
 
-    left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
     row, joint = (int(i) for i in np.unravel_index(np.argmin(left), left.shape))
     margin = JointMargin(
         degrees=float(np.degrees(left[row, joint])),
@@ -173,23 +178,38 @@ def _along_the_path(
         time_s=float(times[row]),
         move=move_at(row),
     )
-    jacobians = per_metre(robot.kinematics, robot.kinematics.jacobian(samples.joints))
-    smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
     row = int(np.argmin(smallest))
     singularity = SingularityMargin(
         smallest_singular_value=float(smallest[row]),
         time_s=float(times[row]),
         move=move_at(row),
     )
-    off_m = run.trajectory.off_path(samples)
     row = int(np.argmax(off_m))
     off_path = OffPath(round(1000.0 * float(off_m[row]), 3), float(times[row]), move_at(row))
     return margin, singularity, off_path if off_path.mm > _ON_PATH_MM else None
 
 
+def _looked_at(run: RobotRun, times: Array) -> tuple[Index, Array, np.ndarray, Array]:
+    """What the arm is at times (k,) [s].
+
+    Returns:
+        The move under way (k,), what is left to the nearer limit of each joint (k, n) [rad], the
+        smallest singular value (k,), and how far the TCP is off the path (k,) [m].
+    """
+    robot, samples = run.robot, run.trajectory.at(times, coarse=len(run.moves) > MOST_EXACT)
+    left = np.minimum(samples.joints - robot.lower, robot.upper - samples.joints)
+    jacobians = per_metre(robot.kinematics, robot.kinematics.jacobian(samples.joints))
+    smallest = np.linalg.svd(jacobians, compute_uv=False)[:, -1]
+    return samples.move, left, smallest, run.trajectory.off_path(samples)
+
+
 def _sample_times(run: RobotRun, end: float) -> Array:
-    """Instants under way; the ends of moves are among them, standstill before the first is not."""
+    """Instants under way; standstill before the first move is not.
+
+    The ends of moves are among them, unless there are more than instants.
+    """
     start = run.moves[0].start_s
     count = min(_MOST_SAMPLES, int((end - start) / _SAMPLE_S) + 2)
-    ends = np.array([move.end_s for move in run.moves])
+    ended = run.moves if len(run.moves) <= _MOST_SAMPLES else ()
+    ends = np.array([move.end_s for move in ended])
     return np.unique(np.concatenate([np.linspace(start, end, count), ends.clip(start, end)]))

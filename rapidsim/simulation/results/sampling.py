@@ -18,6 +18,8 @@ from rapidsim.values import dataclass
 
 _BLOCK = 20_000
 """Samples evaluated at once, which bounds the memory that the kinematics needs."""
+MOST_EXACT = 20_000
+"""More moves than that are looked at within 1e-6 rad, which nobody sees; results stay exact."""
 _STEP_S = 0.002
 """[s]; from an instant to the two beside it, by which speeds and accelerations are found."""
 _CLOSE_S = 0.004
@@ -98,7 +100,9 @@ def sampled(
         most_moves: Of more moves they have none.
     """
     edged = one.moves if most_moves is None or len(one.moves) <= most_moves else ()
-    samples = motion_samples(one.trajectory, edged, simulation.motion_end_s, step_s)
+    coarse = len(one.moves) > MOST_EXACT
+    end_s = simulation.motion_end_s
+    samples = motion_samples(one.trajectory, edged, end_s, step_s, coarse=coarse)
     speed, acceleration = rates_between(samples)
     return SampledRun(
         simulation=simulation,
@@ -112,21 +116,27 @@ def sampled(
 
 
 def motion_samples(
-    trajectory: Trajectory, moves: tuple[ExecutedMove, ...], end_s: float, dt: float
+    trajectory: Trajectory,
+    moves: tuple[ExecutedMove, ...],
+    end_s: float,
+    dt: float,
+    *,
+    coarse: bool = False,
 ) -> Samples:
     """Samples every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves."""
     grid = np.arange(0.0, end_s, dt)
     edges = _edges(moves)
     times = np.concatenate([grid, np.clip(np.array([0.0, *edges, end_s]), 0.0, end_s)])
     # Viewers count nanoseconds: instants closer than that would fall on one another.
-    samples = evaluate(trajectory, np.unique(np.round(times, 9)))
+    samples = evaluate(trajectory, np.unique(np.round(times, 9)), coarse=coarse)
     return _rows(samples, _worth_keeping(samples, edges))
 
 
-def evaluate(trajectory: Trajectory, times: Array) -> Samples:
-    """A trajectory at `times` (k,) [s], in blocks that fit in memory."""
+def evaluate(trajectory: Trajectory, times: Array, *, coarse: bool = False) -> Samples:
+    """A trajectory at `times` (k,) [s], in blocks that fit in memory; see `Trajectory.at`."""
     blocks = [
-        trajectory.at(times[begin : begin + _BLOCK]) for begin in range(0, len(times), _BLOCK)
+        trajectory.at(times[begin : begin + _BLOCK], coarse=coarse)
+        for begin in range(0, len(times), _BLOCK)
     ]
     return Samples(
         times=times,
