@@ -3,6 +3,7 @@
 import pytest
 from live_controller import Live, module
 
+from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode
 
 COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
@@ -121,11 +122,11 @@ def test_an_error_stops_the_program_and_leaves_the_controller_alive() -> None:
     errors = [entry for entry in live.entries if entry.type == 3]
     assert [entry.code for entry in errors] == [40194, 10020] or len(errors) == 2
     assert "line 4" in errors[0].text
-    assert live.controller.signal_value("doFault") == 1.0
+    assert signals.value_of(live.controller, "doFault") == 1.0
     with pytest.raises(Refused, match="pointer is lost"):
         live.controller.start()
     live.controller.reset_pointers()
-    assert live.controller.signal_value("doFault") == 0.0
+    assert signals.value_of(live.controller, "doFault") == 0.0
     live.controller.start()
     live.after(0.1)
     assert live.value("n") == "2"
@@ -163,11 +164,11 @@ def test_a_program_without_an_end_leaves_nothing_behind_of_what_it_did() -> None
 def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
     live = Live(TURNS)
     live.controller.start()
-    assert live.controller.signal_value("doRuns") == 1.0
+    assert signals.value_of(live.controller, "doRuns") == 1.0
     live.after(0.5)
     live.controller.set_motors(Motors.OFF)
     assert not live.controller.executes
-    assert live.controller.signal_value("doRuns") == 0.0
+    assert signals.value_of(live.controller, "doRuns") == 0.0
     with pytest.raises(Refused, match="motors are off"):
         live.controller.start()
     live.controller.set_motors(Motors.ON)
@@ -222,14 +223,14 @@ def test_a_robot_that_stopmove_holds_stays_where_it_is_when_the_program_goes_on(
     )
     live.controller.start(Cycle.ONCE)
     live.after(0.6)
-    live.controller.set_signal("diGo", 1)
+    signals.write(live.controller, "diGo", 1)
     live.after(1.0)
     held = live.axis_1()
     live.controller.stop()
     live.controller.start()
     live.after(1.0)
     assert live.axis_1() == held
-    live.controller.set_signal("diGo", 0)
+    signals.write(live.controller, "diGo", 0)
     live.after(5.0)
     assert live.axis_1() == pytest.approx(1.0471975512)
 

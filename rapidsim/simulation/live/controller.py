@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
@@ -29,8 +28,8 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.signal_values import limits, status_value
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
+from rapidsim.simulation.live.system_outputs import status_value
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
@@ -376,42 +375,7 @@ class LiveController:
         for task in self.tasks.values():
             task.set_speed_ratio(self._refresh)
 
-    # Signals.
-
-    def signals(self) -> tuple[SignalDeclaration, ...]:
-        """All signals that are declared."""
-        return self.options.io.signals
-
-    def signal(self, name: str) -> SignalDeclaration:
-        """A signal by name, in any case.
-
-        Raises:
-            Refused: If none is declared.
-        """
-        for one in self.options.io.signals:
-            if one.name.lower() == name.lower():
-                return one
-        raise Refused(Why.NO_SIGNAL, f"there is no signal {name}")
-
-    def signal_value(self, name: str) -> float:
-        """The value of a signal."""
-        return self.cell.signals.read(name)
-
-    def set_signal(self, name: str, value: float) -> None:
-        """Change a signal, with all that hangs on it.
-
-        Raises:
-            Refused: If there is none, its kind or limits forbid the value, or it shows a state.
-        """
-        signal = self.signal(name)
-        if signal.status is not None:
-            raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
-        low, high = limits(signal)
-        whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
-        if not (low <= value <= high and whole):
-            raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
-        self._change(signal.name, value)
-        self.settle()
+    # From outside.
 
     def answer(self, task: str, text: str) -> None:
         """Answer the question of a task.
@@ -427,6 +391,20 @@ class LiveController:
         """Let programs look: somebody outside has changed what they may wait for."""
         self.cell.tell(Moment(Instant(self.now_s)))
         self.settle()
+
+    def change_signal(self, name: str, value: float) -> None:
+        """Change a signal now.
+
+        Raises:
+            Refused: If traps storm, which stops the programs.
+        """
+        cause = Cause(self._journal.beside(OUTSIDE))
+        moment = Moment(Instant(self.now_s))
+        try:
+            self.cell.set_signal(cause, moment, name, value)
+        except Stopped as storm:
+            self.stop(StopMode.STOP)
+            raise Refused(Why.STATE, storm.reason) from None
 
     # What is told by tasks: implements `live_task.Chief`.
 
@@ -472,16 +450,6 @@ class LiveController:
         for one in others.values():
             one.neighbours = others
 
-    def _change(self, name: str, value: float) -> None:
-        """Change a signal now; traps that storm stop the programs they belong to."""
-        cause = Cause(self._journal.beside(OUTSIDE))
-        moment = Moment(Instant(self.now_s))
-        try:
-            self.cell.set_signal(cause, moment, name, value)
-        except Stopped as storm:
-            self.stop(StopMode.STOP)
-            raise Refused(Why.STATE, storm.reason) from None
-
     def _show_states(self, failed: str | None = None) -> None:
         """Let the system outputs show what is."""
         self._shows_executing = self.executes
@@ -496,4 +464,4 @@ class LiveController:
                 mode=self.mode,
             )
             if value is not None and value != self.cell.signals.read(signal.name):
-                self._change(signal.name, value)
+                self.change_signal(signal.name, value)
