@@ -35,6 +35,8 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
+_REMEMBERED_S = 10.0
+"""So far back [s] a robot's motion is known: longer than any look at it, or smoothing, takes."""
 LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
@@ -77,6 +79,8 @@ class LiveController:
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
+    _forgets_s: float = 0.0
+    """When the robots' past is forgotten next [s]."""
     _kept: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -155,6 +159,10 @@ class LiveController:
     def step(self, until_s: float) -> bool:
         """Let one thing happen that is due by a time [s]; whether there was any."""
         stepped = self._turns.step(until_s)
+        if not self.keeps_all and self.now_s >= self._forgets_s:
+            self._forgets_s = self.now_s + _REMEMBERED_S
+            for task in self.tasks.values():
+                task.forget(self.now_s - _REMEMBERED_S)
         events = self._journal.take()
         if self.keeps_all:
             self._kept.extend(events)

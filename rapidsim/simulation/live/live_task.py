@@ -200,6 +200,10 @@ class LiveTask:
             self.run.controller.execution.ask_to_stop(self.turns.now_s, on_path=on_path)
             self.turns.wake(self.run.controller.clock)
 
+    def forget(self, before_s: float) -> None:
+        """Forget what its robot did before a time [s], unless the program may go back on it."""
+        self.unit.forget(before_s, self.run.controller.recorder.first)
+
     def set_speed_ratio(self, percent: float) -> None:
         """Let the moves to come be so fast, in percent of what is programmed."""
         motion = self.run.controller.motion
@@ -244,8 +248,9 @@ class LiveTask:
         except (FatalError, MotionError, Stopped) as error:
             ended = outcome_of(error, self.run)
             found = ended.findings
-            self._found += found
-            self._failed_moves += ended.failed_moves
+            if self.journal.keeps_all:
+                self._found += found
+                self._failed_moves += ended.failed_moves
             message = found[0].message if found else str(error)
         except Exception as error:
             # A defect of ours ends this program, not the controller.
