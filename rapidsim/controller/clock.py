@@ -396,6 +396,19 @@ class TaskClock:
             self._fail()
         return ended_s
 
+    def between(self, run: Callable[[], None]) -> None:
+        """Let something take time before the next statement, at the end of all moves so far.
+
+        A loop that counts its own ticks is not asked for them, and counts on as it did.
+        """
+        left = self.left
+        self._time.settle(left)
+        self.drive_to_stop()
+        run()
+        self._time.settle(self.left)
+        self.left = left
+        self._time.hold(left)
+
     def fail_later(self, error: RapidError) -> None:
         """Raise an error at the statement that a trap interrupts, once the trap has ended.
 

@@ -62,6 +62,10 @@ class PointerTime:
             self.used += used
             self._granted = left
 
+    def hold(self, left: int) -> None:
+        """Let so many ticks be left, whatever was granted: a loop may count on from there."""
+        self._granted = left
+
     def grant(self, until_s: float, slack_s: float, most: int) -> int:
         """Ticks that the program may use until a time [s], or for a slack [s] if none is known.
 

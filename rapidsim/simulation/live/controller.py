@@ -28,7 +28,16 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
+from rapidsim.simulation.live.states import (
+    Cycle,
+    Execution,
+    Mode,
+    Motors,
+    Refused,
+    StopMode,
+    TaskState,
+    Why,
+)
 from rapidsim.simulation.live.system_outputs import status_value
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
@@ -201,11 +210,12 @@ class LiveController:
         """Whether any of these executes."""
         return any(one.executes for one in self.normal_tasks)
 
-    def start(self, cycle: Cycle | None = None) -> None:
+    def start(self, cycle: Cycle | None = None, how: Execution = Execution.CONTINUE) -> None:
         """Start the programs, from main or from where they stopped.
 
         Args:
             cycle: What comes after the end of main; None leaves what holds.
+            how: Until they are stopped, or for a step of each task.
 
         Raises:
             Refused: In a state that forbids it.
@@ -224,7 +234,7 @@ class LiveController:
         for task in tasks:
             code = event_log.STARTED_AGAIN if task.is_begun else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
-            task.start()
+            task.start(how)
         self._show_states()
         self.settle()
 
@@ -427,6 +437,11 @@ class LiveController:
     def cycle_ended(self) -> bool:
         """Main has returned; whether it begins again at once."""
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
+
+    def step_ended(self, task: LiveTask) -> None:
+        """A program stands before the next statement."""
+        text = f"{task.name} is ready with this step."
+        self.log.operational(event_log.STEPPED, self.now_s, text, task.name)
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
         """A program cannot go on: all stop; the event log says why."""
