@@ -1,5 +1,7 @@
 """Clients start, stop and watch programs, and change what programs use."""
 
+import re
+from base64 import b64encode
 from pathlib import Path
 
 import pytest
@@ -162,6 +164,21 @@ def test_what_is_not_there_is_answered_as_a_controller_does(tmp_path: Path) -> N
         # Addresses above resources lead to them.
         async with served.client.get(f"{served.base}/rw/panel") as response:
             assert 'href="speedratio"' in await response.text()
+
+    serve(tmp_path, COUNTING, use)
+
+
+def test_what_lies_below_an_address_is_told_as_far_as_it_can_be_read(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        headers = {"Accept": "application/xhtml+xml;v=2.0"}
+        login = b64encode(b"Default User:robotics").decode()
+        async with served.client.get(
+            f"{served.second}/rw", headers={**headers, "Authorization": f"Basic {login}"}
+        ) as response:
+            below = set(re.findall(r'href="([^"]+)"', await response.text()))
+        assert {"panel", "rapid", "iosystem"} <= below
+        # Where streams are ended, nothing can be read.
+        assert not {"infostream", "_istream"} & below
 
     serve(tmp_path, COUNTING, use)
 
