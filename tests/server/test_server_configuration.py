@@ -67,7 +67,8 @@ def test_attributes_are_set_all_or_none(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
         arm = "rw/cfg/MOC/ARM/instances/rob1_1"
         form, url = {"upper_joint_bound": "[1.5,1]"}, f"{served.base}/{arm}?action=set"
-        for more, status in (({"colour": "[red,1]"}, 400), ({}, 204)):
+        wrong = ({"colour": "[red,1]"}, {"lower_joint_bound": "0"})
+        for more, status in (*((one, 400) for one in wrong), ({}, 204)):
             async with served.client.post(url, data={**form, **more}) as done:
                 assert done.status == status
         (found,) = await served.get(arm)

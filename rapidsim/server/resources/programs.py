@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_MODULE, NOT_FOUND, refused
 from rapidsim.server.resources.context import Context, chosen, given
 from rapidsim.server.resources.disks import path_of_programs
 from rapidsim.simulation.live import program_memory
@@ -208,7 +208,7 @@ def _module(context: Context, name: str, task: str) -> tree.Module:
     for one in program_memory.modules(found):
         if one.name.key == name.lower():
             return one
-    raise refused(NOT_FOUND, f"{found.name} has no module {name}")
+    raise refused(NOT_FOUND, f"{found.name} has no module {name}", LATER_NO_MODULE)
 
 
 def _module_item(one: tree.Module) -> Item:
