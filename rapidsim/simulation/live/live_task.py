@@ -243,14 +243,13 @@ class LiveTask:
 
     def _halt(self, before: Place) -> None:
         """A step has ended: the robot makes its moves, and the program stands."""
-        controller = self.run.controller
-
-        def stand() -> None:
-            controller.clock.place = before
-            self.chief.step_ended(self)
-            controller.execution.stand()
-
-        controller.clock.between(stand)
+        clock, left = self.run.controller.clock, self.run.controller.clock.left
+        clock.observe()
+        clock.drive_to_stop()
+        clock.place = before
+        self.chief.step_ended(self)
+        self.run.controller.execution.stand()
+        clock.leave_ticks(left)
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """The procedure of a name, in any case, that needs no arguments."""

@@ -32,7 +32,7 @@ class Cycle(StrEnum):
 class Execution(StrEnum):
     """How far programs go on that are started."""
 
-    CONTINUE = "continue"
+    CONTINUE = auto()
     STEP_IN = "stepin"
     """To the next statement, in whatever routine."""
     STEP_OVER = "stepover"
