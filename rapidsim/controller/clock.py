@@ -336,8 +336,7 @@ class TaskClock:
     def next_due_s(self) -> float | None:
         """When the next thing happens by itself [s]: a signal change, an interrupt, on the path.
 
-        While the program runs ahead of the robot, nobody asks for what happens on the path: that
-        would plan it.
+        While the program runs ahead, nobody asks for what happens on the path, which would plan it.
         """
         known = self._time.is_known
         times = [one.next_s() for one in self.happenings if known or not one.on_path]
@@ -396,6 +395,10 @@ class TaskClock:
             self._fail()
         return ended_s
 
+    def leave_ticks(self, left: int) -> None:
+        """Let so many be left, as before: a loop that counts its own was not asked for them."""
+        self.left = self._time.hold(self.left, left)
+
     def fail_later(self, error: RapidError) -> None:
         """Raise an error at the statement that a trap interrupts, once the trap has ended.
 
@@ -427,7 +430,6 @@ class TaskClock:
         """End the block of moves and wait until the arm stands still at its end.
 
         What happens on the way may stop the robot and start it again, so the end may move.
-
         Source: RAPID Overview, "Motion and I/O principles". A controller was measured to go on some
         40 ms earlier; then CRobT after a stop point would miss the point, which nobody expects.
         """

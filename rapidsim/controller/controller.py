@@ -53,6 +53,7 @@ class VirtualController:
     others: TaskOthers
     sockets: TaskSockets
     guidance: TaskGuidance
+    recorder: TaskPathRecorder
     concerns: Controller
 
 
@@ -96,12 +97,13 @@ def virtual_controller(
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put, reader)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)
+    recorder = TaskPathRecorder(clock, unit, resolver, state, team.put)
     concerns = Controller(
         clock=clock,
         execution=execution,
         motion=motion,
         path_control=TaskPathControl(clock, unit, marks, interrupts, state),
-        path_recorder=TaskPathRecorder(clock, unit, resolver, state, team.put),
+        path_recorder=recorder,
         searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
@@ -120,4 +122,6 @@ def virtual_controller(
         messages=TaskMessages(clock, cell, table, journal, own_queue),
         guidance=guidance,
     )
-    return VirtualController(clock, execution, motion, others, sockets, guidance, concerns)
+    return VirtualController(
+        clock, execution, motion, others, sockets, guidance, recorder, concerns
+    )

@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts, robot_name
-from rapidsim.language.tasks import TaskService
 from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.values import dataclass
 
@@ -20,20 +20,18 @@ class TaskEquipment:
     clock: TaskClock
     cell: Cell
     resolver: Resolver
-    others: TaskService
+    others: TaskOthers
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robot, and the units of external axes in the order of their letters."""
-        robot = self.resolver.robot
-        axes: dict[str, list[int]] = {}
-        for axis in robot.external:
-            axes.setdefault(axis.unit, []).append(LETTERS.index(axis.letter))
-        units = [MechanicalUnitFacts(name, False, tuple(found)) for name, found in axes.items()]
-        number = self.others.robot_number
-        if number:
-            own = tuple(range(len(robot.joints)))
-            units.insert(0, MechanicalUnitFacts(robot_name(number), True, own))
-        return tuple(units)
+        return _units_of(self.others)
+
+    def system_units(self) -> tuple[MechanicalUnitFacts, ...]:
+        """The robots of all tasks in the order of the station, then their external axes."""
+        self.clock.come_up()
+        moving = [one for one in self.others.all_tasks().values() if one.has_robot]
+        units = [unit for one in moving for unit in _units_of(one)]
+        return tuple(sorted(units, key=lambda unit: not unit.is_robot))
 
     def conveyor(self, unit: str) -> Conveyor | None:
         """A conveyor of the cell."""
@@ -64,3 +62,21 @@ class TaskEquipment:
         else:
             self.cell.disabled_devices.add(device.lower())
         self.clock.tell()
+
+
+def _units_of(task: TaskOthers) -> tuple[MechanicalUnitFacts, ...]:
+    """What a task moves: its robot, if it has one, and the units of external axes."""
+    robot, moves_with = task.resolver.robot, task.robot_number
+    axes: dict[str, list[int]] = {}
+    for axis in robot.external:
+        axes.setdefault(axis.unit, []).append(LETTERS.index(axis.letter))
+    found = [(name, False, tuple(letters)) for name, letters in axes.items()]
+    if moves_with:
+        found.insert(0, (robot_name(moves_with), True, tuple(range(len(robot.joints)))))
+    inactive = task.state.settings.inactive_units
+    return tuple(
+        MechanicalUnitFacts(
+            name, is_robot, places, task.task_number, moves_with, name.lower() not in inactive
+        )
+        for name, is_robot, places in found
+    )

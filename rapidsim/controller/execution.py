@@ -49,6 +49,8 @@ class TaskExecution:
     """What a stop does to process signals."""
     stops_all: Callable[[str], None] | None = None
     """Lets all tasks stop, for a reason; None where nobody would start them again."""
+    resumed: Callable[[], None] | None = None
+    """Called where the program goes on."""
     stands: bool = False
     """Whether the program waits to be started."""
     _asked: _Asked | None = None
@@ -118,5 +120,7 @@ class TaskExecution:
             now_s = self.cell.turns.until(self.clock, math.inf)
         self.clock.set(max(since_s, now_s))
         self.table.stood(waited, since_s, now_s)
+        if self.resumed is not None:
+            self.resumed()
         if stopped and queue.is_halted:
             queue.resume(now_s)

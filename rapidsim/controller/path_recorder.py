@@ -56,6 +56,11 @@ class TaskPathRecorder:
     _left: int = 0
     """How many of `_given` the robot has not gone back on."""
 
+    @property
+    def first(self) -> int | None:
+        """The number of the first move that is recorded; None where none is."""
+        return min(self._ids.values(), default=None)
+
     def start_recording(self) -> int:
         """Record the moves from here on; the number of the identifier of this place."""
         self.clock.note_line()
@@ -147,7 +152,7 @@ class TaskPathRecorder:
         last = self._last
         return [
             one
-            for one in self.unit.own.moves[first:last]
+            for _, one in self.unit.own.moves.numbered(first, last)
             if one.level == self._level and one.started.time is not None and one not in self._made
         ]
 
@@ -155,12 +160,12 @@ class TaskPathRecorder:
         """The moves that lead from a place to where the robot stands, in recorded order."""
         given = self._begun() if self._origin is None else self._given[: self._left]
         first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
-        index = {id(one): number for number, one in enumerate(self.unit.own.moves)}
+        index = {id(one): number for number, one in self.unit.own.moves.numbered()}
         return [one for one in given if index[id(one)] >= first]
 
     def _place_of(self, identifier: int) -> int:
         """How many moves of the way back lie before a place."""
-        index = {id(one): number for number, one in enumerate(self.unit.own.moves)}
+        index = {id(one): number for number, one in self.unit.own.moves.numbered()}
         first = self._ids.get(identifier, 0)
         return sum(index[id(one)] < first for one in self._given)
 

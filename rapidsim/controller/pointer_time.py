@@ -62,6 +62,12 @@ class PointerTime:
             self.used += used
             self._granted = left
 
+    def hold(self, now_left: int, left: int) -> int:
+        """Let so many ticks be left, whatever was granted: a loop may count on from there."""
+        self.settle(now_left)
+        self._granted = left
+        return left
+
     def grant(self, until_s: float, slack_s: float, most: int) -> int:
         """Ticks that the program may use until a time [s], or for a slack [s] if none is known.
 

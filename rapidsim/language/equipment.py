@@ -50,6 +50,12 @@ class MechanicalUnitFacts:
     is_robot: bool
     axes: tuple[int, ...]
     """Positions, from 0, in `robax` of a robot, in `extax` of another unit."""
+    task_number: int = 0
+    """Place, from 1, of the task that moves it; 0 where none does."""
+    robot_number: int = 0
+    """Place, from 1, of the robot that it moves with; 0 where there is none."""
+    is_active: bool = True
+    """Whether DeactUnit has not switched it off."""
 
 
 class Conveyor(Protocol):
@@ -82,6 +88,10 @@ class Equipment(Protocol):
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The task's robot, if it has one, and the units of external axes."""
+        ...
+
+    def system_units(self) -> tuple[MechanicalUnitFacts, ...]:
+        """The robots of all tasks in the order of the station, then their external axes."""
         ...
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:

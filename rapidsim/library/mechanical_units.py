@@ -37,21 +37,20 @@ def get_next_mech_unit(
     drive_module: Var[Num] | None = None,
     ok_to_deact: Var[Bool] | None = None,
 ) -> Bool:
-    """The next mechanical unit of the task, its list number from 0 on; FALSE behind the last."""
-    units = controller.equipment.mechanical_units()
+    """The next mechanical unit of the system, its list number from 0 on; FALSE behind the last."""
+    units = controller.equipment.system_units()
     number = int(list_number.value)
     if not 0 <= number < len(units):
         return False
     unit = units[number]
     list_number.value, unit_name.value = float(number + 1), unit.name
-    inactive = controller.motion.settings.inactive_units
     told: list[tuple[Reference[Any] | None, object]] = [
         (mec_ref, unit.name),
         (tcp_rob, unit.is_robot),
         (no_of_axes, float(len(unit.axes))),
-        (mec_task_no, float(controller.tasks.task_number)),
-        (mot_plan_no, float(controller.tasks.robot_number)),
-        (active, unit.name.lower() not in inactive),
+        (mec_task_no, float(unit.task_number)),
+        (mot_plan_no, float(unit.robot_number)),
+        (active, unit.is_active),
         (drive_module, 1.0),
         (ok_to_deact, not unit.is_robot),
     ]

@@ -6,10 +6,14 @@ with its arms, axes, states of tasks, and a log of requests, texts and entries o
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Sequence
 from contextlib import ExitStack, suppress
 from dataclasses import field
 from pathlib import Path
+from socket import create_connection
+from time import monotonic, sleep
 from typing import Final
 
 import numpy as np
@@ -53,6 +57,34 @@ class LiveArm:
         return f"{self.name}/{name}" if self.name else name
 
 
+_VIEWER: Final = ("127.0.0.1", 9876)
+"""Where a viewer listens that is started without a choice."""
+_OPENS_S: Final = 10.0
+"""So long [s] it may take to open."""
+
+
+def _open_viewer() -> None:
+    """Open a viewer and wait until it listens: what is told to none would be lost in the file, too.
+
+    Raises:
+        InputError: If none does.
+    """
+    # The module and not the script: it is there whatever PATH says.
+    command = [sys.executable, "-P", "-m", "rerun", "--port", str(_VIEWER[1])]
+    quiet = subprocess.DEVNULL
+    subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet, start_new_session=True)
+    until_s = monotonic() + _OPENS_S
+    while True:
+        try:
+            create_connection(_VIEWER, 1.0).close()
+        except OSError:
+            if monotonic() > until_s:
+                raise InputError("--view: no viewer has opened", "leave out --view") from None
+            sleep(0.1)
+        else:
+            return
+
+
 @dataclass(slots=True, eq=False)
 class LiveRecording:
     """It can only be added to, in the order of time; the file appears when it is closed."""
@@ -71,12 +103,13 @@ class LiveRecording:
         Raises:
             InputError: If nothing can be written there, or no viewer opens.
         """
+        if self.view:
+            _open_viewer()
         temporary = self._open.enter_context(whole_file(self.path))
         stream = rr.RecordingStream(APPLICATION)
         layout = _layout([arm for arm, _ in arms])
         try:
             if self.view:
-                rr.spawn(connect=False)
                 stream.set_sinks(rr.FileSink(temporary), rr.GrpcSink(), default_blueprint=layout)
             else:
                 stream.save(temporary, default_blueprint=layout)

@@ -56,6 +56,8 @@ class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
         """Give HTTP's number, the controller's, and a line for people."""
         super().__init__(message)
         self.refusal = Refusal(status, code, message)
+        self.later: Refusal | None = None
+        """What RobotWare 7 answers, where that is another."""
 
 
 @dataclass(frozen=True, slots=True)

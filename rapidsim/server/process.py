@@ -15,6 +15,7 @@ from multiprocessing.context import SpawnProcess
 from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
+from time import monotonic
 from typing import Final, TypeAlias
 
 from rapidsim.controller.cell.sensors import Sensors
@@ -37,6 +38,8 @@ from rapidsim.server.wire import SocketWire
 from rapidsim.syntax.collection import staying_on
 from rapidsim.values import dataclass
 
+_LOOKS_S: Final = 0.001
+"""So long [s] an engine goes on before it looks whether anybody asks."""
 _PATIENCE_S: Final = 5.0
 """So long [s] an engine that is told to end may take."""
 
@@ -237,15 +240,21 @@ def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], No
 
 def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
     while True:
-        wait_s = 0.0 if engine.step() else engine.wait_s()
+        # To look whether anybody asks costs as much as what a task does in a few milliseconds.
+        until_s = monotonic() + _LOOKS_S
+        while (stepped := engine.step()) and monotonic() < until_s:
+            pass
+        wait_s = 0.0 if stepped else engine.wait_s()
         heard = wait([connection, *wire.heard(), *sensors.heard()], wire.patience_s(wait_s))
         if passed_s := sensors.came(heard):
             engine.sensor_answered(passed_s)
         for one in wire.came(heard):
             engine.reply(one)
-        while connection.poll():
+        while connection in heard:
             received = connection.recv()
             if received is None:
                 return
             number, message = received
             connection.send((number, engine.reply(message)))
+            if not connection.poll():
+                break

@@ -11,6 +11,7 @@ from rapidsim.server.resources import panel, programs, signals, symbols
 from rapidsim.server.resources.codes import NOT_FOUND, refused
 from rapidsim.server.resources.context import Context
 from rapidsim.server.resources.queues import message_item
+from rapidsim.simulation.live import signals as live_signals
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Refused
 
@@ -140,7 +141,7 @@ class Subscriptions:
 
     def _signal_item(self, name: str, resource: str) -> Item:
         try:
-            signal = self.context.live.signal(name)
+            signal = live_signals.find(self.context.live, name)
         except Refused:
             raise refused(NOT_FOUND, f"there is no signal {name}") from None
         shown = signals.signal_item(self.context, signal)

@@ -38,7 +38,7 @@ class Watched:
         """How far it is."""
         for number, run in enumerate(self._runs):
             moves = run.queue.moves
-            for move in moves[self._counted[number] :]:
+            for _, move in moves.numbered(self._counted[number]):
                 if move.started.time is None:
                     break
                 self._places.add((move.place.span.file, move.place.span.start))

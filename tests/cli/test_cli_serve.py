@@ -75,3 +75,14 @@ def test_wrong_usage(arguments: tuple[str, ...], told: str, tmp_path: Path) -> N
     done = call("serve", "--rws2-port", "off", *arguments, cwd=tmp_path)
     assert (done.code, done.out) == (2, "")
     assert told in done.err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there always is a screen")
+def test_a_recording_is_not_shown_live_where_there_is_no_screen(tmp_path: Path) -> None:
+    (tmp_path / "job.mod").write_text(PROGRAM)
+    arguments = ("job.mod", "--record", "live.rrd", "--view", "--rws2-port", "off")
+    screen = {"DISPLAY": "", "WAYLAND_DISPLAY": ""}
+    done = call("serve", *arguments, cwd=tmp_path, environment=screen)
+    assert (done.code, done.out) == (2, "")
+    assert "no screen" in done.err
+    assert not (tmp_path / "live.rrd").exists()

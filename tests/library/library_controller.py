@@ -206,6 +206,9 @@ class RecordingController(NoSockets, Undisturbed):
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         return (MechanicalUnitFacts("ROB_1", True, (0, 1, 2, 3, 4, 5)),)
 
+    def system_units(self) -> tuple[MechanicalUnitFacts, ...]:
+        return self.mechanical_units()
+
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         return None
 

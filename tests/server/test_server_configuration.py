@@ -8,6 +8,7 @@ from served_controller import Served, serve
 from rapidsim.controller.cell.description import GROUP_WIDTH, mapped_bits
 from rapidsim.language.equipment import Attributes
 from rapidsim.server.messages import Request
+from rapidsim.simulation.live import signals
 
 PROGRAM = """MODULE Still
     PROC main()
@@ -66,7 +67,8 @@ def test_attributes_are_set_all_or_none(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
         arm = "rw/cfg/MOC/ARM/instances/rob1_1"
         form, url = {"upper_joint_bound": "[1.5,1]"}, f"{served.base}/{arm}?action=set"
-        for more, status in (({"colour": "[red,1]"}, 400), ({}, 204)):
+        wrong = ({"colour": "[red,1]"}, {"lower_joint_bound": "0"})
+        for more, status in (*((one, 400) for one in wrong), ({}, 204)):
             async with served.client.post(url, data={**form, **more}) as done:
                 assert done.status == status
         (found,) = await served.get(arm)
@@ -139,16 +141,16 @@ def test_the_inputs_of_a_device_are_set_at_once(tmp_path: Path) -> None:
 
         live = served.engine.live
         assert put("d651", startbyte="0", signaldata="10110100", datamask="255") == 204
-        assert (live.signal_value("diNear"), live.signal_value("giPart")) == (1.0, 13.0)
+        assert (signals.value_of(live, "diNear"), signals.value_of(live, "giPart")) == (1.0, 13.0)
         # What the mask leaves out stays.
         assert put("d651", startbyte="0", signaldata="00000000", datamask="132") == 204
-        assert (live.signal_value("diNear"), live.signal_value("giPart")) == (0.0, 12.0)
+        assert (signals.value_of(live, "diNear"), signals.value_of(live, "giPart")) == (0.0, 12.0)
         # A group need not lie in one stretch, nor end in the bytes that are set.
         assert put("d651", startbyte="2", signaldata="00000010") == 204
         assert put("d651", startbyte="4", signaldata="00000010") == 204
-        assert live.signal_value("giApart") == 6.0
+        assert signals.value_of(live, "giApart") == 6.0
         assert put("d651", startbyte="9", signaldata="00000001") == 204
-        assert live.signal_value("giWide") == 256.0
+        assert signals.value_of(live, "giWide") == 256.0
         assert put("none", startbyte="0", signaldata="00000000", datamask="1") == 404
         assert put("d651", startbyte="0", signaldata="12", datamask="1") == 400
 

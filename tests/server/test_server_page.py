@@ -11,6 +11,8 @@ import pytest
 from browser import CHROMIUM, opened
 from served_controller import Served, serve
 
+from rapidsim.simulation.live import signals
+
 PROGRAM = r"""MODULE job
   ! A line with <b>marks</b> & "quotes".
   PERS num rounds := 0;
@@ -127,15 +129,15 @@ def test_a_browser_shows_the_controller_and_its_buttons_do_what_they_say(tmp_pat
             await page.until("document.getElementById('screen').textContent.includes('<i>one</i>')")
             await page.value("document.querySelector('[aria-label=\"Set diGo to 1\"]').click()")
             await page.until("document.querySelector('#questions button')")
-            assert live.signal_value("diGo") == 1.0
-            assert live.signal_value("doDone") == 1.0
+            assert signals.value_of(live, "diGo") == 1.0
+            assert signals.value_of(live, "doDone") == 1.0
             await page.value(
                 "var i = document.querySelector('#signals input'); i.value = '2.5';"
                 " i.dispatchEvent(new Event('change'))"
             )
             row = "document.querySelector('#signals tr[data-name=aoSpeed]')"
             await page.until(f"{row}.dataset.value === '2.5'")
-            assert live.signal_value("aoSpeed") == 2.5
+            assert signals.value_of(live, "aoSpeed") == 2.5
             await page.value("document.querySelector('#questions button').click()")
             await page.until("!document.querySelector('#questions button')")
             live.advance(live.now_s + 0.5)

@@ -1,5 +1,7 @@
 """Clients start, stop and watch programs, and change what programs use."""
 
+import re
+from base64 import b64encode
 from pathlib import Path
 
 import pytest
@@ -164,3 +166,50 @@ def test_what_is_not_there_is_answered_as_a_controller_does(tmp_path: Path) -> N
             assert 'href="speedratio"' in await response.text()
 
     serve(tmp_path, COUNTING, use)
+
+
+def test_what_lies_below_an_address_is_told_as_far_as_it_can_be_read(tmp_path: Path) -> None:
+    async def use(served: Served) -> None:
+        headers = {"Accept": "application/xhtml+xml;v=2.0"}
+        login = b64encode(b"Default User:robotics").decode()
+        async with served.client.get(
+            f"{served.second}/rw", headers={**headers, "Authorization": f"Basic {login}"}
+        ) as response:
+            below = set(re.findall(r'href="([^"]+)"', await response.text()))
+        assert {"panel", "rapid", "iosystem"} <= below
+        # Where streams are ended, nothing can be read.
+        assert not {"infostream", "_istream"} & below
+
+    serve(tmp_path, COUNTING, use)
+
+
+def test_programs_are_stepped_and_their_pointer_is_at_what_comes_next(tmp_path: Path) -> None:
+    program = """MODULE Stepped
+  VAR num n := 0;
+  PROC main()
+    n := 1;
+    more; n := 3;
+    WaitTime 0;
+  ENDPROC
+  PROC more()
+    n := 2;
+  ENDPROC
+ENDMODULE
+"""
+
+    async def use(served: Served) -> None:
+        async def step(how: str) -> tuple[str, str, str]:
+            assert await served.post(f"{EXECUTION}start", execmode=how) == (204, 0)
+            (state,) = await served.get("rw/rapid/execution")
+            assert state["ctrlexecstate"] == "stopped"
+            (at,) = await served.get("rw/rapid/tasks/T_ROB1/pcp")
+            return at["routinename"], at["beginposition"], at["endposition"]
+
+        for how in ("stepback", "steplast", "hop"):
+            assert await served.post(f"{EXECUTION}start", execmode=how) == (400, -1073445879)
+        assert await step("stepin") == ("main", "5,5", "5,9")
+        assert await step("stepin") == ("more", "9,5", "9,11")
+        assert await step("stepout") == ("main", "6,5", "6,15")
+        assert await step("stepover") == ("main", "4,5", "4,11")
+
+    serve(tmp_path, program, use)

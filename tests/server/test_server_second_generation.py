@@ -122,9 +122,17 @@ def test_refusals_have_the_form_of_the_generation(tmp_path: Path) -> None:
         del served
         status, body = await client.get("rw/iosystem/signals/none")
         assert (status, body["status"]["code"]) == (404, -1073445866)
+        for path, expected in (
+            ("rw/rapid/tasks/T_ROB1/modules/none", (400, -1073442813)),
+            ("rw/rapid/symbol/RAPID/T_ROB1/none/data", (404, -1073442816)),
+            ("fileservice/NONE/none.txt", (400, -1073438716)),
+        ):
+            status, body = await client.get(path)
+            assert (status, body["status"]["code"]) == expected
         async with client.session.get(f"{client.base}/fileservice/HOME/none.txt") as found:
             assert (found.status, found.content_type) == (404, "text/html")
-            assert "status" in await found.json(content_type=None)
+            body = await found.json(content_type=None)
+            assert body["status"]["code"] == -1073438713
         # A wrong password is no session.
         async with (
             aiohttp.ClientSession(headers=_who("guess")) as other,

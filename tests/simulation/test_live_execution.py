@@ -3,6 +3,7 @@
 import pytest
 from live_controller import Live, module
 
+from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode
 
 COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
@@ -121,11 +122,11 @@ def test_an_error_stops_the_program_and_leaves_the_controller_alive() -> None:
     errors = [entry for entry in live.entries if entry.type == 3]
     assert [entry.code for entry in errors] == [40194, 10020] or len(errors) == 2
     assert "line 4" in errors[0].text
-    assert live.controller.signal_value("doFault") == 1.0
+    assert signals.value_of(live.controller, "doFault") == 1.0
     with pytest.raises(Refused, match="pointer is lost"):
         live.controller.start()
     live.controller.reset_pointers()
-    assert live.controller.signal_value("doFault") == 0.0
+    assert signals.value_of(live.controller, "doFault") == 0.0
     live.controller.start()
     live.after(0.1)
     assert live.value("n") == "2"
@@ -160,14 +161,71 @@ def test_a_program_without_an_end_leaves_nothing_behind_of_what_it_did() -> None
     assert [one.noted for one in journals] == [0, 0]
 
 
+FLY_BY = module(
+    """WHILE TRUE DO
+        MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v1000, z50, tool0;
+        MoveAbsJ [[30,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v1000, z50, tool0;
+    ENDWHILE"""
+)
+RAMPED = TURNS.replace(
+    "n := n + 1;", "n := n + 1; AccSet 50 + 10 * (n MOD 4), 30 + 20 * (n MOD 3);"
+)
+
+
+@pytest.mark.parametrize("program", [TURNS, FLY_BY, RAMPED], ids=["stops", "fly-by", "ramps"])
+def test_a_robot_that_moves_for_ever_leaves_nothing_behind_of_its_motion(program: str) -> None:
+    forgets, keeps = Live(program), Live(program)
+    keeps.controller.keeps_all = True
+    kept = []
+    for seconds in range(1, 121):
+        for live in (forgets, keeps):
+            if live.controller.now_s in (31.0, 61.0):
+                live.controller.stop()
+            if not live.controller.executes and live.controller.now_s not in (31.0, 61.0):
+                live.controller.start()
+            live.after(1.0)
+        # What is forgotten changes nothing, to the last bit.
+        assert (forgets.axis_1(), forgets.line) == (keeps.axis_1(), keeps.line)
+        kept.append(_kept(forgets) if seconds > 20 else 0)
+    assert max(kept[80:]) <= 1.5 * max(kept[20:60])
+    assert _kept(keeps) > 3 * max(kept)
+
+
+def test_what_a_program_may_go_back_on_is_not_forgotten() -> None:
+    program = module(
+        """PathRecStart a;
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v1000, fine, tool0;
+    FOR i FROM 1 TO 6 DO
+        MoveAbsJ [[10*i,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v1000, fine, tool0;
+        WaitTime 5;
+    ENDFOR
+    PathRecMoveBwd \\ID:=a;
+    n := 1;""",
+        "VAR pathrecid a;\nPERS num n := 0;",
+    )
+    live = Live(program)
+    live.controller.start(Cycle.ONCE)
+    live.after(60.0)
+    assert live.value("n") == "1", live.entries
+    assert live.axis_1() == pytest.approx(0.0)
+
+
+def _kept(live: Live) -> int:
+    """How much is kept of what the robot did."""
+    planner = live.controller.task("T_ROB1").unit.own.planner
+    block, given = planner.block, sum(1 for _ in planner.moves)
+    pieces, windows = len(planner.trajectory.pieces), len(planner.trajectory._windows._steps)
+    return given + pieces + windows + len(block.moves) + len(block.driven)
+
+
 def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
     live = Live(TURNS)
     live.controller.start()
-    assert live.controller.signal_value("doRuns") == 1.0
+    assert signals.value_of(live.controller, "doRuns") == 1.0
     live.after(0.5)
     live.controller.set_motors(Motors.OFF)
     assert not live.controller.executes
-    assert live.controller.signal_value("doRuns") == 0.0
+    assert signals.value_of(live.controller, "doRuns") == 0.0
     with pytest.raises(Refused, match="motors are off"):
         live.controller.start()
     live.controller.set_motors(Motors.ON)
@@ -222,14 +280,14 @@ def test_a_robot_that_stopmove_holds_stays_where_it_is_when_the_program_goes_on(
     )
     live.controller.start(Cycle.ONCE)
     live.after(0.6)
-    live.controller.set_signal("diGo", 1)
+    signals.write(live.controller, "diGo", 1)
     live.after(1.0)
     held = live.axis_1()
     live.controller.stop()
     live.controller.start()
     live.after(1.0)
     assert live.axis_1() == held
-    live.controller.set_signal("diGo", 0)
+    signals.write(live.controller, "diGo", 0)
     live.after(5.0)
     assert live.axis_1() == pytest.approx(1.0471975512)
 

@@ -5,7 +5,7 @@ from live_controller import SIGNALS, Live, module
 
 from rapidsim.controller.cell.conditions import read_condition
 from rapidsim.controller.cell.description import CellIo, Stimulus
-from rapidsim.simulation.live import position
+from rapidsim.simulation.live import position, signals
 from rapidsim.simulation.live.position import Coordinates
 from rapidsim.simulation.live.states import Refused
 
@@ -15,7 +15,7 @@ def test_a_signal_from_outside_ends_a_wait_at_its_instant() -> None:
     live = Live(module(body, "PERS num n := 0; VAR clock c;"))
     live.controller.start()
     live.after(1.47)
-    live.controller.set_signal("diGo", 1.0)
+    signals.write(live.controller, "diGo", 1.0)
     assert float(live.value("n")) == pytest.approx(1.47, abs=1e-3)
 
 
@@ -25,7 +25,7 @@ def test_a_signal_from_outside_ends_a_loop_that_looks_for_it() -> None:
     live.controller.start()
     live.after(100.0)
     assert live.value("n") == "0"
-    live.controller.set_signal("diGo", 1.0)
+    signals.write(live.controller, "diGo", 1.0)
     live.after(0.02)
     assert live.value("n") == "1"
 
@@ -40,12 +40,12 @@ def test_a_signal_from_outside_raises_an_interrupt_while_the_robot_moves() -> No
     live.controller.start()
     live.after(0.5)
     for level in (1.0, 0.0, 1.0):
-        live.controller.set_signal("diPart", level)
+        signals.write(live.controller, "diPart", level)
     assert live.value("n") == "2"
     # What comes while the program stands is lost, as the order is no safe one.
     live.controller.stop()
     for level in (0.0, 1.0):
-        live.controller.set_signal("diPart", level)
+        signals.write(live.controller, "diPart", level)
     live.controller.start()
     live.after(0.1)
     assert live.value("n") == "2"
@@ -60,10 +60,10 @@ def test_interrupts_end_with_the_pointer() -> None:
         live.controller.reset_pointers()
         live.controller.start()
         live.after(0.1)
-        live.controller.set_signal("diPart", 1.0)
+        signals.write(live.controller, "diPart", 1.0)
         live.after(0.1)
         assert live.value("n") == "1"
-        live.controller.set_signal("diPart", 0.0)
+        signals.write(live.controller, "diPart", 0.0)
         live.controller.stop()
 
 
@@ -112,18 +112,18 @@ def test_arrays_and_records_are_read_and_written_as_in_a_program() -> None:
 def test_a_signal_takes_no_value_beyond_its_kind_and_limits(name: str, value: float) -> None:
     live = Live(module(""))
     with pytest.raises(Refused):
-        live.controller.set_signal(name, value)
+        signals.write(live.controller, name, value)
 
 
 def test_the_station_drives_inputs_while_nothing_executes() -> None:
     when = read_condition("diGo = 1")
     stimuli = (Stimulus({"diPart": 1.0}, when=when, after_s=0.5, pulse_s=1.0),)
     live = Live(module(""), io=CellIo(signals=SIGNALS, stimuli=stimuli))
-    live.controller.set_signal("diGo", 1.0)
+    signals.write(live.controller, "diGo", 1.0)
     seen = []
     for _ in range(4):
         live.after(0.4)
-        seen.append(live.controller.signal_value("diPart"))
+        seen.append(signals.value_of(live.controller, "diPart"))
     assert seen == [0.0, 1.0, 1.0, 0.0]
 
 
@@ -153,5 +153,5 @@ def test_a_storm_of_interrupts_is_refused_and_stops_the_program() -> None:
 
 def _toggle(live: Live, times: int) -> None:
     for _ in range(times):
-        live.controller.set_signal("diPart", 1.0)
-        live.controller.set_signal("diPart", 0.0)
+        signals.write(live.controller, "diPart", 1.0)
+        signals.write(live.controller, "diPart", 0.0)

@@ -5,6 +5,7 @@ from live_controller import Live, module
 from simulation_program import ran
 
 from rapidsim.controller.journal.events import EventKind
+from rapidsim.simulation.live import signals
 
 DATA = "PERS restartdata restart:=[FALSE,FALSE,0,0,0,0,0,0,0,0,0,0,0,0,0];"
 SET_UP = r"TriggStopProc restart\DO1:=doGlue\GO2:=goFlow,doShadow; SetDO doGlue,1; SetGO goFlow,5;"
@@ -46,7 +47,7 @@ def test_a_stop_on_the_path_notes_them_before_and_after_and_counts_what_comes_be
     assert live.value("restart").startswith("[FALSE")
     live.after(1.0)
     assert live.value("restart") == "[TRUE,TRUE,1,0,-1,-1,5,5,-1,-1,-1,-1,0,1,1]"
-    assert live.controller.signal_value("goFlow") == 0.0
+    assert signals.value_of(live.controller, "goFlow") == 0.0
 
 
 @pytest.mark.parametrize("end", ["", "WaitDI diNever,1;"])

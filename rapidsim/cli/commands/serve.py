@@ -16,6 +16,7 @@ from rapidsim import __version__
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError
@@ -185,6 +186,8 @@ def serve(
         raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
     if view and record is None:
         raise InputError("--view: it shows what --record FILE.rrd writes")
+    if view:
+        require_screen()
     if record is not None:
         require("rerun", "--record")
     if request_time is not None and not lock_step:

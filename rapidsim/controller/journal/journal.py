@@ -65,8 +65,8 @@ class Journal:
     """Everything a task reports while it runs."""
 
     task: str
-    keeps_lines: bool = True
-    """Whether statements and waits are kept; a controller that stays on would fill up."""
+    keeps_all: bool = True
+    """Whether statements, waits and findings are kept; a controller that stays on would fill up."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _waits: list[Wait] = field(default_factory=list)
@@ -83,7 +83,7 @@ class Journal:
 
         So what happens at one instant keeps the order in which it happened.
         """
-        return Journal(task, self.keeps_lines, _events=self._events)
+        return Journal(task, self.keeps_all, _events=self._events)
 
     @property
     def noted(self) -> int:
@@ -115,12 +115,12 @@ class Journal:
 
     def line(self, moment: Moment, place: Place) -> None:
         """Note that the program pointer reached a statement."""
-        if self.keeps_lines and (not self._lines or self._lines[-1] != (moment, place)):
+        if self.keeps_all and (not self._lines or self._lines[-1] != (moment, place)):
             self._lines.append((moment, place))
 
     def wait(self, wait: Wait) -> None:
         """Note a wait that is over."""
-        if self.keeps_lines:
+        if self.keeps_all:
             self._waits.append(wait)
 
     def finding(
@@ -140,6 +140,8 @@ class Journal:
                 return
             self._reported.add(once)
         self.remarks += 1
+        if not self.keeps_all:
+            return
         span = place.span if place else None
         routine = place.routine if place else None
         self._diagnostics.append(Diagnostic(violation, span, routine=routine, assumed=assumed))
@@ -148,7 +150,7 @@ class Journal:
         """Note a move that could not be made; a loop that tries it again notes it once."""
         self.remarks += 1
         key = (failed.place.span, failed.violation)
-        if key not in self._reported:
+        if self.keeps_all and key not in self._reported:
             self._reported.add(key)
             self._failed_moves.append(failed)
 

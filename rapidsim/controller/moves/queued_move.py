@@ -47,6 +47,11 @@ class QueuedMove:
     ended_s: float | None = None
     """Command time of the end, as far as it is planned."""
 
+    def is_over(self, before_s: float) -> bool:
+        """Whether the robot was done with it before a time [s], as far as it made it."""
+        times = (self.started.time, self.ended_s or self.started.time)
+        return all(one is not None and one < before_s for one in times)
+
     def again(self) -> QueuedMove:
         """The same move to be made once more: nothing has become of it yet."""
         return QueuedMove(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import field
+from dataclasses import field, replace
 
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.motion.path.path import Path
@@ -37,6 +37,11 @@ class BlockPlan:
     lost_corner: int | None = None
     """Index in the block of a move that ends with a stop instead of the corner it was to have."""
 
+    def renumbered(self, gone: int) -> BlockPlan:
+        """The same where so many moves at the block's beginning are gone."""
+        lost = None if self.lost_corner is None else self.lost_corner - gone
+        return replace(self, first=self.first - gone, lost_corner=lost)
+
     def time_at(self, s: float) -> float:
         """Command time [s] at a place of the path."""
         return self.start_s + self.timing.time_at(s)
@@ -65,3 +70,19 @@ class Block:
     def is_open(self) -> bool:
         """Whether it waits for its end."""
         return bool(self.moves) and not self.is_closed
+
+    def forget(self, before_s: float) -> int:
+        """Forget what was travelled before a time [s]; how many moves are gone.
+
+        What the next plan begins with stays, and so does what the robot might still brake on.
+        """
+        begun = [one.start_s < before_s for one in self.driven]
+        driven = self.driven[max(sum(begun) - 1, 0) :]
+        plans = driven if self.plan is None else [*driven, self.plan]
+        gone = max(0, min([self.commit.move - 1, *(one.first for one in plans)]))
+        if gone:
+            del self.moves[:gone]
+            self.commit = replace(self.commit, move=self.commit.move - gone)
+            self.plan = None if self.plan is None else self.plan.renumbered(gone)
+        self.driven = [one.renumbered(gone) for one in driven]
+        return gone

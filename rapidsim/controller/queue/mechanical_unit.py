@@ -41,6 +41,12 @@ class MechanicalUnit:
         """With which it moves together now."""
         return None if self.seat is None else self.seat.team
 
+    def forget(self, before_s: float, keep_from: int | None) -> None:
+        """Forget what was before a time [s]; see `BlockPlanner.forget`."""
+        self.own.planner.forget(before_s, keep_from)
+        if self.seat is not None:
+            self.seat.team.planner.forget(before_s)
+
     @contextmanager
     def ending(self) -> Iterator[None]:
         """What the robot still does at the end of a run.

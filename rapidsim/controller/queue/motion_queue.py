@@ -7,6 +7,7 @@ from typing import Protocol
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -24,7 +25,7 @@ class MotionQueue(Protocol):
         ...
 
     @property
-    def moves(self) -> list[QueuedMove]:
+    def moves(self) -> GivenMoves:
         """All moves that the robot was ever given."""
         ...
 

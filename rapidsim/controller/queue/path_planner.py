@@ -22,6 +22,7 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of, nominal_s
 from rapidsim.controller.queue.block import Block, BlockPlan, Commit
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.segments import Segment
@@ -72,7 +73,7 @@ class BlockPlanner:
     """Earliest command time at which the next block may start."""
     settled_s: float = -math.inf
     """When the arm is seen to stand at the end of the last block."""
-    moves: list[QueuedMove] = field(default_factory=list)
+    moves: GivenMoves = field(default_factory=GivenMoves)
     """All that were ever put on the path."""
     block: Block = field(default_factory=Block)
     version: int = 0
@@ -173,6 +174,21 @@ class BlockPlanner:
         self.block.is_closed = True
         self.block.plan = None
         return end_s
+
+    def forget(self, before_s: float, keep_from: int | None = None) -> None:
+        """Forget what nobody who looks at a time [s] or later can see.
+
+        Args:
+            before_s: That time.
+            keep_from: The number of a move that is kept with all that follow.
+        """
+        self.trajectory.forget(before_s)
+        before, gone = self.block.commit, self.block.forget(before_s)
+        if self._reckoned is not None and self._reckoned[0] is before:
+            _, last, start_s = self._reckoned
+            self._reckoned = (self.block.commit, last - gone, start_s)
+        needed = self.block.moves[0].segment.index if self.block.moves else len(self.moves)
+        self.moves.forget(before_s, needed if keep_from is None else min(needed, keep_from))
 
     def preview(self) -> Trajectory:
         """What the robot will do if nothing more is said.

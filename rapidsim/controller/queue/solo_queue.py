@@ -13,6 +13,7 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, executed_move
 from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.block import Block
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.frames.rotation_vectors import vector_from_rotation
@@ -93,7 +94,7 @@ class SoloQueue:
         return self.planner.trajectory
 
     @property
-    def moves(self) -> list[QueuedMove]:
+    def moves(self) -> GivenMoves:
         """All moves that the robot was ever given, alone or with others."""
         return self.planner.moves
 
@@ -274,7 +275,7 @@ class SoloQueue:
         """All moves that were planned, with the times at which the arm is seen to make them."""
         done = [
             (index, queued)
-            for index, queued in enumerate(self.moves)
+            for index, queued in self.moves.numbered()
             if queued.ended_s is not None and queued.started.time is not None
         ]
         both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])

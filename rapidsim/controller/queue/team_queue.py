@@ -5,6 +5,7 @@ from __future__ import annotations
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue import stopping
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.frames.transform import Array
@@ -29,7 +30,7 @@ class TeamQueue:
         return self.own.trajectory
 
     @property
-    def moves(self) -> list[QueuedMove]:
+    def moves(self) -> GivenMoves:
         """All moves that the robot was ever given, alone or with others."""
         return self.own.moves
 

@@ -10,7 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from rapidsim.diagnostics import Source
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Source, Span
+from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
@@ -41,15 +43,41 @@ def module_lines(module: tree.Module) -> frozenset[int]:
     return frozenset(line for routine in routines for line in routine.executable)
 
 
+def places_to_stop(module: tree.Module) -> dict[int, Place]:
+    """Where a program can be halted: the first statement on a line, by the number of the line.
+
+    Declarations are left out: no statement of a running program. A statement that holds others is
+    there up to the end of its line.
+    """
+    source, places = module.source, dict[int, Place]()
+    for routine in module.routines:
+        outermost: dict[int, tree.Node] = {}
+        for node in descendants(routine):
+            outermost.setdefault(node.start, node)
+        for offset in _offsets(routine):
+            (line, column), node = source.position(offset), outermost[offset]
+            if line in places or isinstance(node, tree.Data):
+                continue
+            rest = source.line(line)[column - 1 :].rstrip()
+            holds = isinstance(node, tree.If | tree.For | tree.While | tree.Test)
+            end = offset + len(rest) if holds else node.end
+            places[line] = Place(Span(source, offset, end), routine.name.text)
+    return places
+
+
 def _lines_of(routine: tree.Routine, source: Source) -> RoutineLines:
-    bodies = [routine.body, routine.error.body if routine.error else (), routine.undo or ()]
-    offsets = (offset for body in bodies for offset in _in_body(body))
     return RoutineLines(
         routine.name.text,
         source.position(routine.start)[0],
         source.position(routine.end - 1)[0],
-        frozenset(source.position(offset)[0] for offset in offsets),
+        frozenset(source.position(offset)[0] for offset in _offsets(routine)),
     )
+
+
+def _offsets(routine: tree.Routine) -> Iterator[int]:
+    """Offsets where something is executed, in the order of the text."""
+    for body in (routine.body, routine.error.body if routine.error else (), routine.undo or ()):
+        yield from _in_body(body)
 
 
 def _in_body(body: tree.Body) -> Iterator[int]:

@@ -141,6 +141,29 @@ class MotionCommand:
         self._pieces[-1] = replace(piece, to_s=to_s)
         row[_Column.DURATION], row[_Column.WAY] = driven, to_s - row[_Column.FROM_S]
 
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see.
+
+        What is kept is found as before to the last bit: those who asked last keep what they joined.
+        """
+        under_way = int(self.row_at(np.array([before_s]))[0])
+        pieces = max(int(self._table[under_way, _Column.PIECE]) - 1, 0)
+        rows = int(np.searchsorted(self._table[: self._rows, _Column.PIECE], pieces, "right")) - 1
+        if not pieces:
+            return
+        kept = self._table[rows + 1 : self._rows]
+        self._table = np.concatenate([self._table[:1], kept, np.zeros((16, 8))])
+        self._table[1:, _Column.PIECE] -= pieces
+        self._rows -= rows
+        del self._pieces[:pieces]
+        self._taking = None
+        timings, paths = self._joined_timings, self._joined_paths
+        if timings is not None:
+            lowest, highest = timings.lowest - rows, timings.highest - rows
+            self._joined_timings = replace(timings, lowest=lowest, highest=highest)
+        if paths is not None:
+            self._joined_paths = replace(paths, numbers=paths.numbers - pieces)
+
     def row_at(self, times: Array) -> Index:
         """The last row (k,) that began before times (k,) [s]."""
         starts = self._table[1 : self._rows, _Column.START]

@@ -47,6 +47,11 @@ class CorrectedStretch:
         self._times.append(time_s)
         self._ways.append(way)
 
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see."""
+        gone = max(bisect_right(self._times, before_s) - 2, 0)
+        del self._times[:gone], self._ways[:gone]
+
     def extend(self, start_s: float, cycle_s: float, ways: Iterable[Array]) -> None:
         """Extend by a cycle [s] for each offset, starting at a time [s]."""
         for number, way in enumerate(ways, start=1):

@@ -145,6 +145,15 @@ class Windows:
         )
         return float(run_empty[0])
 
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see."""
+        count = len(self._steps)
+        under_way = int(np.searchsorted(self._table[:count, 0], before_s, side="right")) - 1
+        if under_way > 1:
+            # The first one tells what holds without ramps.
+            del self._steps[1:under_way]
+            self._table = np.delete(self._table, np.s_[1:under_way], axis=0)
+
     def cut(self, time_s: float) -> None:
         """Remove what begins at a time [s] or later."""
         while self._steps[-1].start_s >= time_s:

@@ -31,8 +31,11 @@ class GuidedStretch:
     start: Array
     """Joints (n,) [rad] of an arm that stands."""
     _count: int = 0
+    _gone: int = 0
+    """How many cycles are forgotten."""
     _joints: Array = field(init=False)
-    """Joints, then speeds, at the end of each cycle, the start first; with room for more."""
+    """Joints, then speeds, at the end of each cycle that is known, with room for more; the start
+    first."""
 
     def __post_init__(self) -> None:
         """Stand."""
@@ -47,7 +50,7 @@ class GuidedStretch:
     @property
     def end(self) -> Array:
         """Joints (n,) [rad] at the end so far."""
-        end: Array = self._joints[self._count, 0].copy()
+        end: Array = self._joints[self._count - self._gone, 0].copy()
         return end
 
     def append(self, joints: Array, speed: Array) -> None:
@@ -58,9 +61,18 @@ class GuidedStretch:
             speed: Axis speeds at its end (n,) [rad/s].
         """
         self._count += 1
-        if self._count == len(self._joints):
+        row = self._count - self._gone
+        if row == len(self._joints):
             self._joints = np.concatenate([self._joints, np.zeros_like(self._joints)])
-        self._joints[self._count] = joints, speed
+        self._joints[row] = joints, speed
+
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see."""
+        past = int((before_s - self.start_s) / self.cycle_s) - 1
+        gone = min(past, self._count) - self._gone
+        if gone > 0:
+            self._joints = self._joints[gone:].copy()
+            self._gone += gone
 
     def joints_at(self, times: Array) -> Array:
         """Joints (k, n) [rad] at instants (k,) [s]; at rest before and after."""
@@ -68,6 +80,7 @@ class GuidedStretch:
         before = np.minimum(way.astype(np.int64), max(self._count - 1, 0))
         after = np.minimum(before + 1, self._count)
         share = (way - before)[:, None]
+        before, after = before - self._gone, after - self._gone
         joints, speed = self._joints[before, 0], self._joints[before, 1]
         gained = self._joints[after, 1] - speed
         moved: Array = joints + self.cycle_s * share * (speed + 0.5 * share * gained)

@@ -161,6 +161,19 @@ class Trajectory:
         if self._guided and time_s <= self._guided[-1].until_s:
             self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
 
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see."""
+        # Whoever asks how long the arm comes to rest looks at the end of the command.
+        seen_s = min(before_s, self.command_end) - self._windows.widest
+        self._windows.forget(seen_s)
+        self._command.forget(seen_s)
+        self._guided = [one for one in self._guided if one.until_s >= seen_s]
+        self._corrected = [one for one in self._corrected if one.until_s >= seen_s]
+        for guided in self._guided:
+            guided.stretch.forget(seen_s)
+        for corrected in self._corrected:
+            corrected.forget(seen_s)
+
     def extended(self, piece: Piece) -> Trajectory:
         """A copy with one more piece; this one stays unchanged."""
         longer = Trajectory(self._start, smoothing=self._smoothing)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from http import HTTPStatus
 from typing import Final
 
 from aiohttp import web
@@ -60,7 +61,9 @@ class SecondGeneration:
         return shown(request, reply, xhtml_body, xhtml_refusal, f"{_XHTML};v={version}")
 
     def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
-        """JSON that calls itself HTML, as controllers do."""
+        """JSON that calls itself HTML where a file is missing, as controllers do."""
+        if refusal.status != HTTPStatus.NOT_FOUND:
+            return self.shown(request, refusal)
         body = hal_refusal(refusal, base(request))
         return web.Response(status=refusal.status, text=body, content_type="text/html")
 

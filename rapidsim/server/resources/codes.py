@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rapidsim.server.messages import RefusedRequest
+from rapidsim.server.messages import Refusal, RefusedRequest
 from rapidsim.simulation.live.states import Refused, Why
 
 NOT_FOUND: Final = (404, -1073414146)
@@ -15,6 +15,12 @@ BAD_STATE: Final = (400, -1073442809)
 HELD_BY_ANOTHER: Final = (403, -1073445862)
 NOT_HELD: Final = (403, -1073445859)
 READ_ONLY: Final = (403, -1073445881)
+
+# What RobotWare 7 answers where 6.16 says that nothing is there, or that there is no symbol.
+LATER_NO_SYMBOL: Final = (404, -1073442816)
+LATER_NO_MODULE: Final = (400, -1073442813)
+LATER_NO_FILE: Final = (404, -1073438713)
+LATER_NO_VOLUME: Final = (400, -1073438716)
 
 NO_FILE_TO_LOAD: Final = (400, -1073438708)
 NO_MODULE_TO_UNLOAD: Final = (400, -1073442816)
@@ -32,12 +38,17 @@ _OF: Final = {
 }
 
 
-def refused(why: tuple[int, int], message: str) -> RefusedRequest:
-    """The refusal of a request."""
-    return RefusedRequest(*why, message)
+def refused(
+    why: tuple[int, int], message: str, later: tuple[int, int] | None = None
+) -> RefusedRequest:
+    """The refusal of a request; `later` is what RobotWare 7 answers, where that is another."""
+    refusal = RefusedRequest(*why, message)
+    if later is not None:
+        refusal.later = Refusal(*later, message)
+    return refusal
 
 
-_OF_SECOND: Final = {**_OF, Why.NO_MODULE: (400, -1073442813)}
+_OF_SECOND: Final = {**_OF, Why.NO_MODULE: LATER_NO_MODULE, Why.NO_SYMBOL: LATER_NO_SYMBOL}
 """The same in RobotWare 7."""
 
 

@@ -57,7 +57,7 @@ def change(context: Context, request: Request, domain: str, of: str, name: str) 
     """Give attributes of an instance other values, which a restart would take up.
 
     Raises:
-        RefusedRequest: If it has no such attribute; then nothing is changed.
+        RefusedRequest: If it has no such attribute, or a value is none; then nothing is changed.
     """
     context.require_mastership("cfg", request)
     number, found = _found(context, domain, of, name)
@@ -66,7 +66,9 @@ def change(context: Context, request: Request, domain: str, of: str, name: str) 
         if attribute not in found:
             raise refused(BAD_PARAMETER, f"{name} has no attribute {attribute}")
         matched = _VALUE.fullmatch(text.strip())
-        changed[attribute] = matched[1] if matched else text
+        if matched is None:
+            raise refused(BAD_PARAMETER, f"`{text}` is no `[value,1]`")
+        changed[attribute] = matched[1]
     for attribute, value in changed.items():
         context.live.cell.parameters.change(domain, of, number, attribute, value)
     return DONE

@@ -16,7 +16,13 @@ from pathlib import Path
 from typing import Final
 
 from rapidsim.server.messages import Answer, Item, RefusedRequest
-from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.codes import (
+    BAD_PARAMETER,
+    LATER_NO_FILE,
+    LATER_NO_VOLUME,
+    NOT_FOUND,
+    refused,
+)
 from rapidsim.values import dataclass
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
@@ -132,7 +138,9 @@ class FileService:
         """
         disk, *parts = [part for part in address.split("/") if part] or [""]
         root = self._root(disk.lstrip("$").rstrip(":").upper())
-        if root is None or any(_leads_away(part) for part in parts):
+        if root is None:
+            raise refused(NOT_FOUND, f"{address} is not there", LATER_NO_VOLUME)
+        if any(_leads_away(part) for part in parts):
             raise _not_there(address)
         place = root
         for part in parts:
@@ -179,4 +187,4 @@ def _item(place: Path) -> Item:
 
 
 def _not_there(address: str) -> RefusedRequest:
-    return refused(NOT_FOUND, f"{address} is not there")
+    return refused(NOT_FOUND, f"{address} is not there", LATER_NO_FILE)

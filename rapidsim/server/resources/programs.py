@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
+from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_MODULE, NOT_FOUND, refused
 from rapidsim.server.resources.context import Context, chosen, given
 from rapidsim.server.resources.disks import path_of_programs
 from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Cycle, StopMode, TaskState
+from rapidsim.simulation.live.states import Cycle, Execution, StopMode, TaskState
 from rapidsim.syntax import tree
+
+_NOT_SIMULATED = frozenset({"stepback", "steplast"})
 
 
 def execution(context: Context, request: Request) -> Answer:
@@ -34,11 +36,15 @@ def start(context: Context, request: Request) -> Answer:
     Raises:
         RefusedRequest: For a way of executing that is not simulated.
     """
-    if request.form.get("execmode", "continue") != "continue":
-        raise refused(BAD_PARAMETER, "programs are only started to go on: no steps are simulated")
+    if request.form.get("execmode") in _NOT_SIMULATED:
+        mode = request.form["execmode"]
+        raise refused(BAD_PARAMETER, f"{mode} is not simulated: steps only go forward")
+    how = Execution.CONTINUE
+    if "execmode" in request.form:
+        how = chosen(request.form, "execmode", Execution)
     asked = request.form.get("cycle", "asis")
     cycle = None if asked == "asis" else chosen(request.form, "cycle", Cycle)
-    context.live.start(cycle)
+    context.live.start(cycle, how)
     return DONE
 
 
@@ -202,7 +208,7 @@ def _module(context: Context, name: str, task: str) -> tree.Module:
     for one in program_memory.modules(found):
         if one.name.key == name.lower():
             return one
-    raise refused(NOT_FOUND, f"{found.name} has no module {name}")
+    raise refused(NOT_FOUND, f"{found.name} has no module {name}", LATER_NO_MODULE)
 
 
 def _module_item(one: tree.Module) -> Item:

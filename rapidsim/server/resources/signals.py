@@ -10,6 +10,7 @@ from rapidsim.server.resources import io_places
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, READ_ONLY, refused
 from rapidsim.server.resources.context import Context, count, given, number
 from rapidsim.server.resources.io_places import SignalPlaces
+from rapidsim.simulation.live import signals as live_signals
 
 _PAGE: Final = 100
 """So many signals RobotWare 7 gives at once."""
@@ -17,7 +18,7 @@ _PAGE: Final = 100
 
 def signals(context: Context, request: Request) -> Answer:
     """All signals, or so many from one on."""
-    found = context.live.signals()
+    found = live_signals.declared(context.live)
     first, most = count(request.query, "start", 0), count(request.query, "limit", len(found))
     if request.generation == 2:
         most = min(most, _PAGE)
@@ -36,7 +37,7 @@ def search(context: Context, request: Request) -> Answer:
     return Answer(
         tuple(
             signal_item(context, one, places)
-            for one in context.live.signals()
+            for one in live_signals.declared(context.live)
             if part in one.name.lower() and kind in ("", one.kind.value)
         )
     )
@@ -47,7 +48,7 @@ def signal(
 ) -> Answer:
     """One signal; a signal without a device answers under any."""
     del request, network, device
-    return Answer((signal_item(context, context.live.signal(name)),))
+    return Answer((signal_item(context, live_signals.find(context.live, name)),))
 
 
 def set_signal(
@@ -55,12 +56,12 @@ def set_signal(
 ) -> Answer:
     """Change a signal."""
     del network, device
-    found = context.live.signal(name)
+    found = live_signals.find(context.live, name)
     # Inputs are driven by nobody else here.
     is_output = found.kind.value.endswith("o")
     if is_output and not SignalPlaces(context).may_be_written(name):
         raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
-    context.live.set_signal(name, number(request.form, "lvalue"))
+    live_signals.write(context.live, name, number(request.form, "lvalue"))
     return DONE
 
 
@@ -82,9 +83,11 @@ def set_device_inputs(context: Context, request: Request, network: str, device: 
     }
     for name, places in io_places.inputs_of(context, device):
         if not bits.keys().isdisjoint(places):
-            old = int(context.live.signal_value(context.live.signal(name).name))
+            old = int(live_signals.value_of(context.live, name))
             told = (bits.get(at, bool(old >> k & 1)) for k, at in enumerate(places))
-            context.live.set_signal(name, float(sum(one << k for k, one in enumerate(told))))
+            live_signals.write(
+                context.live, name, float(sum(one << k for k, one in enumerate(told)))
+            )
     return DONE
 
 
@@ -122,7 +125,7 @@ def signal_item(
     context: Context, one: SignalDeclaration, places: SignalPlaces | None = None
 ) -> Item:
     """A signal as it is shown."""
-    value = value_text(one, context.live.signal_value(one.name))
+    value = value_text(one, live_signals.value_of(context.live, one.name))
     fields = {
         "name": one.name,
         "type": one.kind.value.upper(),

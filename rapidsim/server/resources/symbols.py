@@ -8,7 +8,7 @@ from typing import Final
 
 from rapidsim.analysis.program import Storage
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, NO_SYMBOL, refused
+from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_SYMBOL, NO_SYMBOL, refused
 from rapidsim.server.resources.context import Context, given
 from rapidsim.simulation.live import symbols
 from rapidsim.simulation.live.live_task import LiveTask
@@ -103,7 +103,7 @@ def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
             return task, symbols.find(task, name, module)
         except Refused:
             continue
-    raise refused(NO_SYMBOL, f"there are no data RAPID/{address}")
+    raise refused(NO_SYMBOL, f"there are no data RAPID/{address}", LATER_NO_SYMBOL)
 
 
 def _places(context: Context, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:

@@ -219,9 +219,13 @@ def answered(context: Context, request: Request) -> Answer:
 
 
 def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
-    """The names of resources below an address that is none itself."""
+    """The names of resources below an address that is none itself, as far as they can be read."""
     for route in routes:
-        if len(route.parts) > len(parts) and list(route.parts[: len(parts)]) == parts:
+        if (
+            route.method == "GET"
+            and len(route.parts) > len(parts)
+            and list(route.parts[: len(parts)]) == parts
+        ):
             name = route.parts[len(parts)]
             if not name.startswith(("{", "$")):
                 yield name

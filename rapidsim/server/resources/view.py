@@ -21,10 +21,11 @@ from rapidsim.server.resources.codes import NOT_FOUND, as_answered, refused
 from rapidsim.server.resources.context import Context
 from rapidsim.server.resources.io_places import SignalPlaces
 from rapidsim.simulation.live import program_memory
+from rapidsim.simulation.live import signals as live_signals
 from rapidsim.simulation.live.event_log import COMMON
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.position import active_frames, glance
-from rapidsim.simulation.live.signal_values import limits
+from rapidsim.simulation.live.signals import limits
 from rapidsim.simulation.live.states import Refused, TaskState
 
 _ENTRIES: Final = 50
@@ -59,7 +60,7 @@ def _state(context: Context) -> dict[str, object]:
         "speed": live.speed_ratio,
         "cycle": live.cycle.value,
         "tasks": [_task(live.task(one.name), one) for one in live.task_states()],
-        "signals": [_signal(context, one, places) for one in live.signals()],
+        "signals": [_signal(context, one, places) for one in live_signals.declared(live)],
         "screen": list(live.screen),
         "questions": [_question(one) for one in live.pendant.questions.values()],
         "log": [
@@ -111,7 +112,7 @@ def _signal(context: Context, one: SignalDeclaration, places: SignalPlaces) -> d
     return {
         "name": one.name,
         "kind": one.kind.value,
-        "value": context.live.signal_value(one.name),
+        "value": live_signals.value_of(context.live, one.name),
         "low": low if math.isfinite(low) else None,
         "high": high if math.isfinite(high) else None,
         "settable": one.status is None and (not is_output or places.may_be_written(one.name)),

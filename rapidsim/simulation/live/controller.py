@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
@@ -29,13 +28,24 @@ from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.signal_values import limits, status_value
-from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode, TaskState, Why
+from rapidsim.simulation.live.states import (
+    Cycle,
+    Execution,
+    Mode,
+    Motors,
+    Refused,
+    StopMode,
+    TaskState,
+    Why,
+)
+from rapidsim.simulation.live.system_outputs import status_value
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
+_REMEMBERED_S = 10.0
+"""So far back [s] a robot's motion is known: longer than any look at it, or smoothing, takes."""
 LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
@@ -78,6 +88,8 @@ class LiveController:
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
+    _forgets_s: float = 0.0
+    """When the robots' past is forgotten next [s]."""
     _kept: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -156,6 +168,10 @@ class LiveController:
     def step(self, until_s: float) -> bool:
         """Let one thing happen that is due by a time [s]; whether there was any."""
         stepped = self._turns.step(until_s)
+        if not self.keeps_all and self.now_s >= self._forgets_s:
+            self._forgets_s = self.now_s + _REMEMBERED_S
+            for task in self.tasks.values():
+                task.forget(self.now_s - _REMEMBERED_S)
         events = self._journal.take()
         if self.keeps_all:
             self._kept.extend(events)
@@ -194,11 +210,12 @@ class LiveController:
         """Whether any of these executes."""
         return any(one.executes for one in self.normal_tasks)
 
-    def start(self, cycle: Cycle | None = None) -> None:
+    def start(self, cycle: Cycle | None = None, how: Execution = Execution.CONTINUE) -> None:
         """Start the programs, from main or from where they stopped.
 
         Args:
             cycle: What comes after the end of main; None leaves what holds.
+            how: Until they are stopped, or for a step of each task.
 
         Raises:
             Refused: In a state that forbids it.
@@ -217,7 +234,7 @@ class LiveController:
         for task in tasks:
             code = event_log.STARTED_AGAIN if task.is_begun else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
-            task.start()
+            task.start(how)
         self._show_states()
         self.settle()
 
@@ -376,42 +393,7 @@ class LiveController:
         for task in self.tasks.values():
             task.set_speed_ratio(self._refresh)
 
-    # Signals.
-
-    def signals(self) -> tuple[SignalDeclaration, ...]:
-        """All signals that are declared."""
-        return self.options.io.signals
-
-    def signal(self, name: str) -> SignalDeclaration:
-        """A signal by name, in any case.
-
-        Raises:
-            Refused: If none is declared.
-        """
-        for one in self.options.io.signals:
-            if one.name.lower() == name.lower():
-                return one
-        raise Refused(Why.NO_SIGNAL, f"there is no signal {name}")
-
-    def signal_value(self, name: str) -> float:
-        """The value of a signal."""
-        return self.cell.signals.read(name)
-
-    def set_signal(self, name: str, value: float) -> None:
-        """Change a signal, with all that hangs on it.
-
-        Raises:
-            Refused: If there is none, its kind or limits forbid the value, or it shows a state.
-        """
-        signal = self.signal(name)
-        if signal.status is not None:
-            raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
-        low, high = limits(signal)
-        whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
-        if not (low <= value <= high and whole):
-            raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
-        self._change(signal.name, value)
-        self.settle()
+    # From outside.
 
     def answer(self, task: str, text: str) -> None:
         """Answer the question of a task.
@@ -428,6 +410,20 @@ class LiveController:
         self.cell.tell(Moment(Instant(self.now_s)))
         self.settle()
 
+    def change_signal(self, name: str, value: float) -> None:
+        """Change a signal now.
+
+        Raises:
+            Refused: If traps storm, which stops the programs.
+        """
+        cause = Cause(self._journal.beside(OUTSIDE))
+        moment = Moment(Instant(self.now_s))
+        try:
+            self.cell.set_signal(cause, moment, name, value)
+        except Stopped as storm:
+            self.stop(StopMode.STOP)
+            raise Refused(Why.STATE, storm.reason) from None
+
     # What is told by tasks: implements `live_task.Chief`.
 
     def stop_all(self, reason: str) -> None:
@@ -441,6 +437,11 @@ class LiveController:
     def cycle_ended(self) -> bool:
         """Main has returned; whether it begins again at once."""
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
+
+    def step_ended(self, task: LiveTask) -> None:
+        """A program stands before the next statement."""
+        text = f"{task.name} is ready with this step."
+        self.log.operational(event_log.STEPPED, self.now_s, text, task.name)
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
         """A program cannot go on: all stop; the event log says why."""
@@ -472,16 +473,6 @@ class LiveController:
         for one in others.values():
             one.neighbours = others
 
-    def _change(self, name: str, value: float) -> None:
-        """Change a signal now; traps that storm stop the programs they belong to."""
-        cause = Cause(self._journal.beside(OUTSIDE))
-        moment = Moment(Instant(self.now_s))
-        try:
-            self.cell.set_signal(cause, moment, name, value)
-        except Stopped as storm:
-            self.stop(StopMode.STOP)
-            raise Refused(Why.STATE, storm.reason) from None
-
     def _show_states(self, failed: str | None = None) -> None:
         """Let the system outputs show what is."""
         self._shows_executing = self.executes
@@ -496,4 +487,4 @@ class LiveController:
                 mode=self.mode,
             )
             if value is not None and value != self.cell.signals.read(signal.name):
-                self._change(signal.name, value)
+                self.change_signal(signal.name, value)

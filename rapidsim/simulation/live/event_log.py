@@ -31,6 +31,7 @@ OF_MOTORS: Final = {Motors.OFF: MOTORS_OFF, Motors.ON: MOTORS_ON}
 OF_MODE: Final = {one: AUTOMATIC if one is Mode.AUTO else MANUAL for one in Mode}
 STARTED_FROM_MAIN, STARTED_AGAIN = 10150, 10151
 STOPPED = 10125
+STEPPED = 10123
 EXECUTION_ERROR = 10020
 _TITLES: Final = {
     MOTORS_OFF: "Motors OFF state",
@@ -40,6 +41,7 @@ _TITLES: Final = {
     STARTED_FROM_MAIN: "Program started",
     STARTED_AGAIN: "Program restarted",
     STOPPED: "Program stopped",
+    STEPPED: "Program stopped",
     EXECUTION_ERROR: "Execution error state",
 }
 

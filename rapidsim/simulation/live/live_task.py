@@ -15,9 +15,10 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
+from rapidsim.interpreter.tools.stepping import Reach, Stepper
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
-from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.states import Execution, Refused, Why
 from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
@@ -37,9 +38,21 @@ class Chief(Protocol):
         """Main has returned; whether it begins again at once."""
         ...
 
+    def step_ended(self, task: LiveTask) -> None:
+        """A program stands before the next statement."""
+        ...
+
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
         """A program has stopped and cannot go on: what was found, and the same in one line."""
         ...
+
+
+_REACH = {
+    Execution.STEP_IN: Reach.ANY,
+    Execution.STEP_OVER: Reach.SAME_ROUTINE,
+    Execution.STEP_OUT: Reach.CALLER,
+    Execution.STEP_MOTION: Reach.SAME_ROUTINE,
+}
 
 
 @dataclass(eq=False)
@@ -65,11 +78,17 @@ class LiveTask:
     has_pointer: bool = True
     """Whether the pointer stands somewhere from which the program can go on."""
     _begun: bool = False
+    _execution: Execution = Execution.CONTINUE
+    _stepper: Stepper = field(init=False)
     _routine: str = ""
     """Where the pointer was put; empty for the entry."""
     _own: tuple[Listener, ...] = ()
     _found: tuple[Diagnostic, ...] = ()
     _failed_moves: tuple[FailedMove, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Nobody steps yet."""
+        self._stepper = Stepper(self._halt)
 
     @property
     def name(self) -> str:
@@ -127,6 +146,7 @@ class LiveTask:
         controller = self.run.controller
         controller.clock.set(now_s)
         controller.execution.stops_all = self.chief.stop_all
+        controller.execution.resumed = self._go_on
         self.set_speed_ratio(refresh_percent)
         old, self.failure = self.task, None
         try:
@@ -183,8 +203,9 @@ class LiveTask:
         queue.clear()
         queue.resume(now_s)
 
-    def start(self) -> None:
-        """Begin with main, or go on where the program stopped."""
+    def start(self, how: Execution = Execution.CONTINUE) -> None:
+        """Begin with main, or go on where the program stopped: for a step, or until it stops."""
+        self._execution = how
         execution, clock = self.run.controller.execution, self.run.controller.clock
         if self._begun:
             execution.go_on()
@@ -200,10 +221,35 @@ class LiveTask:
             self.run.controller.execution.ask_to_stop(self.turns.now_s, on_path=on_path)
             self.turns.wake(self.run.controller.clock)
 
+    def forget(self, before_s: float) -> None:
+        """Forget what its robot did before a time [s], unless the program may go back on it."""
+        self.unit.forget(before_s, self.run.controller.recorder.first)
+
     def set_speed_ratio(self, percent: float) -> None:
         """Let the moves to come be so fast, in percent of what is programmed."""
         motion = self.run.controller.motion
         motion.settings = replace(motion.settings, speed_refresh_percent=percent)
+
+    def _go_on(self) -> None:
+        """The program goes on, for a step or until it is stopped; called where it stood."""
+        if self._execution is Execution.CONTINUE:
+            self._stepper.end()
+            return
+        given, moves = len(self.unit.own.moves), self.unit.own.moves
+        to_move = self._execution is Execution.STEP_MOTION and self.setup.robot is not None
+        self._stepper.begin(
+            _REACH[self._execution], (lambda: len(moves) > given) if to_move else None
+        )
+
+    def _halt(self, before: Place) -> None:
+        """A step has ended: the robot makes its moves, and the program stands."""
+        clock, left = self.run.controller.clock, self.run.controller.clock.left
+        clock.observe()
+        clock.drive_to_stop()
+        clock.place = before
+        self.chief.step_ended(self)
+        self.run.controller.execution.stand()
+        clock.leave_ticks(left)
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
         """The procedure of a name, in any case, that needs no arguments."""
@@ -225,6 +271,7 @@ class LiveTask:
                 raise self.failure
             assert self.task is not None
             with running():
+                self._go_on()
                 while True:
                     routine, self._routine = self._routine, ""
                     if not routine and self._procedure(self.entry) is None:
@@ -244,11 +291,14 @@ class LiveTask:
         except (FatalError, MotionError, Stopped) as error:
             ended = outcome_of(error, self.run)
             found = ended.findings
-            self._found += found
-            self._failed_moves += ended.failed_moves
+            if self.journal.keeps_all:
+                self._found += found
+                self._failed_moves += ended.failed_moves
             message = found[0].message if found else str(error)
         except Exception as error:
             # A defect of ours ends this program, not the controller.
             message = f"rapidsim has a defect: {type(error).__name__}: {error}"
+        finally:
+            self._stepper.end()
         self._begun = self.has_pointer = False
         self.chief.task_failed(self, found, message)

@@ -29,6 +29,20 @@ class Cycle(StrEnum):
     FOREVER = "forever"
 
 
+class Execution(StrEnum):
+    """How far programs go on that are started."""
+
+    CONTINUE = auto()
+    STEP_IN = "stepin"
+    """To the next statement, in whatever routine."""
+    STEP_OVER = "stepover"
+    """To the next statement of the routine, or of one that has called it."""
+    STEP_OUT = "stepout"
+    """To the next statement of the routine that has called it."""
+    STEP_MOTION = "stepmotion"
+    """To the statement after the next move."""
+
+
 class StopMode(StrEnum):
     """When a program stops that is told to."""
 

@@ -8,6 +8,7 @@ change what they wait for. Nobody waits in vain, for somebody may always come.
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -94,7 +95,7 @@ class LiveTurns:
         self._hub = greenlet.getcurrent()
         self.current = entry.task
         try:
-            entry.greenlet.switch()
+            _switch(entry.greenlet)
         finally:
             self.current = None
         if entry.greenlet.dead and self._entries.get(entry.task) is entry:
@@ -107,7 +108,7 @@ class LiveTurns:
         entry.wake_s = time_s
         if time_s > self.now_s or self._first() is not entry:
             assert self._hub is not None
-            self._hub.switch()
+            _switch(self._hub)
         return entry.wake_s
 
     def next_s(self, task: object) -> float:
@@ -129,3 +130,11 @@ class LiveTurns:
 
     def _first(self) -> _Entry | None:
         return min(self._entries.values(), key=lambda one: one.rank, default=None)
+
+
+def _switch(to: greenlet) -> None:
+    """Let another go on; a program that is followed step by step is, whoever ran in between."""
+    followed = sys.gettrace()
+    to.switch()
+    if sys.gettrace() is not followed:
+        sys.settrace(followed)

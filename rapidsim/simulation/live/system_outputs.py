@@ -1,10 +1,8 @@
-"""What signals may be, and what system outputs show."""
+"""What system outputs show."""
 
 from __future__ import annotations
 
-import math
-
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
+from rapidsim.controller.cell.description import Status
 from rapidsim.simulation.live.states import Mode, Motors
 
 
@@ -35,15 +33,3 @@ def status_value(
             return float(mode is Mode.AUTO)
         case Status.RUN_CHAIN_OK | Status.EMERGENCY_STOP:
             return None
-
-
-def limits(signal: SignalDeclaration) -> tuple[float, float]:
-    """Between what a signal may be set."""
-    low, high = signal.lowest, signal.highest
-    match signal.kind:
-        case SignalKind.DI | SignalKind.DO:
-            return 0.0, 1.0
-        case SignalKind.GI | SignalKind.GO:
-            return 0.0 if low is None else low, 2.0**32 - 1 if high is None else high
-        case _:
-            return -math.inf if low is None else low, math.inf if high is None else high

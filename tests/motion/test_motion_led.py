@@ -1,0 +1,40 @@
+"""Motion that somebody outside decides: what of it is forgotten, and what stays as it was."""
+
+import numpy as np
+from motion_programs import ROBOT
+
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
+from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+
+CYCLE_S = 0.004
+
+
+def test_a_guided_robot_forgets_its_past_and_is_where_it_was_to_the_last_bit() -> None:
+    def stretch() -> GuidedStretch:
+        forward, tool = ROBOT.kinematics.forward, Transform.identity()
+        return GuidedStretch(1.0, CYCLE_S, forward, tool, np.zeros(0), np.zeros(6))
+
+    forgets, keeps = stretch(), stretch()
+    for cycle in range(1, 3000):
+        joints = np.full(6, np.sin(0.01 * cycle))
+        for one in (forgets, keeps):
+            one.append(joints, 2.5 * joints)
+        if cycle % 200 == 0:
+            forgets.forget(forgets.end_s - 1.0)
+            times = forgets.end_s - np.linspace(1.0, -0.1, 23)
+            assert np.array_equal(forgets.joints_at(times), keeps.joints_at(times))
+            assert np.array_equal(forgets.end, keeps.end)
+    assert len(forgets._joints) <= 512 < len(keeps._joints)
+
+
+def test_a_corrected_path_forgets_its_past_and_is_where_it_was_to_the_last_bit() -> None:
+    forgets, keeps = (CorrectedStretch(1.0, ROBOT.kinematics) for _ in range(2))
+    for cycle in range(1, 3000):
+        for one in (forgets, keeps):
+            one.append(1.0 + CYCLE_S * cycle, np.full(3, np.sin(0.01 * cycle)))
+        if cycle % 200 == 0:
+            forgets.forget(forgets.end_s - 1.0)
+            times = forgets.end_s - np.linspace(1.0, -0.1, 23)
+            assert np.array_equal(forgets.ways_at(times), keeps.ways_at(times))
+    assert len(forgets._times) < 500 < len(keeps._times)
