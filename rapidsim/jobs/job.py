@@ -21,12 +21,12 @@ from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
 from rapidsim.module_files import TaskFiles
 from rapidsim.station.cell_names import declared_names
-from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
+    from rapidsim.station.robot import StationRobot
 
 OpenRobot = Callable[[str, float | None], "Robot"]
 """Makes an arm of its name and of the scale of a URDF file."""

@@ -214,9 +214,9 @@ ENDMODULE
         ("AcmeForce", 1, "skipped, 0 taken for its value"),
         ("AcmeReady", 1, "skipped, FALSE taken for its value"),
         ("AcmeName", 1, 'skipped, "" taken for its value'),
-        ("SpyStart", 1, "skipped"),
+        ("SpyStart", 1, "accepted without effect: nothing is written"),
     ]
-    assert it.findings == [("R104", line) for line in (4, 6, 7, 8, 9)]
+    assert it.findings == [*(("R104", line) for line in (4, 6, 7, 8)), ("R119", 9)]
 
 
 def test_backward_is_mentioned_once() -> None:
