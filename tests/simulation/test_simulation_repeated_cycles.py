@@ -85,7 +85,9 @@ def _times(move: ExecutedMove) -> tuple[object, ...]:
     return move.index, move.start_s, move.end_s, move.corner, move.zone_m, move.length_m
 
 
-def test_only_what_is_new_is_planned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def planned(monkeypatch: pytest.MonkeyPatch) -> list[Robot]:
+    """The arm of each block that is planned."""
     planned: list[Robot] = []
 
     def counted(
@@ -95,6 +97,10 @@ def test_only_what_is_new_is_planned(tmp_path: Path, monkeypatch: pytest.MonkeyP
         return build_path(robot, segments, model, look)
 
     monkeypatch.setattr("rapidsim.controller.queue.solo_queue.build_path", counted)
+    return planned
+
+
+def test_only_what_is_new_is_planned(tmp_path: Path, planned: list[Robot]) -> None:
     cycles = CYCLES.replace("IF n=3 AccSet 50,100;", "").replace(
         "IF n=4 ITimer\\Single,0.3,beat;", ""
     )
@@ -125,18 +131,7 @@ ENDMODULE
 """
 
 
-def test_a_pallet_of_many_places_is_planned_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    planned: list[Robot] = []
-
-    def counted(
-        robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look
-    ) -> MotionPath | PathFault:
-        planned.append(robot)
-        return build_path(robot, segments, model, look)
-
-    monkeypatch.setattr("rapidsim.controller.queue.solo_queue.build_path", counted)
+def test_a_pallet_of_many_places_is_planned_once(tmp_path: Path, planned: list[Robot]) -> None:
     (tmp_path / "pallet.mod").write_text(PALLET)
     run = simulate([tmp_path / "pallet.mod"], robot="irb1600")
     assert len(run.moves) == 240
