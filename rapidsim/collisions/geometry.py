@@ -48,6 +48,12 @@ class CellObject:
     parent_from_object: Transform
     colour: Colour = GREY
 
+    @property
+    def hex_colour(self) -> str:
+        """The colour as style sheets write it."""
+        red, green, blue = self.colour[:3]
+        return f"#{red:02x}{green:02x}{blue:02x}"
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Attachment:

@@ -17,17 +17,15 @@ from matplotlib.path import Path
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 from mpl_toolkits.mplot3d.axes3d import Axes3D
 
-from rapidsim.frames.transform import Array, Transform
-from rapidsim.plots.drawn import MM
+from rapidsim.frames.transform import Array
+from rapidsim.plots.drawn import MM, number_of
 from rapidsim.plots.look import Theme
-from rapidsim.simulation.results.relative_motion import is_on_track
+from rapidsim.simulation.results.relative_motion import is_on_track, shown_from_world
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.values import dataclass
 
 _AIR = 0.3
 """Share of the path's size around it in which objects are seen."""
-_WIDEST_M = 10.0
-"""What is wider is a floor or a wall, which would hide the rest."""
 _SHARP = np.cos(np.radians(30.0))
 """Faces that turn by more from one to the next meet in an edge."""
 _MOST_FACES = 2000
@@ -46,6 +44,14 @@ class Outlined:
     """Shape (k, 3) [mm]"""
     faces: npt.NDArray[np.int64]
     """Shape (f, 3), each counterclockwise from outside."""
+    normals: Array
+    """Shape (f, 3); zero where a face has no area."""
+    edges: npt.NDArray[np.int64]
+    """The vertices (e, 2) at the ends of each edge."""
+    beside: npt.NDArray[np.int64]
+    """The faces (e, 2) that meet there; twice the same at the border of an open surface."""
+    is_sharp: npt.NDArray[np.bool_]
+    """Whether it is drawn wherever the eye sees it (e,): sharp edges and borders."""
     is_later: bool
     """Whether it stands so at the end of the run, and elsewhere before."""
 
@@ -64,29 +70,46 @@ def cell_of(run: SampledRun, theme: Theme) -> Cell:
     collisions = run.simulation.collisions
     if collisions is None:
         return Cell()
-    number = next(k for k, one in enumerate(run.simulation.robots) if one is run.one)
-    hits = [one for one in collisions.found.contacts if one.robot == number and not one.continued]
+    number = number_of(run)
+    hits = [one for one in collisions.hits if one.robot == number]
     hit = {name for one in hits for name in (one.first, one.second)}
-    shown_from_world = Transform.identity()
-    if not is_on_track(run.one.robot):
-        shown_from_world = run.one.world_from_base.inverse()
+    picture_from_world = shown_from_world(run.one, in_world=is_on_track(run.one.robot))
     poses = collisions.scene.poses(np.array([0.0, run.end_s]))
     bodies: list[Outlined] = []
-    for index, one in collisions.objects.items():
-        body = collisions.scene.bodies[index]
-        vertices, faces = body.shape.vertices, body.shape.faces
-        if float(np.ptp(vertices, axis=0).max()) > _WIDEST_M:
-            continue
-        red, green, blue = one.colour[:3]
-        colour = theme.failed if body.label in hit else f"#{red:02x}{green:02x}{blue:02x}"
-        first, last = (
-            MM * (shown_from_world @ poses.of(index)[at]).apply(vertices) for at in (0, 1)
-        )
-        bodies.append(Outlined(colour, first, faces, is_later=False))
+    for index, one, body in collisions.drawn_objects():
+        colour = theme.failed if body.label in hit else one.hex_colour
+        stands = picture_from_world @ poses.of(index)
+        first, last = (MM * stands[at].apply(body.shape.vertices) for at in (0, 1))
+        bodies.append(outlined(colour, first, body.shape.faces))
         if np.abs(last - first).max() > MM * _MOVED_M:
-            bodies.append(Outlined(colour, last, faces, is_later=True))
+            bodies.append(outlined(colour, last, body.shape.faces, is_later=True))
     points = np.array([one.point for one in hits]).reshape(-1, 3)
-    return Cell(tuple(bodies), MM * shown_from_world.apply(points))
+    return Cell(tuple(bodies), MM * picture_from_world.apply(points))
+
+
+def outlined(
+    colour: str, vertices: Array, faces: npt.NDArray[np.int64], *, is_later: bool = False
+) -> Outlined:
+    """A body with what its outline takes from any side, which is found once for all views."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    across = np.cross(b - a, c - a)
+    normals = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
+    # Vertices in the same place are one corner.
+    corner = np.unique(np.rint(1e3 * vertices), axis=0, return_inverse=True)[1].ravel()
+    sides = np.concatenate([faces[:, (k, (k + 1) % 3)] for k in range(3)])
+    _, first, edge, count = np.unique(
+        np.sort(corner[sides], axis=1),
+        axis=0,
+        return_index=True,
+        return_inverse=True,
+        return_counts=True,
+    )
+    of_face = np.tile(np.arange(len(faces)), 3)[np.argsort(edge.ravel(), kind="stable")]
+    starts = np.concatenate([[0], np.cumsum(count)[:-1]])
+    beside = np.stack([of_face[starts], of_face[starts + count - 1]], axis=1)
+    bend = np.einsum("ij,ij->i", *(normals[beside[:, k]] for k in (0, 1)))
+    is_sharp = (bend < _SHARP) | (count == 1)
+    return Outlined(colour, vertices, faces, normals, sides[first], beside, is_sharp, is_later)
 
 
 def draw_cell(axes: Axes, cell: Cell, theme: Theme, shown: tuple[int, int]) -> None:
@@ -149,37 +172,15 @@ def _style(body: Outlined) -> dict[str, object]:
 
 
 def _near_faces(body: Outlined, towards: Array) -> npt.NDArray[np.bool_]:
-    """Which faces look towards the eye."""
-    near: npt.NDArray[np.bool_] = _normals(body) @ towards > 0.0
+    """Which faces (f,) look towards the eye."""
+    near: npt.NDArray[np.bool_] = body.normals @ towards > 0.0
     return near
 
 
-def _normals(body: Outlined) -> Array:
-    """Shape (f, 3); zero where a face has no area."""
-    a, b, c = (body.vertices[body.faces[:, k]] for k in range(3))
-    across = np.cross(b - a, c - a)
-    normals: Array = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    return normals
-
-
 def _outline(body: Outlined, near: npt.NDArray[np.bool_]) -> Array:
-    """The edges (e, 2, 3) that are drawn."""
-    corners = np.unique(np.rint(1e3 * body.vertices), axis=0, return_inverse=True)[1].ravel()
-    faces = corners[body.faces]
-    sides = np.sort(np.concatenate([faces[:, (k, (k + 1) % 3)] for k in range(3)]), axis=1)
-    ends = np.concatenate([body.faces[:, (k, (k + 1) % 3)] for k in range(3)])
-    of_face = np.tile(np.arange(len(faces)), 3)
-    _, first, edge, count = np.unique(
-        sides, axis=0, return_index=True, return_inverse=True, return_counts=True
-    )
-    order = np.argsort(edge.ravel(), kind="stable")
-    starts = np.concatenate([[0], np.cumsum(count)[:-1]])
-    one, other = of_face[order[starts]], of_face[order[starts + count - 1]]
-    normals = _normals(body)
-    is_sharp = np.einsum("ij,ij->i", normals[one], normals[other]) < _SHARP
-    turns_away = near[one] != near[other]
-    is_drawn = turns_away | ((is_sharp | (count == 1)) & (near[one] | near[other]))
-    drawn: Array = body.vertices[ends[first[is_drawn]]]
+    """The edges (e, 2, 3) that are drawn where some faces are near."""
+    one, other = near[body.beside].T
+    drawn: Array = body.vertices[body.edges[(one != other) | (body.is_sharp & one)]]
     return drawn
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from rapidsim.plots.drawn import MM, title_of
+from rapidsim.plots.drawn import MM, number_of, title_of
 from rapidsim.plots.look import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
 
@@ -18,7 +18,7 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     collisions = run.simulation.collisions
     if collisions is None:
         return None
-    number = next(k for k, one in enumerate(run.simulation.robots) if one is run.one)
+    number = number_of(run)
     nearest = {one.move: one for one in collisions.found.clearances if one.robot == number}
     hits = [one for one in collisions.found.contacts if one.robot == number]
     if not nearest and not hits:

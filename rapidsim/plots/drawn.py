@@ -32,6 +32,11 @@ def title_of(run: SampledRun) -> str:
     return f"{run.simulation.title} on {whose}{run.one.robot.title}"
 
 
+def number_of(run: SampledRun) -> int:
+    """The number of the robot among those of the run."""
+    return next(k for k, one in enumerate(run.simulation.robots) if one is run.one)
+
+
 def frame_of(run: SampledRun) -> str:
     """The frame of the pictures: each robot has its own."""
     return "world" if is_on_track(run.one.robot) else "base frame"

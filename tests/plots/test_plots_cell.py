@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 import rapidsim
 from rapidsim.collisions.shape import Shape, box, cylinder, sphere
 from rapidsim.frames.transform import Array
-from rapidsim.plots.cell import Cell, Outlined, cell_of, draw_cell, draw_cell_in_space
+from rapidsim.plots.cell import Cell, cell_of, draw_cell, draw_cell_in_space, outlined
 from rapidsim.plots.drawn import drawn
 from rapidsim.plots.look import LIGHT, dressed
 from rapidsim.plots.path_picture import path_picture
@@ -23,9 +23,8 @@ PROGRAMS = Path(__file__).parents[2] / "programs"
 ABOVE, SIDE = (0, 1), (0, 2)
 
 
-def outlined(shape: Shape) -> Cell:
-    body = Outlined("#336699", 1000.0 * shape.vertices, shape.faces, is_later=False)
-    return Cell((body,))
+def cell_with(shape: Shape) -> Cell:
+    return Cell((outlined("#336699", 1000.0 * shape.vertices, shape.faces),))
 
 
 def lines_of(axes: Axes) -> Array:
@@ -36,7 +35,7 @@ def lines_of(axes: Axes) -> Array:
 def outline(shape: Shape, shown: tuple[int, int]) -> Array:
     """The edges (e, 2, 2) [mm] that are drawn."""
     axes = Figure().subplots()
-    draw_cell(axes, outlined(shape), LIGHT, shown)
+    draw_cell(axes, cell_with(shape), LIGHT, shown)
     return lines_of(axes)
 
 
@@ -69,7 +68,7 @@ def test_in_space_nothing_leaves_the_view() -> None:
     axes = Figure().add_subplot(projection="3d")
     for set_ends in (axes.set_xlim, axes.set_ylim, axes.set_zlim):
         set_ends(-100.0, 300.0)
-    draw_cell_in_space(axes, outlined(box(np.array([2.0, 0.1, 0.1]))), LIGHT)
+    draw_cell_in_space(axes, cell_with(box(np.array([2.0, 0.1, 0.1]))), LIGHT)
     (lines,) = axes.collections
     edges = np.array(lines._segments3d)
     assert (edges[..., 0].min(), edges[..., 0].max()) == (-100.0, 300.0)

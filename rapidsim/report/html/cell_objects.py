@@ -5,17 +5,13 @@ A page draws outlines of convex bodies; a shape with bays is drawn filled.
 
 from __future__ import annotations
 
-import numpy as np
-
-from rapidsim.frames.transform import Array, Transform
+from rapidsim.frames.transform import Array
 from rapidsim.report.html.arm_shapes import apart, outermost
 from rapidsim.report.html.packing import packed_columns
-from rapidsim.simulation.results.relative_motion import is_shown_in_world
+from rapidsim.simulation.results.relative_motion import is_shown_in_world, shown_from_world
 from rapidsim.simulation.results.simulation import Simulation
 
 _MM = 1000.0
-_WIDEST_M = 10.0
-"""What is wider is a floor or a wall, which would hide the rest."""
 
 
 def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]]:
@@ -23,25 +19,19 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
     collisions = simulation.collisions
     if collisions is None:
         return []
-    shown_from_world = Transform.identity()
-    if not is_shown_in_world(simulation):
-        shown_from_world = simulation.robots[0].world_from_base.inverse()
+    in_world = is_shown_in_world(simulation)
+    picture_from_world = shown_from_world(simulation.robots[0], in_world=in_world)
     poses = collisions.scene.poses(times)
     found: list[dict[str, object]] = []
-    for number, one in collisions.objects.items():
-        body = collisions.scene.bodies[number]
-        corners, faces = body.shape.vertices, body.shape.faces
-        if float(np.ptp(corners, axis=0).max()) > _WIDEST_M:
-            continue
-        stands = shown_from_world @ poses.of(number)
+    for number, one, body in collisions.drawn_objects():
+        stands = picture_from_world @ poses.of(number)
         if body.stands:
             stands = stands[:1]
-        red, green, blue = one.colour[:3]
         found.append(
             {
                 "name": one.name,
-                "colour": f"#{red:02x}{green:02x}{blue:02x}",
-                "parts": [outermost(part) for part in apart(corners, faces)],
+                "colour": one.hex_colour,
+                "parts": [outermost(part) for part in apart(body.shape.vertices, body.shape.faces)],
                 "turn": packed_columns(stands.rotation.reshape(len(stands), -1), 6),
                 "place": packed_columns(_MM * stands.translation, 1),
             }

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+
+import numpy as np
 
 from rapidsim.collisions.contact import Clearance, Contact, Found
 from rapidsim.collisions.geometry import CellGeometry, CellObject
-from rapidsim.collisions.scene import Scene
+from rapidsim.collisions.scene import Body, Scene
 from rapidsim.values import dataclass
+
+_WIDEST_M = 10.0
+"""What is wider is a floor or a wall, which would hide the rest of a picture."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -33,6 +38,13 @@ class Collisions:
     def hits(self) -> tuple[Contact, ...]:
         """The contacts that begin in the run: what lies on a table touched it before."""
         return tuple(one for one in self.found.contacts if not one.continued)
+
+    def drawn_objects(self) -> Iterator[tuple[int, CellObject, Body]]:
+        """The objects that still pictures show, with their numbers among the bodies."""
+        for number, one in self.objects.items():
+            body = self.scene.bodies[number]
+            if float(np.ptp(body.shape.vertices, axis=0).max()) <= _WIDEST_M:
+                yield number, one, body
 
     @property
     def uncarried(self) -> Scene:

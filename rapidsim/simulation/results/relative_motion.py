@@ -33,6 +33,11 @@ def shown_from_base(one: RobotRun, external: Array, *, in_world: bool) -> Transf
     return world_from_base_at(one.robot.external, one.world_from_base, external)
 
 
+def shown_from_world(one: RobotRun, *, in_world: bool) -> Transform:
+    """The world in the frame of pictures of a robot."""
+    return Transform.identity() if in_world else one.world_from_base.inverse()
+
+
 def shown_end(one: RobotRun, move: ExecutedMove, *, in_world: bool) -> Transform:
     """The programmed end of a move in the frame of pictures."""
     return shown_from_base(one, move.external[None], in_world=in_world)[0] @ move.base_from_tcp
