@@ -274,7 +274,7 @@ class Engine:
             return self._done(message)
         except RefusedRequest as refused:
             is_later = isinstance(message, Request) and message.generation == 2
-            return (is_later and refused.later) or refused.refusal
+            return refused.later if is_later else refused.refusal
         except Exception as error:
             # A defect of ours ends a request, not the controller.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"

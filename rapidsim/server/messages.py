@@ -52,12 +52,13 @@ DONE = Answer(status=204)
 class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
     """A request that the controller answers with an error."""
 
-    def __init__(self, status: int, code: int, message: str) -> None:
-        """Give HTTP's number, the controller's, and a line for people."""
+    def __init__(
+        self, status: int, code: int, message: str, later: tuple[int, int] | None = None
+    ) -> None:
+        """Give HTTP's number, the controller's and a line for people; `later` as RobotWare 7."""
         super().__init__(message)
         self.refusal = Refusal(status, code, message)
-        self.later: Refusal | None = None
-        """What RobotWare 7 answers, where that is another."""
+        self.later = self.refusal if later is None else Refusal(*later, message)
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rapidsim.server.messages import Refusal, RefusedRequest
+from rapidsim.server.messages import RefusedRequest
 from rapidsim.simulation.live.states import Refused, Why
 
 NOT_FOUND: Final = (404, -1073414146)
@@ -42,10 +42,7 @@ def refused(
     why: tuple[int, int], message: str, later: tuple[int, int] | None = None
 ) -> RefusedRequest:
     """The refusal of a request; `later` is what RobotWare 7 answers, where that is another."""
-    refusal = RefusedRequest(*why, message)
-    if later is not None:
-        refusal.later = Refusal(*later, message)
-    return refusal
+    return RefusedRequest(*why, message, later)
 
 
 _OF_SECOND: Final = {**_OF, Why.NO_MODULE: LATER_NO_MODULE, Why.NO_SYMBOL: LATER_NO_SYMBOL}
