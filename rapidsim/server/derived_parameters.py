@@ -22,7 +22,7 @@ _Types: TypeAlias = dict[str, _Instances]
 
 
 def with_derived(setups: Sequence[TaskSetup], options: RunOptions) -> Configured:
-    """What the station says, and the types that it lacks."""
+    """The parameters of the station, completed by the types that it lacks."""
     derived = {
         "MOC": _motion(setups),
         "SYS": _system(setups),
@@ -98,7 +98,7 @@ def _add_axis(
 
 
 def _base_frame(setup: TaskSetup) -> dict[str, str]:
-    """Where a robot stands in the world [m]."""
+    """The base frame of a robot in the world [m]."""
     place = setup.place
     positions = zip("xyz", place.translation, strict=True)
     return {

@@ -1,4 +1,4 @@
-"""The engine: a controller that stays on, how its time passes, and what it is asked meanwhile.
+"""The engine: a controller that stays on, how its time passes, and the requests it serves.
 
 It runs in a process of its own, because planning a path keeps Python busy for longer than a
 protocol may wait; tests drive it by hand.
@@ -48,7 +48,7 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 
 _LAG_S: Final = 0.5
-"""So far [s] on the wall virtual time may be behind before it is said, and twice as far again."""
+"""How far [s] virtual time may lag behind the wall clock before it is reported, then twice that."""
 
 
 class Recorder(Protocol):
@@ -80,18 +80,18 @@ class Recorder(Protocol):
 
 
 class Pace(Protocol):
-    """How far virtual time may have come."""
+    """Decides how far virtual time may advance."""
 
     def begin(self) -> None:
         """The controller is switched on."""
         ...
 
     def horizon_s(self) -> float:
-        """How far virtual time may come now [s]."""
+        """The virtual time that may be reached now [s]."""
         ...
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """How long on the wall until virtual time may come so far [s]; None for ever."""
+        """How long on the wall clock until that virtual time may be reached [s]; None for ever."""
         ...
 
     def asked(self) -> None:
@@ -99,28 +99,28 @@ class Pace(Protocol):
         ...
 
     def lag_s(self, now_s: float) -> float:
-        """How far behind virtual time is, on the wall."""
+        """How far virtual time lags behind the wall clock [s]."""
         ...
 
 
 @dataclass(slots=True)
 class WallPace:
-    """So many virtual seconds pass in a second on the wall."""
+    """A fixed number of virtual seconds passes in each second of the wall clock."""
 
     speed: float
     began_s: float = 0.0
-    """When it began [s]."""
+    """When it started, on the wall clock [s]."""
 
     def begin(self) -> None:
-        """The clock on the wall counts from now."""
+        """Start the wall clock now."""
         self.began_s = monotonic()
 
     def horizon_s(self) -> float:
-        """As far as the clock on the wall has come."""
+        """The time of the wall clock."""
         return (monotonic() - self.began_s) * self.speed
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """Until the clock on the wall is there."""
+        """Until the wall clock gets there."""
         if math.isinf(virtual_s):
             return None
         return max(0.0, self.began_s + virtual_s / self.speed - monotonic())
@@ -129,23 +129,23 @@ class WallPace:
         """Time passes by itself."""
 
     def lag_s(self, now_s: float) -> float:
-        """Behind the clock on the wall."""
+        """Behind the wall clock."""
         return max(0.0, self.horizon_s() - now_s) / self.speed
 
 
 @dataclass(slots=True)
 class FullPace:
-    """Virtual time passes as fast as the computer can, while anything has something to do."""
+    """Virtual time passes as fast as the computer allows while there is anything to do."""
 
     def begin(self) -> None:
         """Nothing is measured."""
 
     def horizon_s(self) -> float:
-        """As far as it likes."""
+        """Without limit."""
         return math.inf
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """What can happen has happened."""
+        """No time; for ever if nothing more can happen."""
         return 0.0 if virtual_s < math.inf else None
 
     def asked(self) -> None:
@@ -159,19 +159,19 @@ class FullPace:
 
 @dataclass(slots=True)
 class LockStep:
-    """Virtual time passes with requests only, so that one script of a client gives one run."""
+    """Virtual time passes only with requests, so a client's script always gives the same run."""
 
     request_s: float
-    """So much before each request."""
+    """Virtual time that passes before each request [s]."""
     answered_s: float = 0.0
-    """So much the answers of sensors have let pass."""
+    """Virtual time that answers of sensors have let pass [s]."""
     _requests: int = 0
 
     def begin(self) -> None:
         """Nothing is measured."""
 
     def horizon_s(self) -> float:
-        """As far as the requests so far let it come."""
+        """What the requests so far have allowed."""
         return self._requests * self.request_s + self.answered_s
 
     def wait_s(self, virtual_s: float) -> float | None:
@@ -190,21 +190,21 @@ class LockStep:
 
 @dataclass(eq=False)
 class Engine:
-    """A controller, its pace, and who listens."""
+    """A controller, its pace, and its listeners."""
 
     live: LiveController
     pace: Pace
     told: Callable[[Told], None]
-    """Told what clients subscribed to, and lines for whoever started the controller."""
+    """Receives what clients have subscribed to, and lines for whoever started the controller."""
     journal: Callable[[str], None] | None = None
-    """Takes each line of the journal; None where nobody keeps one."""
+    """Receives each line of the journal; None if none is kept."""
     recorder: Recorder | None = field(init=False, default=None)
-    """Shows what happens; None where nobody records it."""
+    """Shows what happens; None if nothing is recorded."""
     context: Context = field(init=False)
     subscriptions: Subscriptions = field(init=False)
     _lag_told_s: float = _LAG_S
     _held: list[str] | None = None
-    """Lines of what a request brings about, which come after its own."""
+    """Lines of a request's effects, which come after its own line."""
 
     def __post_init__(self) -> None:
         """Switch on."""
@@ -221,19 +221,19 @@ class Engine:
         self.pace.begin()
 
     def record(self, recorder: Recorder) -> None:
-        """Let somebody show what happens from now on."""
+        """Record what happens from now on."""
         self.recorder = recorder
         self._listen()
 
     def switch_off(self) -> None:
-        """Stop the robots, close files and connections, end the journal."""
+        """Stop the robots, close files and connections, and end the journal."""
         self.live.switch_off()
         self._note(lambda: switched_off_line(self.live.now_s))
         if self.recorder is not None:
             self.recorder.close()
 
     def step(self) -> bool:
-        """Let one thing happen whose time has come; whether there was any."""
+        """Do one thing that is due; returns whether there was any."""
         stepped = self.live.step(self.pace.horizon_s())
         self._look()
         if stepped:
@@ -241,11 +241,11 @@ class Engine:
         return stepped
 
     def wait_s(self) -> float | None:
-        """How long on the wall nothing will happen by itself [s]; None for ever."""
+        """How long on the wall clock nothing will happen by itself [s]; None for ever."""
         return self.pace.wait_s(self.live.wants_s)
 
     def reply(self, message: Inquiry) -> Reply:
-        """Do what is asked, at the time that has come."""
+        """Answer a message at the present virtual time."""
         if isinstance(message, Look):
             return self._replied(message)
         if isinstance(message, Request):
@@ -276,7 +276,7 @@ class Engine:
             is_later = isinstance(message, Request) and message.generation == 2
             return refused.later if is_later else refused.refusal
         except Exception as error:
-            # A defect of ours ends a request, not the controller.
+            # A defect of rapidsim ends a request, not the controller.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
             self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
             return Refusal(500, -1, defect)
@@ -327,13 +327,13 @@ class Engine:
             self._held.append(line())
 
     def _look(self) -> None:
-        """Let those who show it see what has changed."""
+        """Let subscriptions and the recording see what has changed."""
         self.subscriptions.look()
         if self.recorder is not None:
             self.recorder.look()
 
     def _listen(self) -> None:
-        """Hear what happens in the run, which costs a little."""
+        """Listen to what happens in the run, which has a small cost."""
         self.live.happened = self._happened
         if isinstance(self.live.sensors, NotedSensors):
             self.live.sensors.answered = self._answered

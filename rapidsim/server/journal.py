@@ -1,7 +1,7 @@
 """The journal of a controller: what came from outside and what happened then, in lines of JSON.
 
 Each line has the virtual time `t` at which it took effect, so the same requests at the same times
-give the same lines again, byte for byte. No line knows a clock on the wall, a password or a cookie.
+give the same lines again, byte for byte. No line holds a wall-clock time, a password or a cookie.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ from rapidsim.simulation.results.event_values import event_record, written
 from rapidsim.values import dataclass
 
 NETWORK: Final = "network"
-"""The kind of an event that a peer of a program's socket brings about."""
+"""The kind of an event caused by a peer of a program's socket."""
 SENSOR: Final = "egm"
-"""The kind of a line that is what a sensor has answered."""
+"""The kind of a line with a sensor's answer."""
 REFUSED: Final = "network-refused"
-"""The kind of an event that is an error of a program's socket."""
+"""The kind of an event in which the network refused a program."""
 _MOST_LINE: Final = 128 * 2**20
-"""Characters of a line: an upload at its largest, in base 64, and room for the rest."""
+"""The most characters of a line: the largest upload in base 64, and room for the rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,11 +67,11 @@ class RecordedLife:
     began: SwitchedOnAs
     recorded: tuple[Recorded, ...]
     refusals: Mapping[int, tuple[float, str]]
-    """Error number and message of what the network refused, by the number of the act."""
+    """Error number and message of each refusal of the network, by the number of the operation."""
     answers: Mapping[int, SensorAnswer]
-    """What sensors answered, by the number of the exchange."""
+    """Answers of sensors, by the number of the exchange."""
     end_s: float
-    """When the controller was switched off, or the last line."""
+    """When the controller was switched off, or the time of the last line [s]."""
     lines: tuple[str, ...]
     """As they were written."""
 
@@ -107,13 +107,13 @@ def log_line(entry: LogEntry) -> str:
 
 
 def refusal_line(time_s: float, act: int, error: RapidError) -> str:
-    """What the network refused a program, which asked for something for the so many-th time."""
+    """A refusal of the network, with the number of the operation that it refused."""
     what = {"kind": REFUSED, "act": act, "number": error.errno, "message": error.message}
     return _line(time_s, "event", what)
 
 
 def sensor_line(time_s: float, number: int, answer: SensorAnswer) -> str:
-    """What a sensor that guides a robot has answered in the so many-th exchange."""
+    """The answer of a sensor that guides a robot, with the number of the exchange."""
     said = {name: list(part) for name, part in asdict(answer).items() if part}
     return _line(written(time_s), SENSOR, {"kind": "answer", "exchange": number, **said})
 
@@ -126,7 +126,7 @@ def request_line(time_s: float, message: Message, reply: Reply) -> str:
 
 
 def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
-    """Read what was written; a last line that was cut off is left out.
+    """Read a journal; an incomplete last line is left out.
 
     Args:
         lines: Of the file.
@@ -149,7 +149,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
             time_s, kind, what = float(read["t"]), read["kind"], read["what"]
             is_asked = kind == "request" or what["kind"] == NETWORK
             if not end_s <= time_s < float("inf"):
-                # What happened is told when its time is known; what was asked, at once.
+                # Events are told once their time is known; requests at once.
                 if is_asked:
                     raise ValueError("time goes back")
                 time_s = end_s
@@ -174,10 +174,10 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
 
 
 class JournalFile:
-    """Writes a journal line by line, so that whatever ends the process leaves all lines whole."""
+    """Writes a journal line by line, so that all lines are whole however the process ends."""
 
     def __init__(self, path: Path, failed: Callable[[str], None]) -> None:
-        """Open it; who watches the controller is told once that no more can be written.
+        """Open it; whoever watches the controller is told once if writing fails.
 
         Raises:
             InputError: If it cannot be opened.
@@ -247,7 +247,7 @@ def _what(message: Message) -> dict[str, object]:
 
 
 def _message(what: Mapping[str, object]) -> Message:
-    """What `_what` wrote; raises what reading a value of another shape raises."""
+    """The inverse of `_what`; raises whatever reading a value of another shape raises."""
     match what:
         case {
             "connection": int(number),
@@ -280,7 +280,7 @@ def _message(what: Mapping[str, object]) -> Message:
 
 
 def _answer(what: Mapping[str, Any]) -> SensorAnswer:
-    """What `sensor_line` wrote; raises what reading a value of another shape raises."""
+    """The inverse of `sensor_line`; raises whatever reading a value of another shape raises."""
     parts = {
         one.name: tuple(map(float, what[one.name]))
         for one in fields(SensorAnswer)

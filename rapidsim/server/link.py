@@ -10,7 +10,7 @@ from rapidsim.server.messages import Inquiry, Reply, Told
 
 
 class Link(Protocol):
-    """Asks the engine."""
+    """Sends messages to the engine."""
 
     async def ask(self, message: Inquiry) -> Reply:
         """The engine's reply.
@@ -22,14 +22,14 @@ class Link(Protocol):
 
 
 class EngineEndedError(Exception):
-    """The engine is there no more."""
+    """The engine has ended."""
 
 
 class DirectLink:
-    """An engine in this very thread: time passes only where it is let."""
+    """An engine in this very thread: time passes only when it is told to."""
 
     def __init__(self, make: Callable[[Callable[[Told], None]], Engine]) -> None:
-        """Make the engine; it is given who is told what it tells."""
+        """Make the engine, given the listener for what it tells."""
         self.listener: Callable[[Told], None] = lambda told: None
         self.engine = make(lambda told: self.listener(told))
 

@@ -27,7 +27,7 @@ from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import dataclass
 
 _GUIDED: Final = "egmident"
-"""The type that every such program uses."""
+"""The data type that every program guided by a sensor uses."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,11 +39,11 @@ class ReadyController:
     home: Path
     ramdisk: Path
     notes: tuple[str, ...] = ()
-    """What is said of a backup or a robot."""
+    """Remarks on a backup or a robot."""
 
     @property
     def is_guided(self) -> bool:
-        """Whether a program knows of sensors that guide its robot."""
+        """Whether a program is written for sensors that guide its robot."""
         modules = (module for setup in self.setups for module in setup.program.modules)
         return any(_GUIDED in module.source.text.lower() for module in modules)
 
@@ -51,7 +51,7 @@ class ReadyController:
 def ready(asked: Asked) -> ReadyController:
     """Load and check a program as `rapidsim run` does.
 
-    Signals that the program uses and nothing declares are there, as those of its cell.
+    Signals that the program uses and nothing declares exist, as signals of its cell.
 
     Raises:
         ProgramRejectedError: If checking finds an error.
@@ -62,14 +62,14 @@ def ready(asked: Asked) -> ReadyController:
 
 
 def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
-    """What is loaded and prepared for a run, as a controller that is served has it."""
+    """A loaded program, prepared for a run as a served controller needs it."""
     io = made.options.io
     undeclared = _undeclared(found.diagnostics)
     known = {one.name.lower() for one in io.signals}
     fresh = tuple(one for key, one in undeclared.items() if key not in known)
     home = made.options.home or Path("HOME")
     signals = (*io.signals, *fresh)
-    # Nobody sits at a terminal to answer.
+    # There is no operator at a terminal to answer.
     options = replace(
         made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
     )
@@ -98,10 +98,10 @@ def engine_of(
     Args:
         made: Its programs and cell.
         settings: Its state, and how its time passes.
-        told: Told what the engine tells.
-        journal: Takes each line of the journal.
-        wire: The network of the programs' sockets; None where nobody is there.
-        sensors: Who guides robots; None where nobody is there.
+        told: Receives what the engine tells.
+        journal: Receives each line of the journal.
+        wire: The network of the programs' sockets; None for none.
+        sensors: The sensors that guide robots; None for none.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.

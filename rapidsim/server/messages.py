@@ -1,6 +1,6 @@
-"""What passes between the process that speaks protocols and the one in which the controller is.
+"""Messages between the process that speaks protocols and the one in which the controller lives.
 
-All of it can be pickled, and knows neither HTTP's headers nor how bodies are written.
+All can be pickled, and know nothing of HTTP headers or the format of bodies.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ class Item:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What was asked for, or that it was done."""
+    """A successful answer: what was asked for, or that it was done."""
 
     items: tuple[Item, ...] = ()
     status: int = 200
     links: tuple[str, ...] = ()
     """Resources below this one."""
     content: bytes | None = None
-    """A file, in place of items."""
+    """A file, instead of items."""
     following: str = ""
-    """Where the list goes on, below the root; empty at its end."""
+    """Where the list continues, below the root; empty at its end."""
 
 
 DONE = Answer(status=204)
@@ -55,7 +55,7 @@ class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
     def __init__(
         self, status: int, code: int, message: str, later: tuple[int, int] | None = None
     ) -> None:
-        """Give HTTP's number, the controller's and a line for people; `later` as RobotWare 7."""
+        """Give HTTP status, controller's code and a text; `later` has both of RobotWare 7."""
         super().__init__(message)
         self.refusal = Refusal(status, code, message)
         self.later = self.refusal if later is None else Refusal(*later, message)
@@ -72,7 +72,7 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """Something is asked of the controller."""
+    """A request to the controller."""
 
     method: str
     path: str
@@ -81,7 +81,7 @@ class Request:
     form: Fields = field(default_factory=dict)
     session: int = 0
     content: bytes = b""
-    """A body that is no form."""
+    """A body that is not a form."""
     generation: int = 1
     """Of Robot Web Services: 1 or 2."""
 
@@ -93,14 +93,14 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class SessionEnded:
-    """What a session holds is given back."""
+    """A session has ended: what it holds is released."""
 
     session: int
 
 
 @dataclass(frozen=True, slots=True)
 class Subscribe:
-    """Tell a group of subscriptions what changes at some resources, from now on."""
+    """Tell a group of subscriptions of changes of some resources, from now on."""
 
     group: int
     resources: tuple[str, ...]
@@ -108,44 +108,44 @@ class Subscribe:
 
 @dataclass(frozen=True, slots=True)
 class Unsubscribe:
-    """Tell a group nothing more."""
+    """Stop telling a group."""
 
     group: int
 
 
 @dataclass(frozen=True, slots=True)
 class FromNetwork:
-    """The other end of a program's socket has done something."""
+    """The peer of a program's socket has done something."""
 
     number: int
     """Of the connection; see `outside_streams`."""
     port: int = 0
     """Of the program, where a client has connected to it."""
     peer: str = ""
-    """Who has connected, or has answered; empty where the connection was there."""
+    """Who has connected, or has answered; empty if the connection existed before."""
     data: bytes = b""
     is_over: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """Somebody looks at the controller: nothing comes of it, and no time passes for it."""
+    """Somebody looks at the controller, which has no effect and takes no time."""
 
     task: str = ""
     module: str = ""
-    """Of that task, whose text is looked at; empty looks at all but texts."""
+    """The module of that task whose text is wanted; empty for everything but texts."""
 
 
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
-"""What the controller's life hangs on: a journal of it has them all."""
+"""What affects the controller: its journal records them all."""
 Inquiry: TypeAlias = Message | Look
-"""All that the engine is asked."""
+"""Everything that the engine can be asked."""
 Reply: TypeAlias = Answer | Refusal
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What a group of subscriptions is told."""
+    """A change that a group of subscriptions is told."""
 
     group: int
     items: tuple[Item, ...]

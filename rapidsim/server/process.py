@@ -39,25 +39,25 @@ from rapidsim.syntax.collection import staying_on
 from rapidsim.values import dataclass
 
 _LOOKS_S: Final = 0.001
-"""So long [s] an engine goes on before it looks whether anybody asks."""
+"""How long [s] an engine runs before it looks for messages."""
 _PATIENCE_S: Final = 5.0
-"""So long [s] an engine that is told to end may take."""
+"""How long [s] an engine may take to end."""
 
 
 @dataclass(frozen=True, slots=True)
 class SwitchedOn:
-    """The controller is there."""
+    """The controller is on."""
 
     home: Path
     ramdisk: Path
     sensors: Mapping[str, str]
     """Addresses of sensors that guide robots, by the names of their devices."""
     is_guided: bool
-    """Whether a guide is needed, beside the engine."""
+    """Whether a process that exchanges messages with sensors is needed beside the engine."""
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
-"""What becomes of switching a controller on."""
+"""The outcome of switching a controller on."""
 
 
 @dataclass(eq=False)
@@ -68,15 +68,15 @@ class EngineProcess:
     _connection: Connection
     _process: SpawnProcess
     listener: Callable[[Told], None] = print
-    """Told what the engine tells, in the loop's thread; set before `attach`."""
+    """Receives what the engine tells, in the loop's thread; set before `attach`."""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
-    """Set when the engine is there no more."""
+    """Set when the engine has ended."""
     _waiting: dict[int, asyncio.Future[Reply]] = field(default_factory=dict)
     _last: int = 0
     _outgoing: SimpleQueue[object] = field(default_factory=SimpleQueue)
 
     def attach(self) -> None:
-        """Begin to hand messages to and fro; called in the loop."""
+        """Start passing messages both ways; called in the loop."""
         loop = asyncio.get_running_loop()
         Thread(target=self._send, name="rapidsim to the engine", daemon=True).start()
         receive = Thread(
@@ -96,7 +96,7 @@ class EngineProcess:
         return await future
 
     def end(self) -> None:
-        """Switch the controller off; its robots stop."""
+        """Switch the controller off, which stops its robots."""
         self._outgoing.put(None)
         _await_end(self._process)
 
@@ -133,7 +133,7 @@ class EngineProcess:
 
 
 def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
-    """Load a program and switch a controller on, in a process of its own.
+    """Load a program and switch a controller on in its own process.
 
     Raises:
         ProgramRejectedError: If checking finds an error.
@@ -172,7 +172,7 @@ def _await_end(process: SpawnProcess) -> None:
 def _run(
     connection: Connection, to_guide: Connection, asked: Asked, settings: EngineSettings
 ) -> None:
-    """The life of the engine's process: until it is told to end, or nobody is there any more."""
+    """The life of the engine's process: until it is told to end, or its parent is gone."""
     # Ctrl-C goes to all processes of a terminal; the other one says when to end.
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), signal.SIG_IGN)
@@ -228,7 +228,7 @@ def _run(
 def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], None]) -> None:
     if settings.record is None:
         return
-    # The recording library takes its time to load, and not everybody has it.
+    # The recording library is slow to load, and not everybody has it.
     from rapidsim.recording.live_recording import LiveRecording  # noqa: PLC0415
     from rapidsim.server.recorder import Recorder  # noqa: PLC0415
 
@@ -240,7 +240,7 @@ def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], No
 
 def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
     while True:
-        # To look whether anybody asks costs as much as what a task does in a few milliseconds.
+        # Looking for messages costs as much as what a task does in a few milliseconds.
         until_s = monotonic() + _LOOKS_S
         while (stepped := engine.step()) and monotonic() < until_s:
             pass

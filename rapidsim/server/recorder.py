@@ -1,4 +1,4 @@
-"""A served controller as a recording, while it runs: what of it is shown, and how often."""
+"""A served controller as a recording that grows while it runs: what is shown, and how often."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
 
 _EVERY_S: Final = 0.25
-"""So often [s] what has moved is written."""
+"""How often [s] motion is written."""
 _SAMPLE_S: Final = 0.024
 _MOST_SAMPLES: Final = 2000
-"""So many at once; of a longer time that has passed in one step fewer are written."""
+"""The most at once: a longer time that passes in one step is written at fewer samples."""
 _LEVELS: Final = {1: "INFO", 2: "WARN", 3: "ERROR"}
 
 
 @dataclass(eq=False)
 class Recorder:
-    """To record changes nothing; what cannot be written ends the recording, not the controller."""
+    """Recording has no effect on the run; if writing fails, the recording ends, not the run."""
 
     live: LiveController
     recording: LiveRecording
     failed: Callable[[str], None]
-    """Told, in a line, that nothing more is recorded."""
+    """Called with a line if recording ends early."""
     _arms: list[tuple[LiveTask, str]] = field(default_factory=list)
     _shown_s: float = 0.0
     _is_on: bool = True
@@ -54,7 +54,7 @@ class Recorder:
         self.look()
 
     def look(self) -> None:
-        """Write what has moved since, if that is long enough ago."""
+        """Write the motion since the last time, if that is long enough ago."""
         now_s = self.live.now_s
         if now_s - self._shown_s >= _EVERY_S:
             self._do(self._moved)
@@ -91,7 +91,7 @@ class Recorder:
                 self._do(partial(self.recording.wanted, time_s, name, np.array(values)))
 
     def close(self) -> None:
-        """Let the file appear."""
+        """Move the file into place."""
         self._do(self._moved)
         try:
             self.recording.close()

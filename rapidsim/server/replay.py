@@ -20,11 +20,11 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.results.simulation import End
 
 _SHOWN: Final = 160
-"""Characters of a line that is told."""
+"""The most characters shown of a line."""
 
 
 def read_life(path: Path) -> RecordedLife:
-    """What a controller was asked from its beginning to its end.
+    """Everything a controller was asked, from beginning to end.
 
     Raises:
         InputError: If the file is not there or no journal.
@@ -43,7 +43,7 @@ def replayed(made: ReadyController, life: RecordedLife, told: Callable[[str], No
 
     Args:
         made: The controller's programs and cell.
-        life: What it was asked.
+        life: The journal.
         told: Told, in a line, where its life departs from the journal, as it does with another
             program or other files at home.
 

@@ -1,4 +1,4 @@
-"""Sensors that guide robots, noted as they answer and answering again as they were noted."""
+"""Sensors that guide robots, recorded as they answer, and replayed."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 
 @dataclass(slots=True)
 class NotedSensors:
-    """Tells what sensors answer, by the number of the exchange, so that it can be said again."""
+    """Reports what sensors answer, by the number of the exchange, so that it can be replayed."""
 
     sensors: Sensors = field(default_factory=NoSensors)
     answered: Callable[[int, float, SensorAnswer], None] = lambda number, time_s, answer: None
-    """Told the number, the time [s] and the answer."""
+    """Called with the number, the time [s] and the answer."""
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
     def open(self, device: str) -> Sensor:
@@ -71,7 +71,7 @@ class _NotedSensor:
 
 @dataclass(slots=True)
 class RecordedSensors:
-    """Say what was said, by the number of the exchange."""
+    """Replays recorded answers, by the number of the exchange."""
 
     answers: Mapping[int, SensorAnswer]
     _numbers: count[int] = field(default_factory=lambda: count(1))
@@ -85,7 +85,7 @@ class RecordedSensors:
         """See `Sensors`."""
 
     def next(self) -> SensorAnswer | None:
-        """What was said next."""
+        """The next recorded answer."""
         return self.answers.get(next(self._numbers))
 
 

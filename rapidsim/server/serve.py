@@ -27,7 +27,7 @@ from rapidsim.syntax.collection import staying_on
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """Where it listens; None where it does not."""
+    """The addresses it listens at; None for a protocol that is not served."""
 
     rws1: str | None
     rws2: str | None
@@ -43,12 +43,12 @@ def serve(
 
     Args:
         engine: The controller, in its process.
-        settings: Where, and to whom.
-        is_ready: Told the addresses, once all of them listen.
-        noted: Told a line at each event that matters to whoever started it.
+        settings: Addresses and users.
+        is_ready: Called with the addresses once it listens at all of them.
+        noted: Called with a line at each event that matters to whoever started it.
 
     Returns:
-        Whether it was ended from outside; else its engine has died.
+        Whether it was ended from outside; false if its engine has died.
 
     Raises:
         InputError: If a port is taken.

@@ -1,4 +1,4 @@
-"""What `rapidsim serve` is told beside its program."""
+"""The settings of `rapidsim serve`, apart from its program."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rapidsim.values import dataclass
 DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
 )
-"""Who may come in on this computer where nobody says otherwise: those of a controller."""
+"""The default users on this computer: those of a controller."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,30 +24,30 @@ class EngineSettings:
     """How the controller is switched on, and how its time passes."""
 
     speed: float | None = 1.0
-    """Virtual seconds in one on the wall; None is as fast as it can."""
+    """Virtual seconds per second of the wall clock; None for as fast as possible."""
     request_s: float | None = None
-    """In lock-step, the virtual time [s] that passes before each request; None is no lock-step."""
+    """The virtual time [s] that passes before each request in lock-step; None for no lock-step."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
     hosts: frozenset[str] = frozenset()
-    """Other computers that programs' sockets may be bound to or connect to."""
+    """Other hosts that programs' sockets may bind or connect to."""
     sensors: tuple[tuple[str, Address], ...] = ()
-    """Devices of sensors that guide robots, and where those are."""
+    """Devices of sensors that guide robots, and their addresses."""
     journal: Path | None = None
-    """Where the journal is written; None keeps none."""
+    """Where the journal is written; None for none."""
     record: Path | None = None
-    """Where the recording is written, which grows meanwhile; None makes none."""
+    """Where the recording is written, which grows meanwhile; None for none."""
     view: bool = False
     """Whether a viewer shows it while it grows."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ServerSettings:
-    """Where it is served, and to whom."""
+    """Addresses and users."""
 
     host: str = "127.0.0.1"
     rws1_port: int | None = 8080
-    """Of Robot Web Services 1.0; 0 takes a free one, None serves none."""
+    """The port of Robot Web Services 1.0; 0 takes a free one, None does not serve it."""
     rws2_port: int | None = None
     """Of Robot Web Services 2.0, likewise."""
     tls: SSLContext | None = None

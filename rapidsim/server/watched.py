@@ -18,7 +18,7 @@ from rapidsim.simulation.live.states import Refused
 _SIGNALS: Final = "/rw/iosystem/signals/"
 _SYMBOLS: Final = "/rw/rapid/symbol/data/RAPID/"
 _SYMBOLS_2: Final = "/rw/rapid/symbol/RAPID/"
-"""Where RobotWare 7 has them; there `/data` stands behind a name."""
+"""The addresses of data in RobotWare 7, where `/data` follows the name."""
 _LOG: Final = "/rw/elog/"
 _QUEUES: Final = "/rw/dipc/"
 
@@ -27,10 +27,10 @@ Look = Callable[[], tuple[Item, ...]]
 
 @dataclass(slots=True)
 class _Watched:
-    """A resource that a group listens to."""
+    """A resource that a group has subscribed to."""
 
     look: Look
-    """What is told of it now."""
+    """What the group is told of it now."""
     last: tuple[Item, ...]
 
 
@@ -51,22 +51,22 @@ class Subscriptions:
     told: Callable[[Change], None]
     _groups: dict[int, _Group] = field(default_factory=dict)
     _signals: dict[str, list[tuple[int, str]]] = field(default_factory=dict)
-    """By folded name of a signal: which group listens, and under which address."""
+    """By folded name of a signal: the groups that subscribe to it, and the address each used."""
 
     def __post_init__(self) -> None:
-        """Hear of signals."""
+        """Listen to signals."""
         self.context.live.cell.listeners.append(self)
 
     @property
     def groups(self) -> int:
-        """How many there are."""
+        """The number of groups."""
         return len(self._groups)
 
     def begin(self, group: int, resources: tuple[str, ...]) -> None:
-        """Listen to resources; their values now are told first.
+        """Subscribe to resources; their present values are told first.
 
         Raises:
-            RefusedRequest: If there is no such resource; then nothing is listened to.
+            RefusedRequest: If there is no such resource; then nothing is subscribed to.
         """
         made, heard = _Group(), []
         for resource in resources:
@@ -92,7 +92,7 @@ class Subscriptions:
             self.told(Change(group, one.last))
 
     def end(self, group: int) -> None:
-        """Listen no longer."""
+        """End a group."""
         self._groups.pop(group, None)
         for name, listening in tuple(self._signals.items()):
             kept = [one for one in listening if one[0] != group]
@@ -102,7 +102,7 @@ class Subscriptions:
                 del self._signals[name]
 
     def look(self) -> None:
-        """Tell what has changed since somebody looked."""
+        """Tell what has changed since the last look."""
         for group, one in self._groups.items():
             for watched in one.values:
                 now = watched.look()
@@ -113,7 +113,7 @@ class Subscriptions:
                 self._take(group, name)
 
     def _take(self, group: int, name: str) -> None:
-        """Tell the messages that wait for a client, which takes them away."""
+        """Tell the messages that wait for a client, which removes them."""
         queue = self.context.queues.get(name)
         while queue is not None and queue.messages:
             item = message_item(name, queue.messages.pop(0), "dipc-msg-ev")
@@ -149,10 +149,10 @@ class Subscriptions:
         return Item("ios-signalstate-ev", signal.name, fields, href=resource)
 
     def _look(self, resource: str) -> Look:
-        """How a resource is looked at.
+        """The function that looks at a resource.
 
         Raises:
-            RefusedRequest: If there is none, or nothing of it can be listened to.
+            RefusedRequest: If there is none, or it cannot be subscribed to.
         """
         if resource.startswith(_SYMBOLS) or (
             resource.startswith(_SYMBOLS_2) and resource.endswith("/data;value")
@@ -186,7 +186,7 @@ _STATES: Final = (
     ("/rw/rapid/execution", "ctrlexecstate", "rap-ctrlexecstate-ev", programs.execution_item),
     ("/rw/rapid/execution", "rapidexeccycle", "rap-execcycle-ev", programs.execution_item),
 )
-"""States that can be listened to: address, what of it, the class of the event, the item."""
+"""States that can be subscribed to: address, attribute, class of the event, item."""
 
 
 def _event(item: Item, event: str, suffix: str, href: str) -> Item:

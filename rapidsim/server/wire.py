@@ -1,6 +1,6 @@
-"""The network of programs' sockets: real ports, looked at by whoever waits for the engine's time.
+"""The network of programs' sockets: real ports, polled by whoever paces the engine.
 
-Nothing here waits. What peers do is asked for (`came`) when one of `heard` has something to say,
+Nothing here blocks. What peers do is collected (`came`) when one of `heard` is ready,
 and takes effect where the engine lets it. This computer only, unless other hosts are named.
 """
 
@@ -23,18 +23,18 @@ from rapidsim.server.messages import FromNetwork
 
 _AT_ONCE: Final = 65536
 _MOST_CONNECTIONS: Final = 100
-"""At one time; who comes then waits at the port."""
+"""The most at one time; others wait at the port."""
 _MOST_UNSENT: Final = 16 * 2**20
-"""Bytes that a peer has not taken; more, and it is taken for gone."""
+"""The most unsent bytes; a peer with more is taken to be gone."""
 _AGAIN_S: Final = 0.25
-"""After so long [s] a server that did not answer is tried again."""
+"""How long [s] until a server that did not answer is tried again."""
 _LOOK_S: Final = 0.01
-"""So often [s] a peer is asked whether it takes more."""
+"""How often [s] a peer is asked whether it takes more."""
 
 
 @dataclass(slots=True)
 class NotedWire:
-    """Tells what a wire refuses, by the number of the act, so that it can be refused again."""
+    """Reports what a wire refuses, by the number of the operation, so that it can be replayed."""
 
     wire: Wire
     refused: Callable[[int, RapidError], None] = lambda act, error: None
@@ -74,7 +74,7 @@ class NotedWire:
 
 @dataclass(slots=True)
 class RecordedWire(NoWire):
-    """Refuses what was refused, by the number of the act: errors by that."""
+    """Refuses what was refused before: errors by the number of the operation."""
 
     refusals: Mapping[int, tuple[float, str]]
     _acts: int = 0
@@ -100,7 +100,7 @@ class _Connection:
     stream: socket.socket
     unsent: bytearray = field(default_factory=bytearray)
     closes: bool = False
-    """Whether it ends when all is sent."""
+    """Whether it closes once all is sent."""
 
 
 @dataclass(eq=False, slots=True)
@@ -108,30 +108,30 @@ class SocketWire:
     """Implements `outside_streams.Wire`."""
 
     hosts: frozenset[str] = frozenset()
-    """Addresses beside this computer that sockets may be bound to or connect to."""
+    """Hosts other than this computer that sockets may bind or connect to."""
     unread: Callable[[int], int] = lambda number: 0
     """Bytes of a connection that wait for its program."""
     _network: Network = field(init=False)
     _servers: dict[int, socket.socket] = field(default_factory=dict)
     _connections: dict[int, _Connection] = field(default_factory=dict)
     _calls: dict[int, Event] = field(default_factory=dict)
-    """Of calls that nobody has answered yet; set where nobody waits any more."""
+    """Calls that are not answered yet; set once nobody waits any more."""
     _answers: SimpleQueue[tuple[int, str, socket.socket]] = field(default_factory=SimpleQueue)
-    """Number, peer and stream of calls that were answered; a peer may be gone again by now."""
+    """Number, peer and stream of answered calls; a peer may be gone again by now."""
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
     _bell: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
     """Rings when a call has been answered."""
 
     def __post_init__(self) -> None:
-        """Begin without ports."""
+        """Start without ports."""
         self._network = Network(self.hosts)
         for one in self._bell:
             one.setblocking(False)
 
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
-        # Of its own, for it would keep all ports that ever were.
+        # A network of its own each time: one for all would keep every port that was ever open.
         opened = Network(self.hosts).bind(address, port)
         opened.listen()
         opened.server.setblocking(False)
@@ -169,7 +169,7 @@ class SocketWire:
             self._flush(number, connection)
 
     def shut(self) -> None:
-        """Close all of it."""
+        """Close all ports and connections."""
         for server in self._servers.values():
             server.close()
         for connection in self._connections.values():
@@ -180,7 +180,7 @@ class SocketWire:
             one.close()
 
     def heard(self) -> list[socket.socket]:
-        """What may have something to say."""
+        """What may become ready."""
         room = len(self._connections) < _MOST_CONNECTIONS
         readable = [
             one.stream
@@ -190,13 +190,13 @@ class SocketWire:
         return [self._bell[0], *(self._servers.values() if room else ()), *readable]
 
     def patience_s(self, wait_s: float | None) -> float | None:
-        """How long to wait for any of them, if nothing else hurries for so long [s]."""
+        """How long to wait for any of them, at most the time given [s]."""
         if not any(one.unsent for one in self._connections.values()):
             return wait_s
         return _LOOK_S if wait_s is None else min(wait_s, _LOOK_S)
 
     def came(self, ready: Collection[object]) -> Iterator[FromNetwork]:
-        """What those did that have something to say; also sends what could not be sent before."""
+        """What the ready peers did; also sends what could not be sent before."""
         for number, connection in tuple(self._connections.items()):
             if connection.unsent:
                 self._flush(number, connection)
@@ -246,7 +246,7 @@ class SocketWire:
         yield FromNetwork(number, data=data, is_over=not data)
 
     def _flush(self, number: int, connection: _Connection) -> None:
-        """Send what the peer takes."""
+        """Send as much as the peer takes."""
         try:
             while connection.unsent:
                 sent = connection.stream.send(connection.unsent)
@@ -261,7 +261,7 @@ class SocketWire:
             self._drop(number, connection)
 
     def _lose(self, number: int, connection: _Connection) -> None:
-        """The peer has gone while something was sent to it, which its program hears of later."""
+        """The peer has gone while data were being sent; its program learns of it later."""
         connection.unsent.clear()
         if not connection.closes:
             self._drop(number, connection)
@@ -273,7 +273,7 @@ class SocketWire:
         self._connections.pop(number, None)
 
     def _call(self, number: int, address: str, port: int, over: Event) -> None:
-        """Try until somebody answers or nobody waits any more; runs in a thread of its own."""
+        """Try until a server answers or nobody waits any more; runs in its own thread."""
         while not over.is_set():
             stream = self._network.reached(address, port, 1.0)
             if stream is None:

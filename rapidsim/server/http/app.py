@@ -1,4 +1,4 @@
-"""Robot Web Services over HTTP: who comes in, what is asked, how it is answered.
+"""Robot Web Services over HTTP: admission, requests, answers.
 
 The engine decides what becomes of a request. Both generations share sessions and subscriptions.
 """
@@ -40,14 +40,14 @@ MOST_GROUPS: Final = 64
 MOST_RESOURCES: Final = 1000
 """Of one group."""
 MOST_WAITING: Final = 1000
-"""Events that wait for a slow reader; the oldest of all are dropped first."""
+"""Events that wait for a slow reader; the oldest are dropped first."""
 _PARTING_S: Final = 1.0
-"""So long [s] on the wall a client may take to answer that its websocket is closed."""
+"""How long [s] a client may take to confirm that its websocket is closed."""
 _LAST_S: Final = 0.2
 """So long [s] on the wall what is under way at the end may take, once to end by itself and once
 more to be broken off."""
 _NO_SPEAKING: Final = b"Client cannot send data."
-"""What a controller says to a client that speaks on a websocket where it may not."""
+"""What a controller says to a client that sends on a websocket where it must not."""
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 _SESSION: Final = web.RequestKey("session", Session)
@@ -60,7 +60,7 @@ _QUIET.disabled = True
 
 
 def runner_of(app: web.Application) -> web.AppRunner:
-    """What serves an application."""
+    """The server of an application."""
     return web.AppRunner(
         app, handle_signals=False, access_log=None, shutdown_timeout=_LAST_S, logger=_QUIET
     )
@@ -79,12 +79,12 @@ class _Group:
 
 @dataclass(eq=False)
 class Face:
-    """One server's side of Robot Web Services."""
+    """The part of Robot Web Services that one server takes."""
 
     link: Link
     guard: Guard
     noted: Callable[[str], None]
-    """Told, in a line, what whoever started the server should know."""
+    """Called with lines for whoever started the server."""
     most_sessions: int = 70
     idle_s: float = 300.0
     sessions: Sessions = field(init=False)
@@ -105,7 +105,7 @@ class Face:
         return app
 
     def told(self, told: Told) -> None:
-        """Hand what has changed to the websocket that listens."""
+        """Hand a change to the websocket of its group."""
         if not isinstance(told, Change):
             return
         group = self._groups.get(told.group)
@@ -145,7 +145,7 @@ class Face:
         except web.HTTPException:
             raise
         except Exception as error:
-            # A defect of ours ends a request, not the server.
+            # A defect of rapidsim ends a request, not the server.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
             self.noted(f"error: {defect}; please report it with {request.method} {request.path}")
             return web.Response(status=500, text=f"{defect}\n")
@@ -160,7 +160,7 @@ class Face:
         path = unquote(request.rel_url.raw_path).strip("/")
         first, _, rest = path.partition("/")
         if first == "ui":
-            # Browsers are no clients of either generation, and send what they send.
+            # Browsers are clients of neither generation, and send the headers they like.
             return await shown_to_people(request, rest, request[_SESSION].number, self.link.ask)
         objection = dialect.objection(request)
         if objection is not None:
@@ -252,7 +252,7 @@ class Face:
             await self.link.ask(Unsubscribe(group.number))
 
     def _session_ended(self, number: int) -> None:
-        """Give back what a session holds, and end its subscriptions."""
+        """Release what a session holds, and end its subscriptions."""
 
         async def end() -> None:
             for group in [one for one in self._groups.values() if one.session == number]:

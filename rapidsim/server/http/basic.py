@@ -1,4 +1,4 @@
-"""Basic authentication (RFC 7617), for connections that nobody reads along."""
+"""Basic authentication (RFC 7617), for encrypted connections."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class BasicAuthentication:
-    """Who may come in."""
+    """The users that are admitted."""
 
     users: Mapping[str, str]
     """Passwords by name."""
     challenge: str = 'Basic realm="validusers@robapi.abb"'
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """Who sends a header; None if nobody who may come in; see `dialect.Users`."""
+        """The user that a header names; None if not admitted; see `dialect.Users`."""
         del method, target
         scheme, _, rest = header.partition(" ")
         try:
@@ -26,6 +26,6 @@ class BasicAuthentication:
         except (Error, UnicodeDecodeError, ValueError):
             return None
         password = self.users.get(name)
-        # Compared even where there is no such name, so that the time does not tell.
+        # Compared even if there is no such user, so that the time gives nothing away.
         right = hmac.compare_digest(given.encode(), (password or "").encode())
         return name if right and password is not None and scheme.lower() == "basic" else None

@@ -14,7 +14,7 @@ XHTML: Final = "application/xhtml+xml"
 _DONE: Final = 294912
 """What RobotWare 7 calls success."""
 _PARTS: Final = {"sys-options-li": "options"}
-"""Under which name JSON has what an item of a class consists of; `attrib` for all others."""
+"""The name under which JSON has the parts of an item of a class; `attrib` for all others."""
 _HEAD: Final = (
     '<?xml version="1.0" encoding="UTF-8"?>'
     '<html xmlns="http://www.w3.org/1999/xhtml"><head><title>rapidsim</title>'
@@ -22,7 +22,7 @@ _HEAD: Final = (
 
 
 def json_body(answer: Answer, base: str) -> str:
-    """What was asked for as JSON."""
+    """An answer as JSON."""
     links = {"base": {"href": base}, **{one: {"href": one} for one in answer.links}}
     items = [_json_item(one) for one in answer.items]
     return json.dumps({"_links": links, "_embedded": {"_state": items}})
@@ -36,7 +36,7 @@ def json_refusal(refusal: Refusal, base: str) -> str:
 
 
 def hal_body(answer: Answer, base: str) -> str:
-    """What was asked for as HAL JSON, as RobotWare 7 writes it."""
+    """An answer as HAL JSON, as RobotWare 7 writes it."""
     links: dict[str, object] = {"base": {"href": base}}
     if answer.following:
         links["next"] = {"href": answer.following}
@@ -55,7 +55,7 @@ def hal_refusal(refusal: Refusal, base: str) -> str:
 
 
 def xhtml_body(answer: Answer, base: str) -> str:
-    """What was asked for as a page."""
+    """An answer as a page."""
     links = "".join(f'<a href="{_quoted(one)}" rel="{_quoted(one)}"/>' for one in answer.links)
     if answer.following:
         links += f'<a href="{_quoted(answer.following)}" rel="next"/>'
@@ -74,7 +74,7 @@ def xhtml_refusal(refusal: Refusal, base: str) -> str:
 
 
 def subscribed(group: int, link: str, base: str) -> str:
-    """A group of subscriptions that has begun.
+    """A new group of subscriptions.
 
     Public clients look for this very order of attributes, with nothing behind them.
     """
@@ -87,7 +87,7 @@ def subscribed(group: int, link: str, base: str) -> str:
 
 
 def event_text(group: int, items: Iterable[Item]) -> str:
-    """What changed, as one frame of a websocket: a page in one line, as clients need it."""
+    """A change as one frame of a websocket: a page in one line, which clients need."""
     shown = "".join(_xhtml_item(one) for one in items)
     return (
         f'{_HEAD}</head><body><div class="state"><a href="subscription/{group}" rel="group"></a>'
@@ -131,5 +131,5 @@ def _quoted(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    """Without characters that a page must not hold, in one line."""
+    """A text in one line, without characters that a page must not contain."""
     return "".join(one if one >= " " else " " for one in text if one not in "\ufffe\uffff")

@@ -1,6 +1,6 @@
 """The key and certificate of the server, made at the first start and kept for the next.
 
-Nobody has signed the certificate, as on a controller; clients that want to know it again find the
+The certificate is self-signed, as on a controller; clients that want to recognise it find the
 same one each time. The key can be read by its owner only.
 """
 
@@ -28,7 +28,7 @@ def tls_context(folder: Path) -> ssl.SSLContext:
     """What a server needs to speak TLS.
 
     Args:
-        folder: Where key and certificate lie; they are made where they are not there.
+        folder: Where key and certificate are kept; they are created if missing.
 
     Raises:
         InputError: If they cannot be made or read.
@@ -47,7 +47,7 @@ def tls_context(folder: Path) -> ssl.SSLContext:
 
 
 def default_folder() -> Path:
-    """Where programs of this user keep what lasts."""
+    """The folder for permanent data of this user's programs."""
     if os.name == "nt":
         base = os.environ.get("LOCALAPPDATA") or str(Path.home())
     else:
@@ -56,7 +56,7 @@ def default_folder() -> Path:
 
 
 def _is_valid(both: Path) -> bool:
-    """Whether there is a certificate that lasts a while."""
+    """Whether there is a certificate that is still valid for a while."""
     if not both.exists():
         return False
     found = x509.load_pem_x509_certificate(both.read_bytes())
@@ -95,7 +95,7 @@ def _made() -> bytes:
 
 
 def _write(both: Path, content: bytes) -> None:
-    """Write a file that its owner alone can read, whole or not at all."""
+    """Write a file that only its owner can read, whole or not at all."""
     both.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     temporary = both.with_suffix(f".{os.getpid()}")
     handle = os.open(temporary, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)

@@ -1,4 +1,4 @@
-"""What the two generations of Robot Web Services have in common for who serves them."""
+"""What a server needs to know of a generation of Robot Web Services."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from rapidsim.server.messages import Answer, Refusal, Reply
 
 
 class Users(Protocol):
-    """Who may come in."""
+    """The users that are admitted."""
 
     @property
     def challenge(self) -> str:
-        """What a client is asked."""
+        """The header that asks a client to authenticate."""
         ...
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """Who sends a header; None if nobody who may come in.
+        """The user that a header names; None if not admitted.
 
         Args:
             header: `Authorization` of the request.
@@ -30,7 +30,7 @@ class Users(Protocol):
 
 
 class Dialect(Protocol):
-    """How one generation speaks."""
+    """The protocol of one generation."""
 
     @property
     def generation(self) -> int:
@@ -39,7 +39,7 @@ class Dialect(Protocol):
 
     @property
     def users(self) -> Users:
-        """Who may come in, and how they say so."""
+        """The users that are admitted, and how they authenticate."""
         ...
 
     @property
@@ -53,7 +53,7 @@ class Dialect(Protocol):
         ...
 
     def objection(self, request: web.Request) -> web.Response | None:
-        """Why a request is not even looked at; None if it is."""
+        """The refusal of a request that is not even looked at; None if it is."""
         ...
 
     def shown(self, request: web.Request, reply: Reply) -> web.Response:
@@ -61,16 +61,16 @@ class Dialect(Protocol):
         ...
 
     def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
-        """The refusal of a file, which controllers show in a form of its own."""
+        """The refusal of a file, which controllers write in a form of its own."""
         ...
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
-        """A group of subscriptions that has begun, with the address of its websocket."""
+        """A new group of subscriptions, with the address of its websocket."""
         ...
 
 
 def base(request: web.Request) -> str:
-    """The root that a client has called."""
+    """The root of the address that a client has called."""
     return f"{request.scheme}://{request.host}/"
 
 
@@ -81,7 +81,7 @@ def shown(
     refusal: Callable[[Refusal, str], str],
     content_type: str,
 ) -> web.Response:
-    """A reply in a form, by who writes answers and refusals in it."""
+    """A reply in a form, given the writers of its answers and refusals."""
     if isinstance(reply, Refusal):
         text = refusal(reply, base(request))
     elif reply.content is not None:

@@ -1,6 +1,6 @@
 """Digest authentication as controllers ask for it (RFC 7616 with MD5).
 
-A nonce holds as long as the process lives and may be used again: a public client computes the
+A nonce stays valid as long as the process lives and may be reused: a public client computes the
 header of its websocket from the last one.
 """
 
@@ -22,7 +22,7 @@ _PARAMETER: Final = re.compile(r'(\w+)\s*=\s*(?:"((?:[^"\\]|\\.)*)"|([^\s,]+))')
 
 @dataclass(frozen=True, slots=True)
 class DigestAuthentication:
-    """Who may come in."""
+    """The users that are admitted."""
 
     users: Mapping[str, str]
     """Passwords by name."""
@@ -31,14 +31,14 @@ class DigestAuthentication:
 
     @property
     def challenge(self) -> str:
-        """What a client is asked."""
+        """The header that asks a client to authenticate."""
         return (
             f'Digest realm="{REALM}", domain="/", qop="auth", nonce="{self._nonce}", '
             f'opaque="{self._opaque}", algorithm="MD5", stale="FALSE"'
         )
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """Who sends a header; None if nobody who may come in.
+        """The user that a header names; None if not admitted.
 
         Args:
             header: `Authorization` of the request.

@@ -1,4 +1,4 @@
-"""Browsers on the same computer are no way in.
+"""Keeps browsers on the same computer from being a way in.
 
 A page from elsewhere can let a browser send requests here, and a name that resolves to this
 computer (DNS rebinding) makes them look as if they came from here. Both give themselves away by
@@ -15,10 +15,10 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Guard:
-    """Which names this server goes by: addresses in figures, which nobody can point elsewhere."""
+    """The names this server goes by: numeric addresses, which nobody can point elsewhere."""
 
     host: str
-    """The one that it was told to listen at."""
+    """The host it was told to listen on."""
 
     def lets_in(self, headers: Mapping[str, str]) -> bool:
         """Whether a request may come from a client that means this server."""
@@ -31,7 +31,7 @@ class Guard:
 
 
 def is_loopback(host: str) -> bool:
-    """Whether only this computer reaches an address."""
+    """Whether an address can be reached from this computer only."""
     return host == "localhost" or (_is_address(host) and ip_address(host).is_loopback)
 
 
@@ -44,7 +44,7 @@ def _is_address(host: str) -> bool:
 
 
 def _name(host: str) -> str:
-    """A host without its port."""
+    """The host of a header, without its port."""
     if host.startswith("["):
         return host.partition("]")[0].lstrip("[")
     return host.partition(":")[0]

@@ -1,6 +1,6 @@
 """The page for people, at `/ui` of either generation: what it shows, and what its buttons do.
 
-It is one document with a script and a style of its own and nothing from elsewhere. What it asks to
+It is one document with its own script and style, and loads nothing else. What it asks to
 be done goes the way of Robot Web Services 1.0, so the journal has it, and only by POST.
 """
 

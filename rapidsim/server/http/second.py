@@ -1,6 +1,6 @@
 """Robot Web Services 2.0, RobotWare 7: over TLS; the header `Accept` chooses the form of answers.
 
-What is read is HAL JSON or XHTML, what is written answers in XHTML; both name their version, and so
+Reading answers in HAL JSON or XHTML, writing in XHTML; both name their version, and so
 must whoever writes.
 """
 
@@ -40,7 +40,7 @@ class SecondGeneration:
     clients_may_speak: bool = False
 
     def objection(self, request: web.Request) -> web.Response | None:
-        """Why a request is not even looked at: forms of another version."""
+        """Refuses requests for forms of another version."""
         is_file = request.path.startswith("/fileservice/")
         if request.method == "GET":
             is_socket = request.path.startswith("/poll/")
@@ -55,7 +55,7 @@ class SecondGeneration:
     def shown(self, request: web.Request, reply: Reply) -> web.Response:
         """See `Dialect`."""
         form, version = _accepted(request) or (_XHTML, "2.0")
-        # What is written answers in XHTML, whatever is asked for.
+        # Writing answers in XHTML, whatever form is asked for.
         if form == _HAL and (request.method == "GET" or isinstance(reply, Refusal)):
             return shown(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
         return shown(request, reply, xhtml_body, xhtml_refusal, f"{_XHTML};v={version}")
@@ -76,7 +76,7 @@ class SecondGeneration:
 
 
 def _accepted(request: web.Request) -> tuple[str, str] | None:
-    """The first form that a client takes and there is, with its version; None if there is none."""
+    """The first accepted form that exists, with its version; None if there is none."""
     header = _squeezed(request.headers.get("Accept", "*/*"))
     for one in header.split(","):
         matched = _ACCEPTED.match(one)

@@ -1,4 +1,4 @@
-"""The sessions of clients: so many at one time, known by either of two cookies."""
+"""The sessions of clients: limited in number, recognised by either of two cookies."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ class Sessions:
     """All of them."""
 
     most: int
-    """So many at one time."""
+    """The most at one time."""
     idle_s: float
-    """One that is not used for so long is gone."""
+    """A session that is unused for so long [s] ends."""
     ended: Callable[[int], None]
-    """Told the number of each that ends."""
+    """Called with the number of each session that ends."""
     now_s: Callable[[], float] = monotonic
     _by_cookie: dict[tuple[str, str], Session] = field(default_factory=dict)
     _live: dict[int, Session] = field(default_factory=dict)

@@ -1,1 +1,1 @@
-"""What can be asked of a controller by address; one description of each, for all faces."""
+"""The resources of a controller by address; one description of each, for all protocols."""

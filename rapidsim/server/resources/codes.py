@@ -16,7 +16,7 @@ HELD_BY_ANOTHER: Final = (403, -1073445862)
 NOT_HELD: Final = (403, -1073445859)
 READ_ONLY: Final = (403, -1073445881)
 
-# What RobotWare 7 answers where 6.16 says that nothing is there, or that there is no symbol.
+# What RobotWare 7 answers where 6.16 says "not found" or "no such symbol".
 LATER_NO_SYMBOL: Final = (404, -1073442816)
 LATER_NO_MODULE: Final = (400, -1073442813)
 LATER_NO_FILE: Final = (404, -1073438713)
@@ -50,6 +50,6 @@ _OF_SECOND: Final = {**_OF, Why.NO_MODULE: LATER_NO_MODULE, Why.NO_SYMBOL: LATER
 
 
 def as_answered(refusal: Refused, generation: int) -> RefusedRequest:
-    """What the controller refuses, as the answer to a request."""
+    """A refusal of the controller as the answer to a request."""
     why = (_OF if generation == 1 else _OF_SECOND)[refusal.why]
     return RefusedRequest(*why, refusal.message)

@@ -33,7 +33,7 @@ def types(context: Context, request: Request, domain: str) -> Answer:
 
 
 def type_(context: Context, request: Request, domain: str, of: str) -> Answer:
-    """A type, which leads to its instances."""
+    """A type, with a link to its instances."""
     del request
     _instances(context, domain, of)
     return Answer((Item("cfg-dt", of.upper()),), links=("instances",))
@@ -54,10 +54,10 @@ def instance(context: Context, request: Request, domain: str, of: str, name: str
 
 
 def change(context: Context, request: Request, domain: str, of: str, name: str) -> Answer:
-    """Give attributes of an instance other values, which a restart would take up.
+    """Change attributes of an instance; a restart would put them into effect.
 
     Raises:
-        RefusedRequest: If it has no such attribute, or a value is none; then nothing is changed.
+        RefusedRequest: If an attribute is missing or a value is not valid; then nothing changes.
     """
     context.require_mastership("cfg", request)
     number, found = _found(context, domain, of, name)
@@ -89,7 +89,7 @@ def _found(context: Context, domain: str, of: str, name: str) -> tuple[int, Mapp
 
 
 def _name(number: int, one: Mapping[str, str]) -> str:
-    """By which an instance is addressed; one without a name by its place."""
+    """The name an instance is addressed by; its index if it has none."""
     return one.get("name") or str(number)
 
 

@@ -1,4 +1,4 @@
-"""What every resource is given: the controller, and what sessions hold of it."""
+"""What every resource is given: the controller, and what sessions hold."""
 
 from __future__ import annotations
 
@@ -20,27 +20,27 @@ T = TypeVar("T")
 
 @dataclass(slots=True)
 class Context:
-    """The controller, and who has which mastership."""
+    """The controller, and which session holds which mastership."""
 
     live: LiveController
     masters: dict[str, int] = field(default_factory=dict)
     """The session that holds each domain."""
     queues: dict[str, MessageQueue] = field(default_factory=dict)
-    """The message queues of clients, by their names as they are spelled."""
+    """The message queues of clients, by name, in the case they were created with."""
     owners: dict[str, int] = field(default_factory=dict)
     """The session that made each of them."""
     files: FileService = field(init=False)
 
     def __post_init__(self) -> None:
-        """Reach the folders of its programs."""
+        """Open the folders of its programs."""
         options = self.live.options
         ramdisk = None if options.ramdisk is None else options.ramdisk.resolve()
         self.files = FileService((options.home or Path("HOME")).resolve(), ramdisk)
 
     def require_mastership(self, domain: str, request: Request) -> None:
-        """Refuse what another session has the mastership of.
+        """Refuse if another session holds a mastership.
 
-        RobotWare 6 takes it implicitly where nobody has it, RobotWare 7 does not.
+        RobotWare 6 takes it implicitly if nobody holds it, RobotWare 7 does not.
 
         Raises:
             RefusedRequest: If another session holds it, or it must be held and is not.
@@ -54,7 +54,7 @@ class Context:
             raise refused(NOT_HELD, f"this takes the mastership of {domain}")
 
     def release_all(self, session: int) -> None:
-        """Give back what a session holds."""
+        """Release what a session holds."""
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:
             self.live.cell.messages.disconnect(name)
@@ -62,7 +62,7 @@ class Context:
 
 
 Resource: TypeAlias = Callable[..., Answer]
-"""Given the context, the request, and by name what stands in the places of its address."""
+"""Called with the context, the request, and the parameters of its address by name."""
 
 
 def given(form: Fields, name: str) -> str:
@@ -78,7 +78,7 @@ def given(form: Fields, name: str) -> str:
 
 
 def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
-    """A value that must be one of some words; see `given`.
+    """A value that must be one of a set of words; see `given`.
 
     Raises:
         RefusedRequest: If it is not.
@@ -103,7 +103,7 @@ def number(form: Fields, name: str) -> float:
 
 
 def count(form: Fields, name: str, default: int) -> int:
-    """A number of things that a request may give.
+    """A count that a request may give.
 
     Raises:
         RefusedRequest: If it is none.

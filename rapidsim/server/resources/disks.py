@@ -1,8 +1,8 @@
-"""The files of a controller: folders by `$NAME`, which nobody leaves.
+"""The files of a controller: folders by `$NAME`, from which no path leads out.
 
-`$HOME` is the home folder; the other disks are folders in it that have their names, as for a
-program, unless the RAM disk has a folder of its own. What would lie outside, through `..`, an
-absolute path or a link, is not there.
+`$HOME` is the home folder; the other disks are folders in it with their names, as for a
+program, unless the RAM disk has a folder of its own. Whatever lies outside, by `..`, an
+absolute path or a link, does not exist.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 @dataclass(frozen=True, slots=True)
 class FileService:
-    """What lies in the home folder."""
+    """Reads and writes the home folder."""
 
     home: Path
     ramdisk: Path | None = None
-    """None where it lies in the home folder."""
+    """None if it is in the home folder."""
 
     def read(self, address: str) -> bytes | Answer:
-        """A file's bytes, or what is in a folder.
+        """A file's bytes, or the entries of a folder.
 
         Raises:
             RefusedRequest: If there is neither.
@@ -55,7 +55,7 @@ class FileService:
             raise _not_there(address) from None
 
     def write(self, address: str, content: bytes) -> bool:
-        """Write a file, whole or not at all; whether it is new.
+        """Write a file, whole or not at all; returns whether it is new.
 
         Raises:
             RefusedRequest: If it cannot be.
@@ -78,7 +78,7 @@ class FileService:
         return is_new
 
     def remove(self, address: str) -> None:
-        """Remove a file, or a folder with all that is in it.
+        """Remove a file, or a folder with everything in it.
 
         Raises:
             RefusedRequest: If there is none, or it is a disk.
@@ -131,10 +131,10 @@ class FileService:
         return self.home if disk == "HOME" else self.home / disk
 
     def _place(self, address: str) -> Path:
-        """Where an address lies on our disk.
+        """The place of an address on this computer's disk.
 
         Raises:
-            RefusedRequest: If it is none of this controller.
+            RefusedRequest: If it is not a file of this controller.
         """
         disk, *parts = [part for part in address.split("/") if part] or [""]
         root = self._root(disk.lstrip("$").rstrip(":").upper())
@@ -168,7 +168,7 @@ def _leads_away(part: str) -> bool:
 
 
 def _without_case(folder: Path, name: str) -> Path:
-    """A name in a folder, as it is written there: controllers compare without case."""
+    """A name in a folder, in the case it has there: controllers ignore case."""
     exact = folder / name
     if not exact.exists() and folder.is_dir():
         for one in folder.iterdir():

@@ -9,7 +9,7 @@ from rapidsim.simulation.live.event_log import DOMAINS, LogEntry
 
 
 def domains(context: Context, request: Request) -> Answer:
-    """All domains, with how many entries each has."""
+    """All domains, with the number of entries of each."""
     del request
     log = context.live.log
     items = (
@@ -59,9 +59,9 @@ def clear_all(context: Context, request: Request) -> Answer:
 
 
 def entry_item(context: Context, domain: str, one: LogEntry) -> Item:
-    """An entry as it is shown."""
+    """An entry as clients see it."""
     address = f"/rw/elog/{domain}/{one.number}"
-    # Two blanks, as controllers write it; a public client parses exactly this.
+    # Two spaces, as controllers write it; a public client parses exactly this.
     stamp = context.live.date_at(one.time_s).strftime("%Y-%m-%d T  %H:%M:%S")
     fields = {
         "msgtype": str(one.type),

@@ -7,7 +7,7 @@ from rapidsim.server.resources.context import Context
 
 
 def read(context: Context, request: Request, address: str) -> Answer:
-    """A file, or what is in a folder."""
+    """A file, or the entries of a folder."""
     del request
     found = context.files.read(address)
     return Answer(content=found) if isinstance(found, bytes) else found
@@ -20,7 +20,7 @@ def write(context: Context, request: Request, address: str) -> Answer:
 
 
 def remove(context: Context, request: Request, address: str) -> Answer:
-    """Remove a file, or a folder with all that is in it."""
+    """Remove a file, or a folder with everything in it."""
     del request
     context.files.remove(address)
     return DONE

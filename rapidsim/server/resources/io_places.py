@@ -1,4 +1,4 @@
-"""Where signals are, by the I/O configuration: networks, devices, and who may write them."""
+"""Networks and devices of signals, by the I/O configuration, and who may write them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.server.resources.context import Context
 VIRTUAL: Final = "Local"
 """The network of signals without a device."""
 _DEVICE: Final = "_DEVICE"
-"""The types of devices end so, behind the name of their network: `DEVICENET_DEVICE`."""
+"""The names of device types end so, after the name of their network: `DEVICENET_DEVICE`."""
 
 
 def networks(context: Context) -> tuple[str, ...]:
@@ -41,7 +41,7 @@ def inputs_of(context: Context, device: str) -> Iterator[tuple[str, tuple[int, .
 
 
 class SignalPlaces:
-    """Where all signals are; made for a request, so that a long list costs one look."""
+    """Where all signals are; made for a request, so that a list reads the configuration once."""
 
     def __init__(self, context: Context) -> None:
         """Read the configuration."""
@@ -51,11 +51,11 @@ class SignalPlaces:
         self._devices = {name.lower(): f"{network}/{name}/" for name, network in named}
 
     def prefix(self, signal: str) -> str:
-        """Network and device of a signal, as its address has them; empty where it has none."""
+        """Network and device of a signal, as in its address; empty if it has none."""
         device = self._signals.get(signal.lower(), {}).get("Device", "")
         return self._devices.get(device.lower(), "")
 
     def may_be_written(self, signal: str) -> bool:
-        """Whether the configuration lets clients write an output; only the level `All` does."""
+        """Whether the configuration lets clients write an output: only access level `All` does."""
         found = self._signals.get(signal.lower())
         return found is None or found.get("Access", "Default").lower() == "all"

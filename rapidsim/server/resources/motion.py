@@ -1,4 +1,4 @@
-"""Mechanical units, and where they are."""
+"""Mechanical units and their positions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _FRAMES: Final = {
 
 
 def motion_system(context: Context, request: Request) -> Answer:
-    """What there is of the motion system."""
+    """The parts of the motion system."""
     del context, request
     fields = {"change-count": "0"}
     links = ("mechunits", "errorstate", "nonmotionexecution")
@@ -40,7 +40,7 @@ def error_state(context: Context, request: Request) -> Answer:
 
 
 def non_motion_execution(context: Context, request: Request) -> Answer:
-    """Whether programs run without moving the robots; they never do here."""
+    """Whether programs run without moving the robots, which never happens here."""
     del context, request
     return Answer((Item("ms-nonmotionexecution", "nonmotionexecution", {"mode": "OFF"}),))
 
@@ -52,11 +52,11 @@ def units(context: Context, request: Request) -> Answer:
 
 
 def unit(context: Context, request: Request, unit: str) -> Answer:
-    """What a robot is (`resource=static`) and how it is used (`resource=dynamic`)."""
+    """The fixed data of a robot (`resource=static`) and its state (`resource=dynamic`)."""
     name, task = _robot(context, unit)
     if request.query.get("resource") == "static":
         axes = len(task.unit.own.robot.joints)
-        # A client throws at an empty text, and takes these words for "none".
+        # A client raises an error at an empty text, and takes these words for "none".
         fields = {
             "task-name": task.name,
             "is-integrated-unit": "NoIntegratedUnit",
@@ -142,7 +142,7 @@ def base_frame(context: Context, request: Request, unit: str) -> Answer:
 
 
 def _robots(context: Context) -> Iterator[tuple[str, LiveTask]]:
-    """Each task that moves a robot, with the name of that."""
+    """Each task that moves a robot, with the name of its mechanical unit."""
     return ((unit, context.live.task(one.name)) for unit, one in robots(context.live.setups))
 
 

@@ -47,7 +47,7 @@ def mode_item(context: Context) -> Item:
 
 
 def set_mode(context: Context, request: Request) -> Answer:
-    """Turn the key, as a virtual controller lets clients do."""
+    """Turn the mode key, as a virtual controller lets clients do."""
     asked = request.form.get("opmode", "").lower()
     if asked not in _MODES:
         raise refused(BAD_PARAMETER, f"`opmode` cannot be `{asked}`")
@@ -67,7 +67,7 @@ def speed_item(context: Context) -> Item:
 
 
 def set_speed_ratio(context: Context, request: Request) -> Answer:
-    """Let moves to come be so fast."""
+    """Set the speed ratio of the moves to come."""
     context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
     context.live.set_speed_ratio(round(percent))
@@ -75,6 +75,6 @@ def set_speed_ratio(context: Context, request: Request) -> Answer:
 
 
 def collision_detection(context: Context, request: Request) -> Answer:
-    """The state of collision detection: nothing is detected while programs run here."""
+    """The state of collision detection, which never triggers here."""
     del context, request
     return Answer((Item("pnl-coldetstate", "coldetstate", {"coldetstate": "INIT"}),))

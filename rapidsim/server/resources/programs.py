@@ -16,7 +16,7 @@ _NOT_SIMULATED = frozenset({"stepback", "steplast"})
 
 
 def execution(context: Context, request: Request) -> Answer:
-    """Whether programs execute, and what comes after the end of main."""
+    """Whether programs are executing, and what happens after the end of main."""
     del request
     return Answer((execution_item(context),))
 
@@ -34,7 +34,7 @@ def start(context: Context, request: Request) -> Answer:
     """Start the programs.
 
     Raises:
-        RefusedRequest: For a way of executing that is not simulated.
+        RefusedRequest: For a mode of execution that is not simulated.
     """
     if request.form.get("execmode") in _NOT_SIMULATED:
         mode = request.form["execmode"]
@@ -66,14 +66,14 @@ def stop(context: Context, request: Request) -> Answer:
 
 
 def reset_pointers(context: Context, request: Request, task: str = "") -> Answer:
-    """Put the pointer of a task, or of all, to main."""
+    """Set the pointer of a task, or of all, to main."""
     context.require_mastership("rapid", request)
     context.live.reset_pointers(task)
     return DONE
 
 
 def set_cycle(context: Context, request: Request) -> Answer:
-    """Say what comes after the end of main."""
+    """Set what happens after the end of main."""
     context.live.set_cycle(chosen(request.form, "cycle", Cycle))
     return DONE
 
@@ -93,19 +93,19 @@ def task(context: Context, request: Request, task: str) -> Answer:
 
 
 def activate(context: Context, request: Request, task: str | None = None) -> Answer:
-    """Let a task, or all, take part in starting and stopping."""
+    """Activate a task, or all."""
     context.live.activate(task or request.form.get("task"), active=True)
     return DONE
 
 
 def deactivate(context: Context, request: Request, task: str | None = None) -> Answer:
-    """Let a task, or all, take no part in it."""
+    """Deactivate a task, or all."""
     context.live.activate(task or request.form.get("task"), active=False)
     return DONE
 
 
 def pointers(context: Context, request: Request, task: str) -> Answer:
-    """Where the program pointer of a task stands."""
+    """Where the program pointer of a task is."""
     del request
     found = context.live.task(task)
     place = found.place
@@ -156,7 +156,7 @@ def module_text(context: Context, request: Request, module: str, task: str | Non
 
 
 def load_module(context: Context, request: Request, task: str) -> Answer:
-    """Take a module from a file into a task."""
+    """Load a module from a file into a task."""
     context.require_mastership("rapid", request)
     form = request.form
     replace = form.get("replace", "false").lower() == "true"
@@ -167,7 +167,7 @@ def load_module(context: Context, request: Request, task: str) -> Answer:
 
 
 def load_program(context: Context, request: Request, task: str) -> Answer:
-    """Take a program from a file in place of the one that is there."""
+    """Load a program from a file in place of the present one."""
     context.require_mastership("rapid", request)
     program_memory.load_program(
         context.live.stopped_task(task), path_of_programs(request.form.get("progpath", ""))
@@ -176,7 +176,7 @@ def load_program(context: Context, request: Request, task: str) -> Answer:
 
 
 def put_pointer(context: Context, request: Request, task: str) -> Answer:
-    """Put the pointer of a task to a routine."""
+    """Set the pointer of a task to a routine."""
     context.require_mastership("rapid", request)
     routine = given(request.form, "routine")
     context.live.put_pointer(task, request.form.get("module", ""), routine)
@@ -184,7 +184,7 @@ def put_pointer(context: Context, request: Request, task: str) -> Answer:
 
 
 def unload_module(context: Context, request: Request, task: str) -> Answer:
-    """Take a module out of a task."""
+    """Unload a module from a task."""
     context.require_mastership("rapid", request)
     program_memory.unload_module(context.live.stopped_task(task), request.form.get("module", ""))
     return DONE

@@ -25,7 +25,7 @@ def answer(context: Context, request: Request, parameter: str) -> Answer:
     """Answer the question of the task whose stack an address begins with.
 
     Raises:
-        RefusedRequest: If it asks nothing, or this is no answer to it.
+        RefusedRequest: If it asks nothing, or this is not a valid answer.
     """
     parts = parameter.lower().split("/")
     text = given(request.form, "value")
@@ -40,7 +40,7 @@ def answer(context: Context, request: Request, parameter: str) -> Answer:
 
 
 def question_item(one: Question) -> Item:
-    """A question as it is shown; its keys are answered by text or by number, from 1."""
+    """A question as clients see it; its keys are answered by text or by number, from 1."""
     stack = f"RAPID/{one.task}"
     fields = {
         "instr": one.instruction,

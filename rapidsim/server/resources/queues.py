@@ -29,10 +29,10 @@ def queues(context: Context, request: Request) -> Answer:
 
 
 def create(context: Context, request: Request) -> Answer:
-    """Make a queue for a client.
+    """Create a queue for a client.
 
     Raises:
-        RefusedRequest: If it is there already, or there are too many.
+        RefusedRequest: If it exists, or there are too many.
     """
     name = given(request.form, "dipc-queue-name")
     there = context.live.cell.messages.find(name) is not None
@@ -73,7 +73,7 @@ def send(context: Context, request: Request, queue: str) -> Answer:
 
 
 def read(context: Context, request: Request, queue: str) -> Answer:
-    """The messages that wait for a client, which are taken away.
+    """The messages waiting for a client, which are removed.
 
     Raises:
         RefusedRequest: If the client has no such queue.
@@ -81,7 +81,7 @@ def read(context: Context, request: Request, queue: str) -> Answer:
     found = context.queues.get(queue)
     if found is None:
         raise refused(NOT_FOUND, f"there is no queue {queue}")
-    # RobotWare 6 gives all of them at once, RobotWare 7 one.
+    # RobotWare 6 returns all of them at once, RobotWare 7 one.
     count = len(found.messages) if request.generation == 1 else 1
     kind = "dipc-read-li" if request.generation == 1 else "dipc-read"
     waiting = found.messages[:count]
@@ -102,7 +102,7 @@ def queue(context: Context, request: Request, queue: str) -> Answer:
 
 
 def message_item(queue: str, message: Message, kind: str) -> Item:
-    """A message as it is shown; a public client reads the data before what is user defined."""
+    """A message as clients see it; a public client reads the data before the user-defined value."""
     user = "" if message.user_def == NO_USER_DEF else f"{message.user_def:g}"
     fields = {
         "dipc-slotid": "" if message.sender is None else message.sender.name,

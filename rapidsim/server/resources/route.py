@@ -1,6 +1,6 @@
-"""One resource of Robot Web Services: where it is, and who answers for it.
+"""One resource of Robot Web Services: its address and the function that answers.
 
-An address is parted at its slashes; `{name}` takes one part, `{name...}` all that are left but for
+An address is split at its slashes; `{name}` takes one part, `{name...}` all that are left but for
 what stands behind it. Names compare as they are written.
 """
 
@@ -14,7 +14,7 @@ from rapidsim.server.resources.context import Resource
 
 @dataclass(frozen=True)
 class Route:
-    """A resource, and what is done with it."""
+    """A resource, and the functions that answer for it."""
 
     method: str
     address: str
@@ -23,11 +23,11 @@ class Route:
 
     @cached_property
     def parts(self) -> tuple[str, ...]:
-        """The address, parted."""
+        """The address, split."""
         return tuple(self.address.split("/"))
 
     def matched(self, parts: list[str]) -> dict[str, str] | None:
-        """What stands in the places of an address; None if it is another."""
+        """The parameters of an address; None if it does not match."""
         found: dict[str, str] = {}
         for index, part in enumerate(self.parts):
             if part.endswith("...}"):

@@ -13,11 +13,11 @@ from rapidsim.server.resources.io_places import SignalPlaces
 from rapidsim.simulation.live import signals as live_signals
 
 _PAGE: Final = 100
-"""So many signals RobotWare 7 gives at once."""
+"""The most signals that RobotWare 7 returns at once."""
 
 
 def signals(context: Context, request: Request) -> Answer:
-    """All signals, or so many from one on."""
+    """All signals, or a page of them."""
     found = live_signals.declared(context.live)
     first, most = count(request.query, "start", 0), count(request.query, "limit", len(found))
     if request.generation == 2:
@@ -30,7 +30,7 @@ def signals(context: Context, request: Request) -> Answer:
 
 
 def search(context: Context, request: Request) -> Answer:
-    """The signals whose names hold a text."""
+    """The signals whose names contain a text."""
     part = request.form.get("name", "").lower()
     kind = request.form.get("type", "").lower()
     places = SignalPlaces(context)
@@ -57,7 +57,7 @@ def set_signal(
     """Change a signal."""
     del network, device
     found = live_signals.find(context.live, name)
-    # Inputs are driven by nobody else here.
+    # Nothing else drives inputs here.
     is_output = found.kind.value.endswith("o")
     if is_output and not SignalPlaces(context).may_be_written(name):
         raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
@@ -66,7 +66,7 @@ def set_signal(
 
 
 def set_device_inputs(context: Context, request: Request, network: str, device: str) -> Answer:
-    """Set the inputs that a device maps to some bytes, the bits of each from the highest on."""
+    """Set the inputs that a device maps to given bytes, from the highest bit of each."""
     del network
     named = {one.get("Name", "").lower() for _, one in io_places.devices(context)}
     if device.lower() not in named:
@@ -92,7 +92,7 @@ def set_device_inputs(context: Context, request: Request, network: str, device: 
 
 
 def networks(context: Context, request: Request) -> Answer:
-    """The networks: those that the configuration has, and the one of signals without a device."""
+    """The networks of the configuration, and the one of signals without a device."""
     del request
     fields = {"pstate": "running", "lstate": "started"}
     items = (
@@ -103,7 +103,7 @@ def networks(context: Context, request: Request) -> Answer:
 
 
 def devices(context: Context, request: Request) -> Answer:
-    """The I/O devices that the configuration has, of one network if that is asked for."""
+    """The I/O devices of the configuration, or those of one network."""
     wanted = request.query.get("network", "").lower()
     items = []
     for network, one in io_places.devices(context):
@@ -124,7 +124,7 @@ def devices(context: Context, request: Request) -> Answer:
 def signal_item(
     context: Context, one: SignalDeclaration, places: SignalPlaces | None = None
 ) -> Item:
-    """A signal as it is shown."""
+    """A signal as clients see it."""
     value = value_text(one, live_signals.value_of(context.live, one.name))
     fields = {
         "name": one.name,
@@ -139,6 +139,6 @@ def signal_item(
 
 
 def value_text(one: SignalDeclaration, value: float) -> str:
-    """A value as a controller writes it: whole numbers but for analog signals."""
+    """A value as a controller writes it: an integer unless the signal is analog."""
     analog = one.kind in (SignalKind.AI, SignalKind.AO)
     return f"{value:.10g}" if analog else str(int(value))

@@ -1,4 +1,4 @@
-"""The data of programs by their addresses: `RAPID/task/module/name`, where some may lack."""
+"""The data of programs by address: `RAPID/task/module/name`; task and module are optional."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _KINDS: Final = {
 
 
 def value(context: Context, request: Request, symbol: str) -> Answer:
-    """The value of data, as it would stand in a program."""
+    """The value of data, as RAPID would write it."""
     del request
     return Answer((value_item(context, symbol),))
 
@@ -47,14 +47,14 @@ def set_value(context: Context, request: Request, symbol: str) -> Answer:
 
 
 def properties(context: Context, request: Request, symbol: str) -> Answer:
-    """What data are: how they are stored, and of which type."""
+    """The properties of data: storage class and type."""
     del request
     task, datum = _find(context, symbol)
     return Answer((_properties_item(task, datum, ""),))
 
 
 def search(context: Context, request: Request) -> Answer:
-    """The data that modules declare, of a kind and a type, whose names match."""
+    """The data declared in modules that match by kind, type and name."""
     form = request.form
     _, _, address = form.get("blockurl", "RAPID").partition("/")
     task_name, _, module = address.partition("/")
@@ -92,7 +92,7 @@ def validate(context: Context, request: Request) -> Answer:
 
 
 def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
-    """Data and their task; where the address has no task, the first that has the data.
+    """Data and their task; if the address names no task, the first that has the data.
 
     Raises:
         RefusedRequest: If there are none.
@@ -107,7 +107,7 @@ def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
 
 
 def _places(context: Context, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:
-    """Where data may be that are named behind a task, a module, both or nothing."""
+    """The places where data may be that are addressed with a task, a module, both or neither."""
     tasks = context.live.tasks
     match outer:
         case []:

@@ -1,4 +1,4 @@
-"""The controller itself: what it is, its clock, sessions' rights."""
+"""The controller itself: its identity, its clock, and the rights of sessions."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ROBOTWARE_NAME: Final = "6.16.02.00"
 
 
 def controller(context: Context, request: Request) -> Answer:
-    """Which controller this is."""
+    """The identity of the controller."""
     del context, request
     fields = {"ctrl-type": "Virtual Controller", "ctrl-name": "rapidsim"}
     return Answer((Item("ctrl-identity-info", "identity", fields),), links=("identity", "clock"))
@@ -41,7 +41,7 @@ def set_clock(context: Context, request: Request) -> Answer:
 
 
 def disk(context: Context, request: Request, name: str) -> Answer:
-    """What stands for a disk in addresses of files.
+    """The path that a disk's name stands for in addresses of files.
 
     Raises:
         RefusedRequest: If there is no such disk.
@@ -73,14 +73,14 @@ def options(context: Context, request: Request) -> Answer:
 
 
 def mastership(context: Context, request: Request) -> Answer:
-    """Who has the mastership of which domain."""
+    """Which session holds the mastership of each domain."""
     names = MASTERSHIPS if request.generation == 1 else _SECOND_NAMES
     items = tuple(_domain_item(context, request, one) for one in names)
     return Answer(items, links=("request", "release") if request.generation == 2 else ())
 
 
 def mastership_of(context: Context, request: Request, domain: str) -> Answer:
-    """Who has the mastership of a domain."""
+    """Which session holds the mastership of a domain."""
     return Answer((_domain_item(context, request, domain.lower()),))
 
 
@@ -99,7 +99,7 @@ def take_mastership(context: Context, request: Request, domain: str | None = Non
 
 
 def give_mastership(context: Context, request: Request, domain: str | None = None) -> Answer:
-    """Give the mastership of a domain, or of all, back."""
+    """Release the mastership of a domain, or of all."""
     for one in _known(domain, request):
         if context.masters.get(one) == request.session:
             del context.masters[one]
@@ -121,13 +121,13 @@ def user(context: Context, request: Request) -> Answer:
 
 
 def register(context: Context, request: Request) -> Answer:
-    """Note who a client is."""
+    """Register a client as a user."""
     del context, request
     return Answer(status=201)
 
 
 def remote_rights(context: Context, request: Request) -> Answer:
-    """Ask for the right to modify in manual mode, which nobody at a pendant refuses here."""
+    """Ask for the right to modify in manual mode, which is always granted here."""
     del context, request
     return Answer(status=202)
 
@@ -139,17 +139,17 @@ def rights_granted(context: Context, request: Request) -> Answer:
 
 
 def rights_given_back(context: Context, request: Request) -> Answer:
-    """Give that right back."""
+    """Release that right."""
     del context, request
     return DONE
 
 
 _SECOND_NAMES: Final = {"edit": ("cfg", "rapid"), "motion": ("motion",)}
-"""The domains of RobotWare 7, by what they are in RobotWare 6."""
+"""The domains of RobotWare 7, by their names in RobotWare 6."""
 
 
 def _known(domain: str | None, request: Request) -> tuple[str, ...]:
-    """The domains that a name stands for; all without one."""
+    """The domains that a name stands for; all if there is none."""
     if domain is None:
         return MASTERSHIPS
     name = domain.lower()

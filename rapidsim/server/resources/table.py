@@ -1,4 +1,4 @@
-"""Every resource of Robot Web Services that is there, and who answers for it.
+"""Every resource of Robot Web Services and the function that answers for it.
 
 Both generations have the same resources. RobotWare 7 has the action in the address where RobotWare
 6 has it in the query, and has given some resources other addresses.
@@ -182,17 +182,17 @@ _SECOND: Final = (
     Route("POST", "rw/mastership/{domain}/request", system.take_mastership),
     Route("POST", "rw/mastership/{domain}/release", system.give_mastership),
     Route("POST", "users/rmmp/cancel", system.rights_given_back),
-    # What streams of older clients are told to end; there are none here.
+    # Older clients ask streams to end; there are none here.
     Route("POST", "rw/infostream/disconnectclient", system.nothing_to_end),
     Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
 )
 
 ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SECOND, *_BOTH)}
-"""By generation; where several fit an address, the first of them counts."""
+"""By generation; if several match an address, the first counts."""
 
 
 def answered(context: Context, request: Request) -> Answer:
-    """Do what is asked.
+    """Answer a request.
 
     Raises:
         RefusedRequest: If there is no such resource or action, or it is refused.
@@ -219,7 +219,7 @@ def answered(context: Context, request: Request) -> Answer:
 
 
 def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
-    """The names of resources below an address that is none itself, as far as they can be read."""
+    """The names of readable resources below an address that is not one itself."""
     for route in routes:
         if (
             route.method == "GET"

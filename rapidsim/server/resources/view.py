@@ -1,6 +1,6 @@
 """The controller as the page for people shows it, as JSON.
 
-To look changes nothing: no journal has it, and in lock-step no time passes.
+Looking changes nothing: it is not in the journal, and in lock-step no time passes.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from rapidsim.simulation.live.signals import limits
 from rapidsim.simulation.live.states import Refused, TaskState
 
 _ENTRIES: Final = 50
-"""So many of the event log are shown."""
+"""How many entries of the event log are shown."""
 
 
 def looked(context: Context, look: Look) -> Answer:

@@ -1,1 +1,1 @@
-"""A controller that stays on: programs start and stop, and somebody outside acts meanwhile."""
+"""A controller that stays on: programs start and stop while clients act on it from outside."""

@@ -1,6 +1,6 @@
-"""A controller that stays on: what a person at it, or a program over the network, can do with it.
+"""A controller that stays on: what an operator, or a client over the network, can do with it.
 
-Nothing here knows a clock on the wall, a network or a process. Whoever holds one lets virtual time
+Nothing here knows the wall clock, the network or processes. Whoever holds one lets virtual time
 come (`advance`) and asks in between; what is asked takes effect at the time that has come.
 """
 
@@ -45,13 +45,13 @@ from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
 _REMEMBERED_S = 10.0
-"""So far back [s] a robot's motion is known: longer than any look at it, or smoothing, takes."""
+"""How far back [s] a robot's motion is kept: further than any reader, or smoothing, looks."""
 LEAST_RATIO = 1
-"""A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
+"""The speed ratio [%] used in place of 0 %: a robot that stands still is not modelled."""
 
 
 def _untold(what: LogEntry | Event) -> None:
-    """Nobody hears of it."""
+    """A listener that ignores everything."""
 
 
 @dataclass(eq=False)
@@ -61,9 +61,9 @@ class LiveController:
     setups: Sequence[TaskSetup]
     options: RunOptions
     told: Callable[[LogEntry], None] = _untold
-    """Hears of each entry of the event log."""
+    """Called with each entry of the event log."""
     happened: Callable[[Event], None] = _untold
-    """Hears of each event of the run, once its time is known."""
+    """Called with each event of the run, once its time is known."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
     cycle: Cycle = Cycle.FOREVER
@@ -71,16 +71,16 @@ class LiveController:
     wire: Wire = field(default_factory=NoWire)
     """The network of the programs' sockets."""
     sensors: Sensors = field(default_factory=NoSensors)
-    """Who guides robots."""
+    """The sensors that guide robots."""
     keeps_all: bool = False
-    """Whether what happened is kept for `finished`; a controller that stays on would fill up."""
+    """Whether all that happened is kept for `finished`, which grows without bound."""
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
     """The questions that wait for an answer."""
     screen: deque[str] = field(init=False, default_factory=lambda: deque(maxlen=_SCREEN_LINES))
     """What programs have written on the FlexPendant, the newest line last."""
     outside: OutsideStreams = field(init=False)
-    """Who talks to the programs' sockets."""
+    """The peers of the programs' sockets."""
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """By folded name, in the order of the station."""
@@ -89,7 +89,7 @@ class LiveController:
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
     _forgets_s: float = 0.0
-    """When the robots' past is forgotten next [s]."""
+    """When the robots' past is next forgotten [s]."""
     _kept: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -144,7 +144,7 @@ class LiveController:
 
     @property
     def now_s(self) -> float:
-        """How far virtual time has come [s]."""
+        """The virtual time [s]."""
         return self._turns.now_s
 
     @property
@@ -153,7 +153,7 @@ class LiveController:
         return self.date_at(self.now_s)
 
     def date_at(self, time_s: float) -> datetime:
-        """What the controller's clock shows at a virtual time [s]."""
+        """What the controller's clock shows at a given virtual time [s]."""
         return self.cell.starts_at + timedelta(seconds=math.floor(time_s))
 
     def set_date(self, date: datetime) -> None:
@@ -162,11 +162,11 @@ class LiveController:
 
     @property
     def wants_s(self) -> float:
-        """When anything wants to happen by itself next [s]; infinite if nothing does."""
+        """When the next thing is due [s]; infinite if nothing is."""
         return self._turns.wants_s()
 
     def step(self, until_s: float) -> bool:
-        """Let one thing happen that is due by a time [s]; whether there was any."""
+        """Do one thing that is due by a time [s]; returns whether there was any."""
         stepped = self._turns.step(until_s)
         if not self.keeps_all and self.now_s >= self._forgets_s:
             self._forgets_s = self.now_s + _REMEMBERED_S
@@ -190,24 +190,24 @@ class LiveController:
             self.screen.append(event.message)
 
     def advance(self, until_s: float) -> None:
-        """Let virtual time come [s] and everything happen that is due by then."""
+        """Advance virtual time to `time_s` [s] and do everything that is due by then."""
         while self.step(until_s):
             pass
 
     def settle(self) -> None:
-        """Let happen what is due now."""
+        """Do everything that is due now."""
         self.advance(self.now_s)
 
     # Programs.
 
     @property
     def normal_tasks(self) -> Iterator[LiveTask]:
-        """The tasks that are started and stopped and take part in it."""
+        """The active tasks of type NORMAL: those that start and stop together."""
         return (one for one in self.tasks.values() if one.is_normal and one.is_active)
 
     @property
     def executes(self) -> bool:
-        """Whether any of these executes."""
+        """Whether any of these is executing."""
         return any(one.executes for one in self.normal_tasks)
 
     def start(self, cycle: Cycle | None = None, how: Execution = Execution.CONTINUE) -> None:
@@ -239,7 +239,7 @@ class LiveController:
         self.settle()
 
     def stop(self, how: StopMode = StopMode.STOP) -> None:
-        """Stop the programs of the normal tasks; where none executes, nothing happens."""
+        """Stop the programs of the normal tasks; does nothing if none is executing."""
         if how is StopMode.CYCLE:
             self._ends_with_cycle = True
             return
@@ -309,7 +309,7 @@ class LiveController:
         return self.task(name)
 
     def set_cycle(self, cycle: Cycle) -> None:
-        """Say what comes after the end of main."""
+        """Set what happens after the end of main."""
         self.cycle = cycle
 
     def task(self, name: str) -> LiveTask:
@@ -324,7 +324,7 @@ class LiveController:
         return task
 
     def activate(self, name: str | None, *, active: bool) -> None:
-        """Let a normal task take part in starting and stopping, or not; None means all.
+        """Activate or deactivate a normal task; None means all.
 
         Raises:
             Refused: If there is none, or while a program executes.
@@ -336,7 +336,7 @@ class LiveController:
                 task.is_active = active
 
     def task_states(self) -> tuple[TaskState, ...]:
-        """What is shown of all tasks."""
+        """The state of each task, as clients see it."""
         return tuple(
             TaskState(
                 one.name,
@@ -380,7 +380,7 @@ class LiveController:
         self._show_states()
 
     def set_speed_ratio(self, percent: int) -> None:
-        """Let the moves to come be so fast, in percent of what is programmed.
+        """Set the speed of the moves to come, in percent of the programmed speed.
 
         Raises:
             Refused: Beyond 0..100, or out of automatic mode.
@@ -406,7 +406,7 @@ class LiveController:
         self.tell()
 
     def tell(self) -> None:
-        """Let programs look: somebody outside has changed what they may wait for."""
+        """Wake the programs: something they may be waiting for has changed from outside."""
         self.cell.tell(Moment(Instant(self.now_s)))
         self.settle()
 
@@ -427,7 +427,7 @@ class LiveController:
     # What is told by tasks: implements `live_task.Chief`.
 
     def stop_all(self, reason: str) -> None:
-        """A program asks for all to stop."""
+        """A program stops all tasks."""
         for task in self.normal_tasks:
             if task.executes:
                 task.stop(on_path=True)
@@ -435,16 +435,16 @@ class LiveController:
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
     def cycle_ended(self) -> bool:
-        """Main has returned; whether it begins again at once."""
+        """Main has returned; returns whether it starts again at once."""
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
 
     def step_ended(self, task: LiveTask) -> None:
-        """A program stands before the next statement."""
+        """A step has ended: a program stands before its next statement."""
         text = f"{task.name} is ready with this step."
         self.log.operational(event_log.STEPPED, self.now_s, text, task.name)
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
-        """A program cannot go on: all stop; the event log says why."""
+        """A program cannot continue: all tasks stop, and the event log says why."""
         for one in found:
             self.log.finding(one, self.now_s)
         self.log.execution_error(self.now_s, task.name, message)
@@ -474,7 +474,7 @@ class LiveController:
             one.neighbours = others
 
     def _show_states(self, failed: str | None = None) -> None:
-        """Let the system outputs show what is."""
+        """Update the system outputs."""
         self._shows_executing = self.executes
         has_failed = failed is not None or not all(one.has_pointer for one in self.tasks.values())
         for signal in self.options.io.signals:

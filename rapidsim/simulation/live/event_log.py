@@ -1,6 +1,6 @@
 """The event log of a controller that stays on.
 
-Numbers and what they mean come from the controller's event messages; those marked so are from
+Numbers and their meanings are those of the controller's event messages; those marked so are from
 memory, and stand here once.
 
 Source: Operating manual Trouble shooting, "Event messages".
@@ -67,7 +67,7 @@ class EventLog:
     """The entries of all domains, the newest first."""
 
     def __init__(self, told: Callable[[LogEntry], None]) -> None:
-        """Begin with none; `told` hears of each."""
+        """Begin empty; `told` is called with each entry."""
         self._told = told
         self._entries: dict[int, deque[LogEntry]] = {}
         self._last = 0
@@ -84,17 +84,17 @@ class EventLog:
             self._entries.pop(domain or COMMON, None)
 
     def operational(self, code: int, time_s: float, text: str, *arguments: str) -> None:
-        """Note what was done with the controller."""
+        """Log what was done with the controller."""
         self._note(1, int(STATE), code, time_s, _TITLES[code], text, arguments)
 
     def execution_error(self, time_s: float, task: str, message: str) -> None:
-        """Note that a task has stopped with an error, in one line."""
+        """Log that a task has stopped with an error, in one line."""
         title = _TITLES[EXECUTION_ERROR]
         text = f"The program of {task} has stopped: {message}"
         self._note(1, int(ERROR), EXECUTION_ERROR, time_s, title, text, (task,))
 
     def finding(self, found: Diagnostic, time_s: float) -> None:
-        """Note what stopped a program, under the controller's number where it has one."""
+        """Log what stopped a program, under the controller's number where it has one."""
         number = _CF.search(found.violation.rule.cf or "")
         where = f" ({found.file}, line {found.line})" if found.file else ""
         rule = found.violation.rule.name.replace("-", " ")
@@ -103,7 +103,7 @@ class EventLog:
         self._note(code // 10_000, int(ERROR), code, time_s, title, found.message + where, ())
 
     def written(self, entry: LoggedError, time_s: float) -> None:
-        """Note what a program wrote, or what happened to its motion."""
+        """Log what a program wrote, or what happened to its motion."""
         domain, arguments = int(entry.domain), (entry.title, *entry.texts)
         code = domain * 10_000 + int(entry.number) % 10_000
         text = " ".join(entry.texts)
@@ -127,4 +127,4 @@ class EventLog:
 
 
 _WITHOUT_NUMBER: Final = 40_000
-"""Stands for a controller's number where rapidsim knows none: an error of a program."""
+"""Used where rapidsim knows no number of the controller for an error of a program."""

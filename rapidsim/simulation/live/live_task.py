@@ -28,22 +28,22 @@ from rapidsim.syntax import tree
 
 
 class Chief(Protocol):
-    """Who decides when tasks run."""
+    """What decides when tasks run."""
 
     def stop_all(self, reason: str) -> None:
-        """A program asks for all to stop."""
+        """A program stops all tasks."""
         ...
 
     def cycle_ended(self) -> bool:
-        """Main has returned; whether it begins again at once."""
+        """Main has returned; returns whether it starts again at once."""
         ...
 
     def step_ended(self, task: LiveTask) -> None:
-        """A program stands before the next statement."""
+        """A step has ended: a program stands before its next statement."""
         ...
 
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
-        """A program has stopped and cannot go on: what was found, and the same in one line."""
+        """A program has stopped and cannot continue: the finding, and the same in one line."""
         ...
 
 
@@ -72,16 +72,16 @@ class LiveTask:
     task: Task | None = None
     """The program with its data; None if initial values fail."""
     failure: FatalError | None = None
-    """Why it could not be made ready."""
+    """Why it could not be prepared."""
     is_active: bool = True
     """Whether it takes part when programs are started."""
     has_pointer: bool = True
-    """Whether the pointer stands somewhere from which the program can go on."""
+    """Whether the program pointer is somewhere the program can continue from."""
     _begun: bool = False
     _execution: Execution = Execution.CONTINUE
     _stepper: Stepper = field(init=False)
     _routine: str = ""
-    """Where the pointer was put; empty for the entry."""
+    """The routine the pointer was set to; empty for the entry."""
     _own: tuple[Listener, ...] = ()
     _found: tuple[Diagnostic, ...] = ()
     _failed_moves: tuple[FailedMove, ...] = ()
@@ -97,22 +97,22 @@ class LiveTask:
 
     @property
     def is_normal(self) -> bool:
-        """Whether it is started and stopped; others run while the controller is on."""
+        """Whether it is of type NORMAL; other tasks run as long as the controller is on."""
         return self.setup.kind is TaskKind.NORMAL
 
     @property
     def is_begun(self) -> bool:
-        """Whether it has left main's first statement since its pointer was put there."""
+        """Whether it has passed main's first statement since its pointer was set there."""
         return self._begun
 
     @property
     def executes(self) -> bool:
-        """Whether its program runs."""
+        """Whether its program is executing."""
         return self._begun and not self.run.controller.execution.stands
 
     @property
     def outcome(self) -> Outcome:
-        """How it has ended if the controller is switched off now, with all that has stopped it."""
+        """How it would have ended if the controller were switched off now."""
         end = End.STOPPED if self.has_pointer else End.ERROR
         return Outcome(end, self._found, self._failed_moves, self.task)
 
@@ -123,7 +123,7 @@ class LiveTask:
 
     @property
     def program(self) -> Program:
-        """What is loaded; where its data failed to begin, what the station says."""
+        """The loaded program; if its initial values failed, the one the station names."""
         return self.setup.program if self.task is None else self.task.program
 
     @property
@@ -132,7 +132,7 @@ class LiveTask:
         return self.setup.entry or self.options.entry
 
     def begin(self, now_s: float, refresh_percent: float) -> None:
-        """Put the pointer to main at a time [s]: variables begin anew, persistents keep values.
+        """Set the pointer to main at a time [s]: variables are initialised, persistents kept.
 
         Args:
             now_s: Now.
@@ -159,7 +159,7 @@ class LiveTask:
         self.has_pointer = self._procedure(self.entry) is not None
 
     def put_pointer(self, module: str, routine: str, now_s: float, refresh_percent: float) -> None:
-        """Put the pointer to a procedure; variables begin anew, as at main.
+        """Set the pointer to a procedure; variables are initialised, as for main.
 
         Args:
             module: Where it is; empty for any.
@@ -179,7 +179,7 @@ class LiveTask:
         self.run.controller.clock.place = place
 
     def end(self, now_s: float) -> None:
-        """Take the program off; its robot forgets what is left of its path."""
+        """Unload the program; its robot drops what is left of its path."""
         self._begun = self.has_pointer = False
         if not hasattr(self, "run"):
             return
@@ -204,7 +204,7 @@ class LiveTask:
         queue.resume(now_s)
 
     def start(self, how: Execution = Execution.CONTINUE) -> None:
-        """Begin with main, or go on where the program stopped: for a step, or until it stops."""
+        """Start at main, or continue where the program stopped: for one step, or until it stops."""
         self._execution = how
         execution, clock = self.run.controller.execution, self.run.controller.clock
         if self._begun:
@@ -222,16 +222,16 @@ class LiveTask:
             self.turns.wake(self.run.controller.clock)
 
     def forget(self, before_s: float) -> None:
-        """Forget what its robot did before a time [s], unless the program may go back on it."""
+        """Forget what its robot did before a time [s], unless it may still move back along it."""
         self.unit.forget(before_s, self.run.controller.recorder.first)
 
     def set_speed_ratio(self, percent: float) -> None:
-        """Let the moves to come be so fast, in percent of what is programmed."""
+        """Set the speed of the moves to come, in percent of the programmed speed."""
         motion = self.run.controller.motion
         motion.settings = replace(motion.settings, speed_refresh_percent=percent)
 
     def _go_on(self) -> None:
-        """The program goes on, for a step or until it is stopped; called where it stood."""
+        """Continue, for one step or until stopped; called where the program stood."""
         if self._execution is Execution.CONTINUE:
             self._stepper.end()
             return
@@ -242,7 +242,7 @@ class LiveTask:
         )
 
     def _halt(self, before: Place) -> None:
-        """A step has ended: the robot makes its moves, and the program stands."""
+        """A step has ended: the robot finishes its moves, and the program stands."""
         clock, left = self.run.controller.clock, self.run.controller.clock.left
         clock.observe()
         clock.drive_to_stop()
@@ -280,7 +280,7 @@ class LiveTask:
                         break
                     with suppress(CycleEnded):
                         self.task.run(routine or self.entry)
-                    # Behind a routine that somebody has chosen nothing comes.
+                    # Nothing follows a routine that a client has chosen.
                     goes_on = self.chief.cycle_ended() and not routine
                     clock.tick()
                     if goes_on or not self.is_normal:
@@ -296,7 +296,7 @@ class LiveTask:
                 self._failed_moves += ended.failed_moves
             message = found[0].message if found else str(error)
         except Exception as error:
-            # A defect of ours ends this program, not the controller.
+            # A defect of rapidsim ends this program, not the controller.
             message = f"rapidsim has a defect: {type(error).__name__}: {error}"
         finally:
             self._stepper.end()

@@ -1,4 +1,4 @@
-"""Messages from clients outside: which kind a text is."""
+"""Messages from clients: the type of data that arrives as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rapidsim.simulation.live.live_task import LiveTask
 def kind_of(type_name: str, text: str, tasks: Iterable[LiveTask]) -> MessageKind:
     """The type and the array dimensions of data that came as text.
 
-    Brackets that the type does not need are those of an array; a type that no task knows is taken
+    Brackets beyond those of the type are those of an array; a type that no task knows is taken
     for that of no array.
     """
     of = _type(type_name, tasks)
@@ -36,7 +36,7 @@ def _type(name: str, tasks: Iterable[LiveTask]) -> Type | None:
 
 
 def _brackets(of: Type) -> int:
-    """How many brackets a value of a type begins with."""
+    """The number of brackets that a value of a type begins with."""
     of = resolved(of)
     return 1 + _brackets(of.components[0].type) if isinstance(of, Record) else 0
 
@@ -47,7 +47,7 @@ def _leading(text: str) -> int:
 
 
 def _sizes(text: str, depth: int) -> list[int]:
-    """How many elements the outer levels of a text have, that of the first part at each level."""
+    """The number of elements at each outer level of a text, counted in the first part of each."""
     sizes: list[int] = []
     for _ in range(min(depth, 3)):
         text = text.strip()[1:]
@@ -58,7 +58,7 @@ def _sizes(text: str, depth: int) -> list[int]:
 
 
 def _parts(text: str) -> list[str]:
-    """What stands between the commas of a level, up to the bracket that closes it."""
+    """The texts between the commas of one level, up to its closing bracket."""
     parts, begin, level, in_string = list[str](), 0, 0, False
     for at, one in enumerate(text):
         if one == '"':

@@ -27,7 +27,7 @@ from rapidsim.values import dataclass
 
 
 class Coordinates(StrEnum):
-    """In which frame a position is told."""
+    """The frame in which a position is given."""
 
     BASE = "Base"
     WORLD = "World"
@@ -47,8 +47,8 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
     Args:
         task: The task.
         tool: Name of the tool.
-        wobj: Name of the work object; it matters where the frame is that of the work object.
-        frame: What the position is told in.
+        wobj: Name of the work object; used only if the frame is that of the work object.
+        frame: The frame of the result.
 
     Raises:
         Refused: If there is no such tool or work object.
@@ -67,7 +67,7 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
 
 @dataclass(frozen=True, slots=True)
 class Glance:
-    """Where a robot is, for somebody who looks on; to look decides nothing."""
+    """Where a robot is, for an observer; looking has no effect on the run."""
 
     joints: JointTarget
     """[deg, mm]"""
@@ -104,7 +104,7 @@ def _stand(task: LiveTask) -> tuple[Array, Array]:
     try:
         samples = queue.seen(now_s, np.array([now_s]))
     except MotionError:
-        # The program that put the move there hears of it; the arm is where its path ends.
+        # The program that queued the move is told; the arm is where its path ends.
         samples = queue.at_past(now_s)
     return samples.joints[0], samples.external[0]
 

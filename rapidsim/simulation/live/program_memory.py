@@ -1,4 +1,4 @@
-"""Modules that somebody outside takes into a task, or out of it."""
+"""Modules that clients load into a task, or unload from it."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from rapidsim.syntax.parser import parse
 
 
 def modules(task: LiveTask) -> tuple[tree.Module, ...]:
-    """What a task has now."""
+    """The modules of a task now."""
     return tuple(task.program.modules)
 
 
 def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
-    """Take a file's module into a task that stands, with its initial values.
+    """Load a module from a file into a stopped task, with its initial values.
 
     Args:
         task: The task.
-        path: As a program names it: `HOME:/part.mod`.
-        replace: Whether a module of the same name goes first.
+        path: As RAPID writes it: `HOME:/part.mod`.
+        replace: Whether a module of the same name is unloaded first.
 
     Raises:
         Refused: If there is no such file or it does not fit.
@@ -45,11 +45,11 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
 
 
 def load_program(task: LiveTask, path: str) -> None:
-    """Take a program file's modules in place of all program modules of a task that stands.
+    """Load the modules of a program file in place of all program modules of a stopped task.
 
     Args:
         task: The task.
-        path: Of a `.pgf` file, or of a module that is the program, as programs name it.
+        path: Of a `.pgf` file, or of a module that is the whole program, as RAPID writes it.
 
     Raises:
         Refused: If a file is missing or wrong, and then nothing has changed; or if the modules do
@@ -82,10 +82,10 @@ def is_system_module(module: tree.Module) -> bool:
 
 
 def unload_module(task: LiveTask, name: str) -> None:
-    """Take a module out of a task that stands.
+    """Unload a module from a stopped task.
 
     Raises:
-        Refused: If there is none of this name, or the rest would not go without it.
+        Refused: If there is none of this name, or the rest would not link without it.
     """
     try:
         _memory(task).erase(name)

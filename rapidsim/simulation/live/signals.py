@@ -1,4 +1,4 @@
-"""The signals of a controller that stays on, as somebody outside reads and sets them."""
+"""The signals of a controller that stays on, as clients read and set them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.simulation.live.states import Refused, Why
 
 
 def declared(live: LiveController) -> tuple[SignalDeclaration, ...]:
-    """All signals that are declared."""
+    """All declared signals."""
     return live.options.io.signals
 
 
@@ -32,7 +32,7 @@ def value_of(live: LiveController, name: str) -> float:
 
 
 def write(live: LiveController, name: str, value: float) -> None:
-    """Change a signal, with all that hangs on it.
+    """Change a signal, with all that follows from it.
 
     Raises:
         Refused: If there is none, its kind or limits forbid the value, or it shows a state.
@@ -49,7 +49,7 @@ def write(live: LiveController, name: str, value: float) -> None:
 
 
 def limits(signal: SignalDeclaration) -> tuple[float, float]:
-    """Between what a signal may be set."""
+    """The lowest and the highest value a signal may be set to."""
     low, high = signal.lowest, signal.highest
     match signal.kind:
         case SignalKind.DI | SignalKind.DO:

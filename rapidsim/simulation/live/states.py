@@ -1,4 +1,4 @@
-"""The states of a controller, in its own words, and why it refuses what is asked of it."""
+"""The states of a controller, in its own words, and why it refuses a request."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.values import dataclass
 
 
 class Motors(StrEnum):
-    """The state of the controller that can be asked for; a simulated one has no others."""
+    """The states of the motors that can be requested; a simulated controller has no others."""
 
     ON = "motoron"
     OFF = "motoroff"
@@ -23,28 +23,28 @@ class Mode(StrEnum):
 
 
 class Cycle(StrEnum):
-    """What comes after the end of main."""
+    """What happens after the end of main."""
 
     ONCE = "once"
     FOREVER = "forever"
 
 
 class Execution(StrEnum):
-    """How far programs go on that are started."""
+    """How far programs run when they are started."""
 
     CONTINUE = auto()
     STEP_IN = "stepin"
     """To the next statement, in whatever routine."""
     STEP_OVER = "stepover"
-    """To the next statement of the routine, or of one that has called it."""
+    """To the next statement of the routine, or of one of its callers."""
     STEP_OUT = "stepout"
-    """To the next statement of the routine that has called it."""
+    """To the next statement of the caller."""
     STEP_MOTION = "stepmotion"
     """To the statement after the next move."""
 
 
 class StopMode(StrEnum):
-    """When a program stops that is told to."""
+    """Where a program stops when it is told to."""
 
     CYCLE = "cycle"
     INSTRUCTION = "instr"
@@ -56,9 +56,9 @@ class Why(Enum):
     """Why something was refused."""
 
     STATE = auto()
-    """The controller is in a state that forbids it."""
+    """The state of the controller forbids it."""
     VALUE = auto()
-    """What was given is no value of it."""
+    """The value given is not one it can take."""
     NO_TASK = auto()
     NO_SYMBOL = auto()
     NO_SIGNAL = auto()
@@ -69,7 +69,7 @@ class Why(Enum):
 
 
 class Refused(Exception):  # noqa: N818 - an answer, not a failure
-    """The controller does not do what is asked of it."""
+    """The controller refuses a request."""
 
     def __init__(self, why: Why, message: str) -> None:
         """Say why, for programs and for people."""
@@ -80,7 +80,7 @@ class Refused(Exception):  # noqa: N818 - an answer, not a failure
 
 @dataclass(frozen=True, slots=True)
 class TaskState:
-    """What is shown of a task."""
+    """The state of a task, as clients see it."""
 
     name: str
     kind: str

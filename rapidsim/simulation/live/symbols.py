@@ -1,4 +1,4 @@
-"""The data of a task as texts: what somebody outside reads and writes."""
+"""The data of a task as texts, as clients read and write them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Datum:
-    """Data of a task that are there."""
+    """Data that exist in a task."""
 
     name: str
     type: Type
@@ -49,7 +49,7 @@ def find(task: LiveTask, name: str, module: str | None = None) -> Datum:
     """Data by name, in any case.
 
     Raises:
-        Refused: If there are none.
+        Refused: If there is none of this name.
     """
     if task.task is None:
         raise Refused(Why.NO_SYMBOL, f"the data of {task.name} could not be initialised")
@@ -65,13 +65,13 @@ def find(task: LiveTask, name: str, module: str | None = None) -> Datum:
 
 
 def all_data(task: LiveTask) -> Iterator[Datum]:
-    """What the modules of a task declare, in order of writing."""
+    """All data that the modules of a task declare, in the order of declaration."""
     if task.task is not None:
         yield from (_datum(symbol) for symbol in module_data(task.task.program))
 
 
 def read(task: LiveTask, datum: Datum) -> str:
-    """The value now, as it would stand in a program.
+    """The value now, as RAPID would write it.
 
     Raises:
         Refused: If data of the type have no value.
@@ -90,10 +90,10 @@ def value_of(task: LiveTask, datum: Datum) -> object:
 
 
 def write(task: LiveTask, datum: Datum, text: str) -> None:
-    """Change the value to what a text means; `LiveController.tell` lets programs see it.
+    """Set the value from a text; call `LiveController.tell` to let programs notice.
 
     Raises:
-        Refused: If it means none, or the data are constant.
+        Refused: If the text is not a value of the type, or the data are constant.
     """
     assert task.task is not None
     if datum.storage is Storage.CONST or datum.symbol is None or datum.module is None:
@@ -122,6 +122,6 @@ def _datum(symbol: DataSymbol) -> Datum:
 
 
 def is_value(text: str, type_name: str) -> bool:
-    """Whether a text is a value of a predefined type; of one that is not known, nothing is."""
+    """Whether a text is a value of a predefined type; false for an unknown type."""
     of = next((one for name, one in TYPES.items() if name.lower() == type_name.lower()), None)
     return of is not None and parsed_value(text, of, initial_value(of)) is not None

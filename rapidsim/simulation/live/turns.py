@@ -1,8 +1,8 @@
-"""One clock for tasks that are started, stopped and replaced while it goes on.
+"""One clock for tasks that are started, stopped and replaced while it runs.
 
 As in `scheduler`, whoever has the earliest time runs. Here the one who holds the clock decides how
 far virtual time has come (`step`), tasks come and go, and between two steps somebody outside may
-change what they wait for. Nobody waits in vain, for somebody may always come.
+change what they wait for. No wait is a deadlock, since a client may always act.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from greenlet import greenlet
 from rapidsim.controller.cell.cell import Cell
 
 LOOKS_S = 0.01
-"""So often [s] of virtual time a program that computes or polls lets others look."""
+"""How often [s of virtual time] a program that computes or polls yields to observers."""
 
 
 @dataclass(slots=True, eq=False)
@@ -28,11 +28,11 @@ class _Entry:
     task: object
     greenlet: greenlet
     wake_s: float
-    """When it wants to go on; infinite where it waits for what others do."""
+    """When it is due to continue; infinite while it waits for others."""
 
     @property
     def rank(self) -> tuple[float, int]:
-        """Whose turn it is: the least."""
+        """Priority: the least goes first."""
         return self.wake_s, self.number
 
 
@@ -42,36 +42,36 @@ class LiveTurns:
 
     cell: Cell
     now_s: float = 0.0
-    """How far virtual time has come."""
+    """The virtual time [s]."""
     current: object = None
     """The task that runs; None between steps."""
     _entries: dict[object, _Entry] = field(default_factory=dict)
     _hub: greenlet | None = None
 
     def add(self, number: int, task: object, body: Callable[[], None]) -> None:
-        """Let a task run from now on.
+        """Add a task, which runs from now on.
 
         Args:
-            number: Its place among tasks that want to go on at one time.
+            number: Its place among tasks that are due at the same time.
             task: Its clock, which calls `until`.
             body: Runs it; must not raise.
         """
         self._entries[task] = _Entry(number, task, greenlet(body), self.now_s)
 
     def remove(self, task: object) -> None:
-        """Let a task run no more; called between steps."""
+        """Remove a task; called between steps."""
         entry = self._entries.pop(task, None)
         if entry is not None and not entry.greenlet.dead:
             entry.greenlet.throw()
 
     def wake(self, task: object) -> None:
-        """Let a task look now."""
+        """Wake a task now."""
         entry = self._entries.get(task)
         if entry is not None:
             entry.wake_s = min(entry.wake_s, self.now_s)
 
     def wants_s(self) -> float:
-        """When the next of tasks and cell wants to go on [s]; infinite if none does."""
+        """When the next task or the cell is due [s]; infinite if none is."""
         cell_s = self.cell.next_s()
         wakes = (one.wake_s for one in self._entries.values())
         return min(math.inf if cell_s is None else cell_s, min(wakes, default=math.inf))
@@ -133,7 +133,7 @@ class LiveTurns:
 
 
 def _switch(to: greenlet) -> None:
-    """Let another go on; a program that is followed step by step is, whoever ran in between."""
+    """Switch to another task; a program being stepped stays stepped, whatever ran in between."""
     followed = sys.gettrace()
     to.switch()
     if sys.gettrace() is not followed:
