@@ -1,1 +1,1 @@
-"""The virtual controller of one task: its clock, and one small class a concern."""
+"""The virtual controller of one task: its clock, and one small class per concern."""

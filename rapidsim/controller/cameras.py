@@ -1,4 +1,4 @@
-"""The cameras of the cell, as one task asks them."""
+"""The cameras of the cell, as one task uses them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class TaskCameras:
     cell: Cell
 
     def camera(self, name: str) -> CameraState | None:
-        """A camera by its name without case."""
+        """A camera by name, ignoring case."""
         return self.cell.cameras.get(name.lower())
 
     def take_picture(self, camera: Camera) -> float:
@@ -34,7 +34,7 @@ class TaskCameras:
         return script.after_s
 
     def found(self, camera: Camera) -> int:
-        """How many results can be fetched now."""
+        """The number of results that can be fetched now."""
         now_s = self.clock.come_up()
         return sum(there_s <= now_s for there_s, _ in self._state(camera).results)
 
@@ -49,7 +49,7 @@ class TaskCameras:
         return len(self._state(camera).results) > self.found(camera)
 
     def forget(self, camera: Camera) -> None:
-        """Throw away the results that nobody has fetched."""
+        """Discard the results that have not been fetched."""
         self._state(camera).results.clear()
 
     def _state(self, camera: Camera) -> CameraState:

@@ -1,4 +1,4 @@
-"""Cameras of a cell: what each finds in one picture after the other.
+"""Cameras of a cell: what each finds in successive pictures.
 
 Plain data, read from the station file or the file that `--io` names.
 """
@@ -17,13 +17,13 @@ class CameraScript:
 
     name: str
     pictures: tuple[tuple[CameraTarget, ...], ...]
-    """What there is to see in each picture."""
+    """The results found in each picture."""
     after_s: float = 0.0
-    """From asking for a picture to its results."""
+    """Time from the request for a picture to its results."""
     repeats: bool = False
-    """The pictures begin again after the last one; else later ones show nothing."""
+    """Whether the pictures repeat after the last one; otherwise later ones show nothing."""
     parameters: tuple[tuple[str, float | bool | str], ...] = ()
-    """What its job can be set to, by folded name, and the values at the start."""
+    """The parameters of its job, by folded name, with their initial values."""
 
 
 @dataclass(slots=True, eq=False)
@@ -38,9 +38,9 @@ class CameraState:
     parameters: dict[str, float | bool | str] = field(default_factory=dict)
     exposure: dict[str, float] = field(default_factory=dict)
     results: list[tuple[float, CameraTarget]] = field(default_factory=list)
-    """Those nobody has fetched, and when [s] they are there."""
+    """Results not yet fetched, with the time [s] at which each is available."""
 
 
 def camera_state(script: CameraScript) -> CameraState:
-    """A camera as it is when the run begins."""
+    """A camera in its state at the start of the run."""
     return CameraState(script, script.name, parameters=dict(script.parameters))

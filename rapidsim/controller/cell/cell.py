@@ -1,6 +1,6 @@
 """What all tasks of a cell share: signals and what drives them, the home folder, the operator.
 
-A signal that changes makes everything happen that hangs on it, at the same instant: signals that
+A signal that changes triggers everything that depends on it at the same instant: signals that
 follow it, interrupts, and stimuli whose condition comes true. Changes that are still to come wait
 in one list; a task lets them happen while it passes time.
 
@@ -35,11 +35,11 @@ from rapidsim.language.moves import Place
 from rapidsim.values import dataclass
 
 OUTSIDE = "cell"
-"""Stands for a task's name at events that no task causes."""
+"""Used in place of a task's name for events that no task causes."""
 
 
 class Listener(Protocol):
-    """Who wants to know of signals that change: a task's interrupts, a search."""
+    """Is told of signals that change: a task's interrupts, a search."""
 
     def listens_to(self, signal: str) -> bool:
         """Whether changes of this signal matter."""
@@ -51,10 +51,10 @@ class Listener(Protocol):
 
 
 class Turns(Protocol):
-    """Who may pass time: the one place a scheduler of several tasks takes over."""
+    """Decides who may pass time: the one place where a scheduler of several tasks takes over."""
 
     def until(self, task: object, time_s: float) -> float:
-        """Let the other tasks come up to a time [s].
+        """Let the other tasks catch up to a time [s].
 
         Returns:
             How far the task may go: the time it asked for, or an earlier one if something has
@@ -64,7 +64,7 @@ class Turns(Protocol):
         ...
 
     def next_s(self, task: object) -> float:
-        """When the next of the other tasks wants to go on [s]; infinite if none does."""
+        """When the next of the other tasks is due [s]; infinite if none is."""
         ...
 
     def look_again(self, time_s: float) -> None:
@@ -72,7 +72,7 @@ class Turns(Protocol):
         ...
 
     def rest(self, task: object) -> bool:
-        """Note that a task waits for what others do; whether all of them do the same."""
+        """Note that a task waits for others; returns whether all tasks do."""
         ...
 
 
@@ -100,7 +100,7 @@ class Alone:
 
 @dataclass(frozen=True, slots=True)
 class Cause:
-    """Whose doing a change is."""
+    """What caused a change."""
 
     journal: Journal
     place: Place | None = None
@@ -124,16 +124,16 @@ class _Change:
 
 @dataclass(frozen=True, slots=True)
 class _Coming:
-    """Something that will happen at a moment."""
+    """Something scheduled for a moment."""
 
     moment: Moment
     act: Callable[[Moment], None]
     signals: tuple[str, ...]
-    """Folded names of those it may change."""
+    """Folded names of the signals it may change."""
 
 
 class Cell:
-    """The signals, the world around the robot, and who waits for what.
+    """The signals, the world around the robot, and what waits for what.
 
     Changes that are to come are a `happening.Happening` of every task.
     """
@@ -141,20 +141,20 @@ class Cell:
     on_path = False
 
     def __init__(self, inputs: CellInputs, journal: Journal) -> None:
-        """Set the cell up at time zero; what happens by itself is noted beside `journal`."""
+        """Set the cell up at time zero; what happens by itself is recorded beside `journal`."""
         self.max_time_s = inputs.max_time_s
         self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home, inputs.ramdisk)
         self.operator = Operator(inputs.answers, inputs.answers_are_typed)
         self.pendant: Pendant | None = None
-        """Where questions wait for answers; None where they are answered at once or never."""
+        """Where questions wait for answers; None if they are answered at once or never."""
         self.texts = TextTables()
         self.sockets = SocketTable(inputs.io.sockets, self.happen)
         self.network = inputs.network
-        """None where sockets may not use the network."""
+        """None if sockets may not use the network."""
         self.sensors: Sensors = NoSensors()
-        """Who guides robots."""
+        """The sensors that guide robots."""
         if inputs.network is not None and inputs.network.sensors is not None:
             self.sensors = inputs.network.sensors
         self.starts_at = inputs.starts_at
@@ -172,12 +172,12 @@ class Cell:
         self.is_shared = False
         """Whether other tasks may change what one task waits for."""
         self.outsiders_act = False
-        """Whether somebody outside may act at any time, so that programs keep up with robots."""
+        """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
-        """Told of each entry of the event log: by which task, and when [s]."""
+        """Called with each entry of the event log, its task and its time [s]."""
         self.listeners: list[Listener] = []
         self.happenings = 0
-        """Grows with everything that another task may have to look at."""
+        """Counts everything that another task may have to react to."""
         self._io = inputs.io
         self._outside = Cause(journal.beside(OUTSIDE))
         self._coming: list[_Coming] = []
@@ -195,11 +195,11 @@ class Cell:
         self.turns, self.is_shared = turns, True
 
     def end_sharing(self) -> None:
-        """Let whoever looks at what the run has left look without waiting for others."""
+        """End sharing, so that results of the run are read without waiting for other tasks."""
         self.turns, self.is_shared = Alone(), False
 
     def hears(self, name: str) -> bool:
-        """Whether anything hangs on a signal, so that a change must have a known time."""
+        """Whether anything depends on a signal, so that its changes need a known time."""
         folded = name.lower()
         return (
             self.is_shared
@@ -209,7 +209,7 @@ class Cell:
         )
 
     def set_signal(self, cause: Cause, moment: Moment, name: str, value: float) -> bool:
-        """Change a signal at a moment, with all that hangs on it; the time is known if any does.
+        """Change a signal with all that depends on it; the time is known if anything does.
 
         Returns:
             Whether it had another value before: otherwise nothing happens.
@@ -236,7 +236,7 @@ class Cell:
         return True
 
     def task_ended(self, task: str, time_s: float, *, failed: bool) -> None:
-        """Let the system outputs show that a task no longer executes, and whether it failed."""
+        """Update the system outputs: a task has stopped executing, and may have failed."""
         moment = Moment(Instant(time_s))
         for signal in self._io.signals:
             if signal.task is not None and signal.task.lower() != task.lower():
@@ -247,7 +247,7 @@ class Cell:
                 self.set_signal(self._outside, moment, signal.name, 1.0)
 
     def last_change(self, names: Iterable[str], since_s: float) -> str:
-        """Which of some signals has changed last, and by whom; empty if none has since a time."""
+        """The last change among some signals with its cause; empty if none since a time."""
         found = [self._last_changes.get(name.lower()) for name in names]
         dated = [(one.moment.time_s, one) for one in found if one and one.moment.is_known]
         recent = [(time_s, one) for time_s, one in dated if time_s >= since_s]
@@ -274,13 +274,13 @@ class Cell:
             self.network.close()
 
     def happen(self, time_s: float, act: Callable[[float], None]) -> None:
-        """Let something happen at a later time [s] that changes no signal."""
+        """Schedule something at a later time [s] that changes no signal."""
         moment = Moment(Instant(time_s))
         self._coming.append(_Coming(moment, lambda now: act(now.time_s), ()))
         self.tell(moment)
 
     def tell(self, moment: Moment) -> None:
-        """Let the other tasks look at what happens at a moment."""
+        """Let the other tasks react to what happens at a moment."""
         self.happenings += 1
         if self.is_shared:
             self.turns.look_again(moment.time_s)
@@ -291,7 +291,7 @@ class Cell:
         return min(times, default=None)
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the earliest change happen whose time is known; see `happening.Happening`."""
+        """Carry out the earliest change whose time is known; see `happening.Happening`."""
         del passed_s, until_s
         known = [one for one in self._coming if one.moment.instant.time is not None]
         coming = min(known, key=lambda one: one.moment.time_s)
@@ -304,7 +304,7 @@ class Cell:
         """Changes keep their times."""
 
     def may_change(self, name: str) -> bool:
-        """Whether a signal may change without any program doing it, at once or after others."""
+        """Whether a signal may change without a program, directly or through others."""
         changing: set[str] = set()
         new = {signal for one in self._coming for signal in one.signals}
         while new - changing:
@@ -320,7 +320,7 @@ class Cell:
         return name.lower() in changing
 
     def _begin(self) -> None:
-        """Wire the cell at time zero."""
+        """Apply cross connections and stimuli at time zero."""
         start = Moment(Instant(0.0))
         for cross in self._io.crosses:
             self.signals.write(cross.result, float(cross.condition.holds(self.signals.read)))
@@ -333,7 +333,7 @@ class Cell:
                 self._come(stimulus, start.time_s + stimulus.after_s)
 
     def _follow(self, name: str, cause: Cause, moment: Moment) -> None:
-        """Let the signals follow that are wired to one that has changed."""
+        """Update the signals that are connected to one that has changed."""
         for cross in self._io.crosses:
             if name.lower() in _folded(cross.condition.signals()):
                 value = float(cross.condition.holds(self.signals.read))
@@ -343,7 +343,7 @@ class Cell:
                     self.set_signal(cause, moment, cross.result, value)
 
     def _follow_later(self, cross: CrossConnection, value: float, time_s: float) -> None:
-        """Let a signal follow at a time [s]."""
+        """Update a connected signal at a time [s]."""
 
         def act(now: Moment) -> None:
             if self.signals.read(cross.result) != value:
@@ -365,7 +365,7 @@ class Cell:
                 self._come(stimulus, moment.time_s + stimulus.after_s)
 
     def _come(self, stimulus: Stimulus, time_s: float) -> None:
-        """Let a stimulus act at a time, and again if it comes again."""
+        """Apply a stimulus at a time, and schedule it again if it repeats."""
 
         def act(now: Moment) -> None:
             before = {name: self.signals.read(name) for name in stimulus.values}

@@ -1,6 +1,6 @@
 """Conditions on signals, as a station file writes them: `doGrip = 1 and not diFault`.
 
-Terms are joined by `and` or by `or`; a station file never mixes them, so that nobody has to know
+Terms are joined by `and` or by `or`; a station file never mixes them, so that nobody needs to know
 which binds tighter. A signal alone means that it is not 0.
 """
 
@@ -76,7 +76,7 @@ def read_condition(text: str) -> Condition:
     """Read a condition.
 
     Raises:
-        ConditionError: If it is none.
+        ConditionError: If the text is not a condition.
     """
     parts = _JOINT.split(text.strip())
     joints = tuple(word.lower() for word in parts[1::2])

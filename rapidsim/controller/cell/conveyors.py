@@ -1,4 +1,4 @@
-"""Conveyors of a cell: objects that pass, and which of them a program has taken."""
+"""Conveyors of a cell: the objects that pass, and which one a program has connected to."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ MM_BEHIND = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class ConveyorScript:
-    """How objects come on a conveyor; plain data, read from the station file."""
+    """How objects arrive on a conveyor; plain data, read from the station file."""
 
     unit: str
     """Name of its mechanical unit."""
@@ -19,9 +19,9 @@ class ConveyorScript:
     first_s: float
     """When the first object passes the synchronisation switch."""
     every_s: float | None = None
-    """Time from one object to the next; None where there is one only."""
+    """Time from one object to the next; None if there is only one."""
     length_mm: float = math.inf
-    """An object that nobody has taken within so much is lost."""
+    """An object that travels this far without being taken is lost."""
 
 
 @dataclass(slots=True, eq=False)
@@ -34,7 +34,7 @@ class ConveyorState:
     """The object that is taken next."""
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
-        """When the next object will have come so far; None if none ever comes."""
+        """When the next object will have come that far; None if none ever comes."""
         script = self.script
         late_s = (script.length_mm + MM_BEHIND) / script.speed_mm_s
         while (passed_s := self._passes_s()) is not None and passed_s + late_s < now_s:

@@ -17,7 +17,7 @@ from rapidsim.values import dataclass
 
 
 class SignalKind(StrEnum):
-    """What a signal carries, and who sets it."""
+    """What a signal carries, and whether it is an input or an output."""
 
     DI = "di"
     DO = "do"
@@ -29,13 +29,13 @@ class SignalKind(StrEnum):
 
 _LONGEST_NUMBER = 10
 GROUP_WIDTH = 32
-"""Bits of a group that nobody declares, and the most a group can have."""
+"""The number of bits of an undeclared group, and the most a group can have."""
 
 
 def mapped_bits(text: str) -> tuple[int, ...]:
     """The bits of a device that `0-3,8` names, the lowest of the group first.
 
-    At most as many as a group can have; what cannot be read names none.
+    At most as many as a group can have; a text that cannot be read gives none.
     """
     found: list[int] = []
     for part in text.replace(" ", "").split(","):
@@ -82,19 +82,19 @@ class SignalDeclaration:
     name: str
     kind: SignalKind
     value: float = 0.0
-    """What it is at the start."""
+    """Its initial value."""
     lowest: float | None = None
     highest: float | None = None
-    """Logical limits; None where there are none."""
+    """Logical limits; None if there are none."""
     status: Status | None = None
     """What it shows, if it is a system output."""
     task: str | None = None
-    """Of which task; None is any."""
+    """The task whose state it shows; None for any."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stimulus:
-    """What happens to inputs by itself: at a time, or after a condition became true."""
+    """A change of inputs from outside: at a time, or after a condition became true."""
 
     values: Mapping[str, float]
     """What the signals become."""
@@ -106,7 +106,7 @@ class Stimulus:
     after_s: float = 0.0
     """From the condition becoming true to the change."""
     pulse_s: float | None = None
-    """After this time the signals are again what they were."""
+    """After this time the signals return to their previous values."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +116,7 @@ class CrossConnection:
     result: str
     condition: Condition
     after_s: float = 0.0
-    """So much later, each time."""
+    """The delay, each time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,12 +127,12 @@ class CellIo:
     crosses: tuple[CrossConnection, ...] = ()
     stimuli: tuple[Stimulus, ...] = ()
     sockets: tuple[SocketScript, ...] = ()
-    """Who is at the other end of the program's sockets."""
+    """The peers of the program's sockets."""
     cameras: tuple[CameraScript, ...] = ()
     conveyors: tuple[ConveyorScript, ...] = ()
 
     def and_also(self, other: CellIo) -> CellIo:
-        """Both; where both declare a signal, the other's declaration counts."""
+        """Both combined; if both declare a signal, the other's declaration counts."""
         later = {signal.name.lower() for signal in other.signals}
         kept = tuple(signal for signal in self.signals if signal.name.lower() not in later)
         return replace(

@@ -34,18 +34,18 @@ from rapidsim.language.files import FileMode, OpenFile
 # Never wait for a pipe, never follow a link that appeared after the check; Windows has neither.
 _CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 _MOST_OPEN = 100
-"""Files a program has open at one time; what the system allows serves rapidsim's own files too."""
+"""The most files a program may have open; the system's limit is for rapidsim's files too."""
 _LONGEST_LINE = 10_000_000
-"""[bytes]; a home folder may come with a file that has no end."""
+"""[bytes]; a home folder may contain a file that has no end."""
 _DISK = re.compile(r"TEMP|RAMDISK|BACKUP|PC|REMOVABLEDISK\d*|USBDISK\d*|[A-Z]")
 """Disks besides HOME: those of a controller, its server, drives of a computer."""
 _HOME_FOLDER = "HOME/"
-"""What begins with it is meant from where HOME: lies."""
+"""A path that begins with it is relative to the parent of HOME:."""
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
 class _Disk:
-    """What a run may write in all: a loop must not fill the disk of whoever started it."""
+    """The limit on what a run may write: a loop must not fill the user's disk."""
 
     def __init__(self) -> None:
         """Begin with an empty disk."""
@@ -53,7 +53,7 @@ class _Disk:
         self._made = 0
 
     def use(self, count: int) -> None:
-        """Take so many bytes more.
+        """Use more bytes.
 
         Raises:
             RapidError: ERR_FILEACC, if they are not there.
@@ -65,7 +65,7 @@ class _Disk:
         self._used += count
 
     def make(self, place: Path) -> None:
-        """Take room for a file or folder, and for folders above it, where they are not there yet.
+        """Make a file or folder, and the folders above it, if missing.
 
         Raises:
             RapidError: ERR_FILEACC, if the run has made too many.
@@ -115,7 +115,7 @@ class HomeFile:
         self._open().seek(0)
 
     def flush(self) -> None:
-        """Bring to the disk what was written."""
+        """Write what is buffered to the disk."""
         if not self._stream.closed:
             self._stream.flush()
 
@@ -144,15 +144,15 @@ class HomeFolder:
     """The files a program may use, and a list of those it wrote."""
 
     def __init__(self, folder: Path | None, ramdisk: Path | None = None) -> None:
-        """Confine all paths to `folder`, where None means that there is none, and to `ramdisk`."""
+        """Confine all paths to `folder`, or None for no home folder, and to `ramdisk`."""
         self._folder = folder
         self._ramdisk = ramdisk
         self._files: list[HomeFile] = []
-        """Those that were open when the last one was opened."""
+        """The files that were open when the last one was opened."""
         self._written: dict[Path, float] = {}
-        """And the virtual time [s] at which each was last opened to be written."""
+        """The written files, and the virtual time [s] at which each was last opened to write."""
         self._loaded: dict[Path, float] = {}
-        """Of each program file that was read: when it had been written."""
+        """For each program file that was read, when it had been written [s]."""
         self._disk = _Disk()
 
     def open_file(self, path: str, mode: FileMode, now_s: float = 0.0) -> OpenFile:
@@ -258,7 +258,7 @@ class HomeFolder:
             self._place(path).rmdir()
 
     def names_in(self, path: str) -> tuple[str, ...]:
-        """The names in a folder, sorted."""
+        """The names of the entries of a folder, sorted."""
         place = self._place(path, or_root=True)
         if not place.exists() and self._is_disk(place):
             return ()
@@ -266,7 +266,7 @@ class HomeFolder:
             return tuple(sorted(one.name for one in place.iterdir()))
 
     def is_folder(self, path: str) -> bool:
-        """Whether a folder is there; a disk always is."""
+        """Whether a folder exists; a disk always does."""
         place = self._place(path, or_root=True)
         return self._is_disk(place) or place.is_dir()
 
@@ -278,12 +278,12 @@ class HomeFolder:
         return place.stat().st_size if place.is_file() else None
 
     def written_s(self, path: str) -> float | None:
-        """When the run wrote a file, 0 where it did not; None if there is no such file."""
+        """When the run wrote a file, 0 if it did not; None if there is no such file."""
         place = self._place(path, or_root=True)
         return self._written.get(place, 0.0) if place.exists() else None
 
     def loaded_s(self, path: str) -> float:
-        """When the run had written a program file that it then read, 0 where it did not."""
+        """When the run had written a program file before reading it, 0 if it did not."""
         return self._loaded.get(self._place(path), 0.0)
 
     def bytes_in(self, path: str) -> int:
@@ -301,7 +301,7 @@ class HomeFolder:
         return tuple((str(path), path.stat().st_size) for path in self._written if path.exists())
 
     def _regular(self, path: str) -> Path:
-        """The place of a file that is there."""
+        """The place of an existing file."""
         for file in self._files:
             file.flush()
         place = self._place(path)
@@ -310,7 +310,7 @@ class HomeFolder:
         return place
 
     def _free(self, path: str) -> Path:
-        """The place of a file that is not there yet."""
+        """The place of a file that does not exist yet."""
         place = self._place(path)
         if place.exists():
             raise rapid_error(ERR_FILEEXIST, f"{path} is there already")
@@ -322,7 +322,7 @@ class HomeFolder:
         return place in (root, _real(self._ramdisk)) or (named_so and not place.exists())
 
     def _place(self, path: str, *, or_root: bool = False) -> Path:
-        """The place of a RAPID path on our disk; the home folder itself only where it may be."""
+        """The place of a RAPID path on our disk; the home folder itself only if allowed."""
         root = _real(self._folder)
         if root is None:
             raise RapidError(ERR_FILEOPEN, f"{path}: the run has no home folder (use --home)")

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network
 
 Answers = Callable[[str], str | None]
-"""Answers an operator's question by its prompt; None where nobody answers."""
+"""Answers an operator's question by its prompt; None if nobody answers."""
 
 
 START_OF_TIME = datetime(2000, 1, 1)
@@ -29,7 +29,7 @@ class CellInputs:
     answers: Answers | None
     """None answers every question with its default and a warning."""
     answers_are_typed: bool
-    """Whether a person answers, who is asked again after an answer that is none."""
+    """Whether a person answers, who is asked again after an invalid answer."""
     io: CellIo
     """Signals, how they are wired, and what happens to inputs."""
     home: Path | None
@@ -37,7 +37,7 @@ class CellInputs:
     ramdisk: Path | None
     """The folder RAMDISK: stands for; None is one in the home folder."""
     network: Network | None
-    """What sockets may use of the network; None lets them reach the station's scripts only."""
+    """What sockets may use of the network; None limits them to the station's scripts."""
     tasks: tuple[str, ...]
     """Names of all tasks of the cell; a run may be of some of them."""
     configured: Configured
@@ -47,4 +47,4 @@ class CellInputs:
     max_time_s: float
     """Virtual time at which the run ends."""
     max_wall_s: float | None
-    """How long the run may take on our clock; the only thing in a run that depends on it."""
+    """How long the run may take on the wall clock; nothing else in a run depends on it."""

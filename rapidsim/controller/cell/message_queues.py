@@ -37,7 +37,7 @@ class QueueType(StrEnum):
 
 
 class QueueMode(StrEnum):
-    """How a task takes messages."""
+    """How a task receives messages."""
 
     INTERRUPT = "interrupt"
     SYNCHRONOUS = "synchronous"
@@ -49,7 +49,7 @@ class QueueSettings:
 
     type: QueueType = QueueType.REMOTE
     mode: QueueMode | None = None
-    """None where nobody says: then it is that of the instructions that the program uses."""
+    """None if not configured: then it follows from the instructions that the program uses."""
     max_bytes: int = LEAST_BYTES
     max_messages: int = 5
 
@@ -83,7 +83,7 @@ class MessageQueue:
     is_absent: bool = False
     """Its task is not in the run: what comes is lost."""
     raises_interrupt: Callable[[Message, float], bool] = lambda message, now_s: False
-    """Raises the interrupts that wait for a message; whether there are any."""
+    """Raises the interrupts that wait for a message; returns whether there are any."""
     _awaited: _Awaited | None = None
 
     def put(self, message: Message, now_s: float) -> Put:
@@ -127,20 +127,20 @@ class MessageQueue:
 
     @property
     def answer(self) -> Message | None:
-        """What RMQSendWait waits for, once it is there."""
+        """The answer that RMQSendWait waits for, once it has arrived."""
         return None if self._awaited is None else self._awaited.answer
 
     def forget_answer(self) -> None:
-        """Nobody waits for an answer any more."""
+        """Stop waiting for an answer."""
         self._awaited = None
 
 
 @dataclass(slots=True)
 class MessageQueues:
-    """All queues of a cell, by their names as they are spelled."""
+    """All queues of a cell, by name, case-sensitive."""
 
     absent: frozenset[str] = frozenset()
-    """Names of queues of tasks that the cell has and this run has not."""
+    """Names of queues of tasks of the cell that are not in this run."""
     _queues: dict[str, MessageQueue] = field(default_factory=dict)
 
     def open_for(self, task: str, settings: QueueSettings) -> MessageQueue:
@@ -153,7 +153,7 @@ class MessageQueues:
         return queue
 
     def connect(self, client: str, max_messages: int = MOST_MESSAGES) -> MessageQueue:
-        """The queue of a client outside, whose messages wait until it fetches them."""
+        """The queue of a client, whose messages wait until it fetches them."""
         settings = QueueSettings(
             mode=QueueMode.SYNCHRONOUS, max_bytes=MOST_BYTES, max_messages=max_messages
         )

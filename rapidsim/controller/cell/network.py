@@ -1,4 +1,4 @@
-"""Real sockets, for runs that may use the network; this computer only unless other hosts are named.
+"""Real sockets, for runs that may use the network; only this computer unless other hosts are named.
 
 What the network answers takes no virtual time; a wait in vain takes as long as it says, in both
 times. A run that uses the network is as repeatable as what answers it.
@@ -26,7 +26,7 @@ _LOOPBACK = "127.0.0.1"
 _LOCAL = ("", "localhost", _LOOPBACK)
 _AT_ONCE = 65536
 _LOOK_S = 0.5
-"""So long a wait without end stays away from the keyboard's Ctrl-C."""
+"""How long [s] a wait without end ignores Ctrl-C."""
 
 
 @dataclass(eq=False, slots=True)
@@ -54,10 +54,10 @@ class NetworkConnection:
         return True
 
     def wait(self, count: int, patience: Callable[[], float | None]) -> None:
-        """Wait until so many bytes are there or no more will come.
+        """Wait until so many bytes have arrived or no more will come.
 
         Args:
-            count: Of all bytes that are there.
+            count: The number of bytes to wait for, including those that have arrived.
             patience: Asked each time that some have come: how long [s] to wait for more, or for
                 ever.
         """
@@ -82,7 +82,7 @@ class NetworkPort:
     port: int
 
     def has(self, address: str, port: int) -> bool:
-        """Whether it is this port, and not given back."""
+        """Whether it is this port and not yet released."""
         return (self.address, self.port) == (address, port) and self.server.fileno() >= 0
 
     def listen(self) -> None:
@@ -105,29 +105,29 @@ class NetworkPort:
         return NetworkConnection(stream, f"{host}:{port}")
 
     def close(self) -> None:
-        """Listen no more."""
+        """Stop listening."""
         self.server.close()
 
 
 @dataclass(slots=True)
 class Network:
-    """What of the network a run may use."""
+    """The network as far as a run may use it."""
 
     hosts: frozenset[str] = frozenset()
-    """Addresses beside this computer that sockets may be bound to or connect to."""
+    """Hosts other than this computer that sockets may bind or connect to."""
     sensors: Sensors | None = None
-    """Who guides robots; None where nobody does."""
+    """The sensors that guide robots; None for none."""
     _opened: list[NetworkConnection | NetworkPort] = field(default_factory=list)
 
     def bind(self, address: str, port: int) -> NetworkPort:
-        """Take a port: at the address if it was named, else only for this computer.
+        """Bind a port: at the address if one was named, else only for this computer.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         host = address if address in self.hosts else _LOOPBACK
         if any(isinstance(one, NetworkPort) and one.has(host, port) for one in self._opened):
-            # Of two sockets of one program some systems notice it only when both listen.
+            # With two sockets of one program, some systems notice it only when both listen.
             raise rapid_error(ERR_SOCK_ADDR_INUSE, f"another socket has {host}:{port} already")
         server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
         try:
@@ -176,7 +176,7 @@ class Network:
 
 
 def _tried(act: Callable[[], T], of: socket.socket, seconds: float | None) -> T | None:
-    """Try something that waits; None if the time ran out. A broken connection counts as ended."""
+    """Try a blocking call; None if the time ran out. A broken connection counts as ended."""
     while True:
         of.settimeout(_LOOK_S if seconds is None else max(seconds, 1e-3))
         try:

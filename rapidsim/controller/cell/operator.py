@@ -1,7 +1,7 @@
-"""The person at the FlexPendant: answers from a file, a terminal, or nobody.
+"""The operator at the FlexPendant: answers from a file, a terminal, or nobody.
 
-A run in CI must never hang on a question, so where nobody answers a default is taken and said; but
-of a question that ends by itself nobody answers nothing.
+A run in CI must never hang on a question, so if nobody answers, a default is taken and reported.
+A question with a time limit of its own is left unanswered instead.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True)
 class OperatorAnswer(Generic[T]):
-    """What was answered, and what was wrong with getting it."""
+    """The answer, and what was wrong with it."""
 
     value: T
     findings: tuple[Violation, ...] = ()
@@ -31,14 +31,14 @@ class OperatorAnswer(Generic[T]):
 
 @dataclass(frozen=True, slots=True)
 class Operator:
-    """Asks whoever answers."""
+    """Puts questions to whoever answers."""
 
     answers: Answers | None
     can_be_asked_again: bool = False
-    """Whether somebody sits there who can correct an answer; lines of a file cannot."""
+    """Whether a person answers, who can correct an answer; lines of a file cannot."""
 
     def number(self, prompt: str, *, ends: bool = False) -> OperatorAnswer[float] | None:
-        """The answer to a question for a number; None if nobody answers one that `ends`."""
+        """The answer to a question for a number; None if it `ends` without an answer."""
         text = self._ask(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
@@ -72,7 +72,7 @@ class Operator:
         return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))
 
     def text(self, prompt: str, proposal: str, *, ends: bool = False) -> OperatorAnswer[str] | None:
-        """A text; the proposal where nobody answers."""
+        """A text; the proposal if nobody answers."""
         text = self._ask(prompt)
         if text is None and ends:
             return None
@@ -85,7 +85,7 @@ class Operator:
 
 
 def number_said(text: str) -> float | None:
-    """The finite number that a text says; None if it says none."""
+    """The finite number in a text; None if it is not one."""
     try:
         value = float(text)
     except ValueError:

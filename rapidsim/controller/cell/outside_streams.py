@@ -1,6 +1,6 @@
-"""Connections of programs with a real outside, whose acts happen at instants of virtual time.
+"""Connections of programs with real peers, whose actions take effect at instants of virtual time.
 
-A `Wire` takes what programs do; what the outside does is told here by whoever holds the clock, and
+A `Wire` takes what programs do; what peers do is passed in here by whoever holds the clock, and
 one connection is one number to both. To a program such a connection is like one with a script.
 """
 
@@ -13,7 +13,7 @@ from typing import Final, Protocol
 from rapidsim.controller.cell.streams import Port, StreamEnd, connected
 
 MOST_UNREAD: Final = 1_000_000
-"""Bytes that wait for a program; a peer that sends more waits itself."""
+"""The most bytes that wait for a program; a peer that sends more has to wait."""
 
 
 class Wire(Protocol):
@@ -28,7 +28,7 @@ class Wire(Protocol):
         ...
 
     def unlisten(self, port: int) -> None:
-        """Let nobody connect to a port any more."""
+        """Stop accepting connections at a port."""
         ...
 
     def connect(self, number: int, address: str, port: int) -> None:
@@ -44,12 +44,12 @@ class Wire(Protocol):
         ...
 
     def close(self, number: int) -> None:
-        """End a connection, when all that was sent is under way."""
+        """Close a connection once everything has been sent."""
         ...
 
 
 class NoWire:
-    """Nobody is there: what the outside does is known beforehand."""
+    """A wire without peers: what they do is known beforehand."""
 
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
@@ -69,7 +69,7 @@ class NoWire:
 
 @dataclass(slots=True)
 class _Stream:
-    """A connection: the program's end, and that of the outside."""
+    """A connection: the program's end and the peer's."""
 
     near: StreamEnd
     far: StreamEnd
@@ -77,29 +77,29 @@ class _Stream:
 
 @dataclass(slots=True, eq=False)
 class OutsideStreams:
-    """Those of a cell. Programs number the connections they ask for from 1, the outside from -1."""
+    """The streams of a cell, numbered from 1 up if programs requested them, else from -1 down."""
 
     wire: Wire
     _ports: dict[int, Port] = field(default_factory=dict)
     _streams: dict[int, _Stream] = field(default_factory=dict)
     _calls: dict[tuple[str, int], int] = field(default_factory=dict)
-    """Connections that nobody has answered yet, by address and port."""
+    """Calls that nobody has answered yet, by address and port."""
     _answered: dict[tuple[str, int], StreamEnd] = field(default_factory=dict)
     _last: int = 0
 
     def opened(self, port: Port, address: str) -> None:
-        """A program listens; raises as `Wire.listen` does."""
+        """A program listens at a port; raises as `Wire.listen` does."""
         self.wire.listen(port.port, address)
         self._ports[port.port] = port
 
     def closed(self, port: Port) -> None:
-        """It listens no more."""
+        """A program stops listening at a port."""
         if self._ports.get(port.port) is port:
             del self._ports[port.port]
             self.wire.unlisten(port.port)
 
     def called(self, address: str, port: int) -> StreamEnd | None:
-        """A program's end of the connection it asks for, once somebody has answered."""
+        """The program's end of a connection it requests, once it has been answered."""
         where = (address, port)
         end = self._answered.pop(where, None)
         if end is None and where not in self._calls:
@@ -109,7 +109,7 @@ class OutsideStreams:
         return end
 
     def hung_up(self, address: str, port: int, now_s: float) -> None:
-        """A program no longer wants a connection that it asked for."""
+        """A program no longer waits for a connection that it requested."""
         number = self._calls.pop((address, port), None)
         if number is not None:
             self.wire.close(number)
@@ -136,12 +136,12 @@ class OutsideStreams:
             self.wire.close(number)
 
     def arrived(self, number: int, data: bytes, now_s: float) -> None:
-        """Bytes have come."""
+        """Bytes have arrived."""
         if stream := self._streams.get(number):
             stream.far.send(data, now_s)
 
     def ended(self, number: int, now_s: float) -> None:
-        """The outside has closed a connection."""
+        """The peer has closed a connection."""
         if stream := self._streams.pop(number, None):
             stream.far.close(now_s)
 

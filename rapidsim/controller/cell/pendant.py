@@ -1,4 +1,4 @@
-"""Questions that stand on the FlexPendant until somebody answers: of a controller that stays on."""
+"""Questions that stay on the FlexPendant until somebody answers, for a controller that stays on."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ AnswerValue: TypeAlias = float | int | str
 
 @dataclass(frozen=True, slots=True)
 class Question:
-    """What a task asks."""
+    """A question of a task."""
 
     task: str
     instruction: str
@@ -23,14 +23,14 @@ class Question:
     wants: type[AnswerValue]
     """`float` a number, `int` one of the choices, `str` a text."""
     choices: tuple[str, ...] = ()
-    """Keys from 1; a key with the text "" is not there."""
+    """Keys from 1; a key with the text "" is not shown."""
     proposal: str = ""
 
     def read(self, text: str) -> AnswerValue:
-        """The answer that a text is: for keys their texts or numbers.
+        """The answer that a text stands for: for keys, their texts or numbers.
 
         Raises:
-            ValueError: If it is none, in words for who answers.
+            ValueError: If it is not valid, in words for whoever answers.
         """
         if self.wants is str:
             return text
@@ -47,19 +47,19 @@ class Question:
 
 @dataclass(slots=True)
 class Pendant:
-    """The question of each task that waits for an answer, and answers that no task has taken."""
+    """The open question of each task, and the answers that no task has taken yet."""
 
     questions: dict[str, Question] = field(default_factory=dict)
-    """By name of the task, in the order in which they were asked."""
+    """By name of the task, in the order of asking."""
     _answers: dict[str, AnswerValue] = field(default_factory=dict)
     _instructions: dict[str, str] = field(default_factory=dict)
 
     def begin(self, task: str, instruction: str) -> None:
-        """A task begins to ask."""
+        """A task asks a question."""
         self._instructions[task] = instruction
 
     def withdraw(self, task: str) -> None:
-        """A task asks no longer."""
+        """A task withdraws its question."""
         for table in (self.questions, self._answers, self._instructions):
             table.pop(task, None)
 
@@ -71,7 +71,7 @@ class Pendant:
         choices: Sequence[str] = (),
         proposal: str = "",
     ) -> AnswerValue | None:
-        """The answer to a question; None, and it stands, until there is one."""
+        """The answer to a question; None as long as there is none."""
         if task in self._answers:
             return self._answers.pop(task)
         name = self._instructions.get(task, "")
@@ -90,5 +90,5 @@ class Pendant:
         del self.questions[task]
 
     def has_answer(self, task: str) -> bool:
-        """Whether there is an answer that a task has not taken."""
+        """Whether there is an answer that a task has not taken yet."""
         return task in self._answers

@@ -10,20 +10,20 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 
 @dataclass(slots=True, eq=False)
 class Meeting:
-    """Some tasks that wait at one synchronization point."""
+    """Tasks that wait at one synchronization point."""
 
     name: str
-    """As the program writes it."""
+    """The name of the point, as the program writes it."""
     tasks: frozenset[str]
-    """Folded names of those that must come."""
+    """Folded names of the tasks that must arrive."""
     arrived: list[str] = field(default_factory=list)
-    """Folded names of those that are there, in the order of coming."""
+    """Folded names of the tasks that have arrived, in order."""
     outcome: object = None
     """What they agreed on."""
 
     @property
     def is_complete(self) -> bool:
-        """Whether all have come."""
+        """Whether all have arrived."""
         return len(self.arrived) == len(self.tasks)
 
 
@@ -34,13 +34,13 @@ class Meetings:
     _open: dict[tuple[str, str], Meeting] = field(default_factory=dict)
 
     def arrive(self, instruction: str, name: str, task: str, tasks: Iterable[str]) -> Meeting:
-        """Let a task come to a synchronization point.
+        """A task arrives at a synchronization point.
 
         Args:
             instruction: Such as `WaitSyncTask`; points of different instructions never meet.
             name: Of the point, as the program writes it.
-            task: Who comes.
-            tasks: Who must come.
+            task: The task that arrives.
+            tasks: The tasks that must arrive.
 
         Raises:
             RapidError: ERR_ARGVALERR, if others wait there for other tasks.
@@ -60,7 +60,7 @@ class Meetings:
         return meeting
 
     def leave(self, instruction: str, meeting: Meeting, task: str) -> None:
-        """Let a task give up waiting."""
+        """A task gives up waiting."""
         meeting.arrived.remove(task.lower())
         if not meeting.arrived:
             del self._open[instruction, meeting.name.lower()]

@@ -1,4 +1,4 @@
-"""Sensors that guide robots, as the controller talks to them: a word and an answer each cycle."""
+"""Sensors that guide robots, as the controller sees them: message and answer each cycle."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Teller:
-    """How a guidance is told to its sensor: when, and in which frames."""
+    """How a sensor is informed of a guidance: when, and in which frames."""
 
     first_s: float
-    """Of the first cycle [s]."""
+    """The time of the first cycle [s]."""
     samples: int
-    """Cycles from one word to the next."""
+    """Cycles from one message to the next."""
     feedback: GuidedFeedback
 
 
@@ -27,7 +27,7 @@ class Sensor(Protocol):
 
     @property
     def looks_ahead(self) -> bool:
-        """Whether a stream is told beforehand where the robot will be, so that no word is late."""
+        """Whether a stream is told in advance where the robot will be, so none is late."""
         ...
 
     def begin(self, run: GuidedRun, told: Teller) -> None:
@@ -39,7 +39,7 @@ class Sensor(Protocol):
         ...
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Tell where the robot is; what the sensor has said since the last time."""
+        """Send where the robot is; returns what the sensor has said since the last time."""
         ...
 
     def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
@@ -47,7 +47,7 @@ class Sensor(Protocol):
         ...
 
     def end(self, feedback: Feedback) -> None:
-        """The guidance is over; a last word."""
+        """The guidance is over: a last message."""
         ...
 
     def tell(self, stream: Sequence[Feedback]) -> None:
@@ -58,7 +58,7 @@ class Sensor(Protocol):
         ...
 
     def close(self) -> None:
-        """Nobody talks to it any more."""
+        """Close the connection."""
         ...
 
 
@@ -74,12 +74,12 @@ class Sensors(Protocol):
         ...
 
     def close(self) -> None:
-        """Nobody talks to any of them any more."""
+        """Close all connections."""
         ...
 
 
 class SilentSensor:
-    """Nobody is there."""
+    """A sensor that never answers."""
 
     looks_ahead: bool = False
 
@@ -90,7 +90,7 @@ class SilentSensor:
         """See `Sensor`."""
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Nobody answers."""
+        """There is never an answer."""
         del feedback
         return None
 
@@ -108,7 +108,7 @@ class SilentSensor:
 
 
 class NoSensors:
-    """Nobody is at the other end of any device."""
+    """No device has a sensor."""
 
     def open(self, device: str) -> Sensor:
         """See `Sensors`."""

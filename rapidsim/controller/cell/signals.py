@@ -1,4 +1,4 @@
-"""The signals of the cell, by name without case: what they are, and what the program may write."""
+"""The signals of the cell, by name ignoring case: their values, and what the program may write."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
 class SignalTable:
-    """Values of all signals; those nobody declares come to be, at 0, when they are first used."""
+    """The values of all signals; undeclared signals come into being, at 0, when first used."""
 
     def __init__(self, declared: Iterable[SignalDeclaration]) -> None:
         """Start with the declared signals at their start values."""
@@ -29,7 +29,7 @@ class SignalTable:
         return changed
 
     def require_output(self, name: str, value: float) -> None:
-        """Refuse what the I/O configuration does not let a program write.
+        """Refuse what the I/O configuration forbids a program to write.
 
         Raises:
             RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits.

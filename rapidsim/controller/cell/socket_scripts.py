@@ -1,4 +1,4 @@
-"""Who is at the other end of a program's sockets: peers that follow a script.
+"""The peers of a program's sockets that follow a script.
 
 Plain data, read from the station file or the file that `--io` names.
 """
@@ -13,7 +13,7 @@ class SocketStep:
     """One step of a script: wait for what the program sends, wait a while, then act."""
 
     expect: bytes = b""
-    """The step waits until the program has sent this; what came before it is skipped."""
+    """The step waits until the program has sent this; anything before it is skipped."""
     after_s: float = 0.0
     send: bytes = b""
     close: bool = False
@@ -27,12 +27,12 @@ class SocketScript:
     port: int
     steps: tuple[SocketStep, ...]
     serves: bool
-    """It is a server that the program connects to; otherwise it connects to the program."""
+    """Whether it is a server that the program connects to; otherwise it connects to the program."""
     address: str = ""
-    """Of a server, where it differs from others by its address; empty serves any."""
+    """The address of a server, if that tells it from others; empty for any."""
     after_s: float = 0.0
-    """From the program's listening to the peer's connecting, or the server's answer."""
+    """The time from the program's listening to the peer's connection, or to the server's answer."""
     repeats: bool = False
-    """The steps begin again after the last one."""
+    """Whether the steps repeat after the last one."""
     reconnects: bool = False
-    """A peer that connects does so again when its connection has ended."""
+    """Whether a peer that connects does so again when its connection has ended."""

@@ -1,7 +1,7 @@
-"""Streams of bytes between the program and who talks to it: scripts, and other tasks.
+"""Streams of bytes between the program and its peers: scripts and other tasks.
 
-A connection has two ends. What one end sends is at the other at once; a script answers after the
-time it says. Nothing here waits: tasks wait, and things that happen later are scheduled.
+A connection has two ends. What one end sends arrives at the other at once; a script answers after
+the time it says. Nothing here waits: tasks wait, and things that happen later are scheduled.
 """
 
 from __future__ import annotations
@@ -139,7 +139,7 @@ class Outside(Protocol):
 
 
 class SocketTable:
-    """The ports that programs have taken and the scripts that talk to them."""
+    """The ports that programs have bound and the scripts that talk to them."""
 
     def __init__(self, scripts: Sequence[SocketScript], schedule: Schedule) -> None:
         """Let scripts do what they do at the times they say."""
