@@ -1,4 +1,4 @@
-"""How time passes for one task: the program pointer's time, what falls due on the way, limits.
+"""How time passes for one task: the program pointer's time, what falls due meanwhile, limits.
 
 The program pointer's time is an instant plus an offset. After a fly-by move the instant is "the
 robot starts that move", which nobody knows until the path is planned; the program runs on and what
@@ -63,9 +63,9 @@ class TaskClock:
         self.place = place
         self.left = 0
         self.happenings: tuple[Happening, ...] = ()
-        """In the order in which they happen at one time; set once, when all are there."""
+        """In the order in which they happen at one time; set once, when all exist."""
         self.observers: list[Callable[[], None]] = []
-        """Who looks at what the program has changed, at each statement that reports."""
+        """Called at each statement that reports, to look at what the program has changed."""
         self.times_told = 0
         """How often the program has asked for the time."""
         self._cell = cell
@@ -78,17 +78,17 @@ class TaskClock:
         self.deeds = 0
         """How often the program has done more than look."""
         self._reported = place
-        """The place of the last call that did more than look, as a round begins with it."""
+        """The place of the last call that did more than look, where a round begins."""
         self._passed_s = 0.0
-        """Up to here everything has happened; nothing happens before it any more."""
+        """Everything up to this time [s] has happened; nothing happens before it any more."""
         self._serves = False
         """Whether what falls due is served between two statements."""
         self._interludes = 0
         """How many traps and the like run, one within the other."""
         self._failure: RapidError | None = None
-        """What a trap wants the statement to end with that it interrupts."""
+        """The error with which a trap wants to end the statement it interrupts."""
         self._looks_at_s: float | None = None
-        """The time [s] at which it looks aside; None while it does not."""
+        """The time [s] of `aside`; None outside it."""
         cell.listeners.append(table)
         cell.watchdog.watch(self)
 
@@ -103,12 +103,12 @@ class TaskClock:
         return self._time.is_known
 
     def come_up(self) -> float:
-        """The time [s] of the statement that runs, with every other task come up to it.
+        """The time [s] of the current statement, with every other task caught up.
 
         Whoever reads or changes what tasks share does this first.
         """
         if self._looks_at_s is not None:
-            # The others have come up already, and the program's own time may not be known yet.
+            # The others have caught up already, and the program's own time may not be known yet.
             return self._looks_at_s
         now_s = self.observe()
         if self._cell.is_shared:
@@ -117,13 +117,13 @@ class TaskClock:
         return now_s
 
     def now(self) -> float:
-        """Virtual time [s] of the statement that runs."""
+        """Virtual time [s] of the current statement."""
         self.note_line()
         self.times_told += 1
         return self.observe()
 
     def stays_until(self, time_s: float) -> None:
-        """What the statement that runs tells the program stays as it is until a time [s]."""
+        """What the current statement reads stays unchanged until a time [s]."""
         self.take_back_deed()
         self._polling.told(time_s)
 
@@ -145,7 +145,7 @@ class TaskClock:
 
     @contextmanager
     def waiting(self, awaited: str) -> Iterator[Waiting]:
-        """Note that the statement that runs waits, if it takes time; it says what ends it.
+        """Record that the current statement waits, if it takes time, and what ends the wait.
 
         Args:
             awaited: What it waits for.
@@ -189,13 +189,13 @@ class TaskClock:
         self.grant()
 
     def _skip_rounds(self) -> None:
-        """Go to where something happens, if the program only looks for it in the same way again.
+        """Skip to the next thing that happens if the program only polls for it.
 
         Raises:
             PollsForever: If nothing ever happens.
         """
         if self.place is not self._reported:
-            # Of its own, so that a call from this very statement shows, too.
+            # A copy of its own, so that a call from this very statement shows, too.
             self.place = self._reported = replace(self.place)
             self.deeds += 1
         used, now_s = self._time.used, self._time.known_s
@@ -219,30 +219,30 @@ class TaskClock:
             self._polling.in_vain(used)
 
     def end_time_s(self) -> float:
-        """When everything is over [s]: the program pointer and the arm."""
+        """When everything is over [s]: both the program pointer and the arm."""
         pointer_s = self._time.known_s if self._time.is_known else 0.0
         return min(self._cell.max_time_s, max(pointer_s, self._unit.queue.trajectory.duration))
 
     def pointer_s(self) -> float:
-        """Time [s] of the program pointer, or when its robot's path ends if nobody knows."""
+        """Time [s] of the program pointer, or when its robot's path ends if unknown."""
         known = self._time.is_known
         return self._time.known_s if known else self._unit.queue.trajectory.command_end
 
     def thinks_long(self) -> bool:
-        """Whether the program has thought so long that it makes a difference to the path."""
+        """Whether the program has computed for so long that it affects the path."""
         self._time.settle(self.left)
         return self._time.offset_s > LOOK_AHEAD_SLACK_S
 
     def follow(self, instant: Instant) -> None:
-        """Be at an instant, known or not."""
+        """Go to an instant, known or not."""
         self._time.follow(instant)
 
     def set(self, time_s: float) -> None:
-        """Be at a known time [s], whatever falls due before it."""
+        """Go to a known time [s], whatever falls due before it."""
         self._time.set(time_s)
 
     def go_to(self, time_s: float) -> None:
-        """Let time [s] come, whatever instant the program was at; see `pass_time`."""
+        """Pass time up to `time_s` [s], whatever instant the program was at; see `pass_time`."""
         self._time.follow(Instant())
         self.pass_time(time_s)
 
@@ -251,22 +251,22 @@ class TaskClock:
         self._cell.tell(self.moment())
 
     def run_in_background(self) -> None:
-        """Take longer for loops than tasks that are started and stopped."""
+        """Run loops more slowly than normal tasks."""
         self._time.tick_s = BACKGROUND_TICK_S
 
     def tick(self) -> None:
-        """Let a little time pass: what may go on without end takes some, as a loop does a turn."""
+        """Let a little time pass, as a turn of a loop takes: what may go on for ever needs some."""
         self.left -= 1
         if self.left < 0:
             self.service()
 
     def moment(self) -> Moment:
-        """When the statement that runs happens."""
+        """When the current statement happens."""
         self._time.settle(self.left)
         return self._time.moment()
 
     def grant(self) -> None:
-        """Give the program ticks until something is due."""
+        """Grant the program ticks until something is due."""
         self._cell.watchdog.look()
         due_s = self.next_due_s()
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
@@ -276,7 +276,7 @@ class TaskClock:
         self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S, most)
 
     def observe(self) -> float:
-        """The time [s] of the statement that runs, planned if nobody has had to know it yet."""
+        """The time [s] of the current statement; plans the path if that is needed to know it."""
         time = self._time
         time.settle(self.left)
         if not time.is_known:
@@ -304,7 +304,7 @@ class TaskClock:
         self.grant()
 
     def _go(self, until_s: float) -> None:
-        """Pass time without granting any."""
+        """Pass time without granting ticks."""
         limit_s = self._cell.max_time_s
         reached_s = min(until_s, limit_s)
         served_s = self.serve_due(reached_s)
@@ -343,7 +343,7 @@ class TaskClock:
         return min((time_s for time_s in times if time_s is not None), default=None)
 
     def serve_due(self, until_s: float) -> float:
-        """Let everything due by a time happen; returns when the last of it ended [s]."""
+        """Carry out everything due by a time; returns when the last of it ended [s]."""
         ended_s = 0.0
         while True:
             self._cell.watchdog.look()
@@ -361,7 +361,7 @@ class TaskClock:
             ended_s = max(ended_s, due.pass_next(self._passed_s, until_s))
 
     def interlude(self, due_s: float, run: Callable[[], None]) -> float:
-        """Let something run in between, then go on where the program was.
+        """Run something in between, then continue where the program was.
 
         Args:
             due_s: It begins at this time [s], or as soon after as it can.
@@ -396,7 +396,7 @@ class TaskClock:
         return ended_s
 
     def leave_ticks(self, left: int) -> None:
-        """Let so many be left, as before: a loop that counts its own was not asked for them."""
+        """Restore the ticks left: a loop that counts its own was not asked for them."""
         self.left = self._time.hold(self.left, left)
 
     def fail_later(self, error: RapidError) -> None:
@@ -414,7 +414,7 @@ class TaskClock:
             raise failure
 
     def await_restart(self) -> None:
-        """While StopMove keeps the robot where it is, a program that needs it to move waits.
+        """Wait while StopMove holds the robot that the program needs to move.
 
         Raises:
             WaitsForever: If nothing will start it again.
@@ -459,7 +459,7 @@ class TaskClock:
         self.pass_time(now_s)
 
     def aside(self, now_s: float, look: Callable[[], T]) -> T:
-        """Look at something of the cell as it is at a time [s], without letting time pass."""
+        """Look at the cell as it is at a time [s], without letting time pass."""
         before, self._looks_at_s = self._looks_at_s, now_s
         try:
             return look()
@@ -471,16 +471,16 @@ class TaskClock:
         self.aside(now_s, lambda: self._table.look(now_s))
 
     def log(self, entry: LoggedError) -> None:
-        """Tell whoever keeps the event log of an entry."""
+        """Add an entry to the event log."""
         if self._cell.logbook is not None:
             self._cell.logbook(self._journal.task, entry, self.observe())
 
     def cause(self) -> Cause:
-        """The statement that runs, for what it changes."""
+        """The current statement, as the cause of what it changes."""
         return Cause(self._journal, self.place)
 
     def note_line(self) -> None:
-        """Note that the program is at the statement that runs."""
+        """Record that the program is at the current statement."""
         self._cell.watchdog.look()
         for look in self.observers:
             look()
@@ -491,10 +491,10 @@ class TaskClock:
         self._journal.line(self.moment(), self.place)
 
     def take_back_deed(self) -> None:
-        """The statement that runs, whose line was noted, has changed nothing."""
+        """Take back the count of the current statement, which has changed nothing."""
         self.deeds -= 1
 
     def event(self, kind: EventKind, message: str, **details: object) -> None:
-        """Note an event of the statement that runs."""
+        """Record an event of the current statement."""
         self.note_line()
         self._journal.event(self.moment(), kind, self.place, message, **details)

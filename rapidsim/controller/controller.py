@@ -1,4 +1,4 @@
-"""The virtual controller of one task: its clock, and a concern for all that a program may ask.
+"""The virtual controller of one task: its clock, and one concern for each thing a program may ask.
 
 Each concern has its file here and is given what it uses; what tasks share is the `Cell`.
 """
@@ -45,7 +45,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class VirtualController:
-    """What a run asks of the controller of one task; the program of the task asks `concerns`."""
+    """The controller of one task as a run sees it; the program of the task sees `concerns`."""
 
     clock: TaskClock
     execution: TaskExecution
@@ -71,12 +71,12 @@ def virtual_controller(
 
     Args:
         cell: What the task shares with others.
-        unit: The robot; one that never moves, for a task that has none.
+        unit: The robot; one that never moves if the task has none.
         resolver: Makes segments of moves.
-        journal: Where the task reports.
+        journal: Where the task reports what happens.
         place: Where the program pointer stands.
         has_robot: Whether the task moves the robot.
-        queue: Its message queue; None where nobody describes it.
+        queue: Its message queue; None if nothing describes it.
     """
     state, table = MotionState(), InterruptTable()
     marks, world_from_base = PathMarks(unit), resolver.base_from_world.inverse()

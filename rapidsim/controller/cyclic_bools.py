@@ -34,10 +34,10 @@ class TaskCyclicBools:
     cell: Cell
     _kept: dict[str, _CyclicBool] = field(default_factory=dict)
     _looks: bool = False
-    """While conditions are evaluated: what follows them may be what they look at."""
+    """Set while conditions are evaluated: what they change may be what they look at."""
 
     def __post_init__(self) -> None:
-        """Hear of signals, and of what the program does."""
+        """Listen to signals, and to what the program does."""
         self.cell.listeners.append(self)
         self.clock.observers.append(self.look)
 
@@ -50,26 +50,26 @@ class TaskCyclicBools:
         self.look()
 
     def remove(self, name: str) -> None:
-        """Let a persistent be as it is from now on."""
+        """Stop updating a persistent."""
         self.clock.observe()
         self._kept.pop(name.lower(), None)
 
     def names(self) -> tuple[str, ...]:
-        """The persistents that are kept."""
+        """The persistents that are updated."""
         return tuple(one.name for one in self._kept.values())
 
     def listens_to(self, signal: str) -> bool:
-        """Any signal may be one that a condition looks at."""
+        """True: any signal may be one that a condition reads."""
         del signal
         return bool(self._kept)
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """Follow a signal at its instant."""
+        """Update at the instant at which a signal changes."""
         del signal, old, value
         self._follow(now_s)
 
     def look(self) -> None:
-        """Follow what the program has changed."""
+        """Update after what the program has changed."""
         if self._kept and self.clock.is_known:
             self._follow(self.clock.observe())
 

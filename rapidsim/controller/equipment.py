@@ -1,4 +1,4 @@
-"""What is installed around one task: its mechanical units, and what the cell has for all."""
+"""The equipment of one task: its mechanical units, and what the cell has for all tasks."""
 
 from __future__ import annotations
 
@@ -44,18 +44,18 @@ class TaskEquipment:
         return self.cell.parameters.instances(domain, of)
 
     def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
-        """Change an attribute for whoever reads it after."""
+        """Change an attribute, for whoever reads it later."""
         self.clock.come_up()
         self.cell.parameters.change(domain, of, number, attribute, value)
         self.clock.tell()
 
     def is_enabled(self, device: str) -> bool:
-        """Whether an I/O device takes part."""
+        """Whether an I/O device is enabled."""
         self.clock.come_up()
         return device.lower() not in self.cell.disabled_devices
 
     def enable(self, device: str, *, enabled: bool) -> None:
-        """Let an I/O device take part, or not."""
+        """Enable or disable an I/O device."""
         self.clock.come_up()
         if enabled:
             self.cell.disabled_devices.discard(device.lower())
@@ -65,7 +65,7 @@ class TaskEquipment:
 
 
 def _units_of(task: TaskOthers) -> tuple[MechanicalUnitFacts, ...]:
-    """What a task moves: its robot, if it has one, and the units of external axes."""
+    """The units that a task moves: its robot, if it has one, and its external axes."""
     robot, moves_with = task.resolver.robot, task.robot_number
     axes: dict[str, list[int]] = {}
     for axis in robot.external:

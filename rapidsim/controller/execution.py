@@ -1,4 +1,4 @@
-"""Stopping the program of one task and letting it go on: by itself, or from outside.
+"""Stopping and restarting the program of one task: by itself, or from outside.
 
 In a run of its own nobody starts a program that has stopped, so the run ends. Where somebody may,
 the program stands where it is while virtual time passes, as in a trap that waits; the robot stops
@@ -29,11 +29,11 @@ from rapidsim.language.reference import Reference
 
 @dataclass(slots=True)
 class _Asked:
-    """A stop that was asked for and has not happened."""
+    """A stop that was requested and has not happened yet."""
 
     at_s: float
     on_path: bool
-    """Whether the robot stops where it is; else it makes the moves it has."""
+    """Whether the robot stops where it is; otherwise it finishes its moves."""
 
 
 @dataclass(eq=False)
@@ -48,18 +48,18 @@ class TaskExecution:
     processes: StopProcesses
     """What a stop does to process signals."""
     stops_all: Callable[[str], None] | None = None
-    """Lets all tasks stop, for a reason; None where nobody would start them again."""
+    """Stops all tasks, for a reason; None if nobody would start them again."""
     resumed: Callable[[], None] | None = None
-    """Called where the program goes on."""
+    """Called when the program continues."""
     stands: bool = False
     """Whether the program waits to be started."""
     _asked: _Asked | None = None
 
     def stop(self, reason: str) -> None:
-        """Stop all that executes.
+        """Stop all tasks that are executing.
 
         Raises:
-            Stopped: Where nobody starts it again.
+            Stopped: If nobody starts it again.
         """
         if self.stops_all is None:
             raise Stopped(reason)
@@ -70,21 +70,21 @@ class TaskExecution:
     def supervise(
         self, restart: Reference[RestartData], process: tuple[str | None, ...], shadow: str
     ) -> None:
-        """Let a stop note and zero process signals."""
+        """Record and reset process signals at each stop."""
         self.processes.watch(StopProcess(restart, process, shadow))
 
     def end(self) -> None:
-        """The program has stopped, nobody starts it again, and its robot made the moves it had."""
+        """The program has stopped for good, and its robot has finished its moves."""
         stood_s = max(self.clock.pointer_s(), self.unit.queue.trajectory.duration)
         self.processes.stop(stood_s, stood_s, on_path=False)
 
     def ask_to_stop(self, at_s: float, *, on_path: bool) -> None:
-        """Stop at a time [s] that has come, before the program does anything more."""
+        """Stop at the present time [s], before the program does anything more."""
         if not self.stands and self._asked is None:
             self._asked = _Asked(at_s, on_path)
 
     def go_on(self) -> None:
-        """Let the program go on when it is its turn next; also take back a stop asked for."""
+        """Let the program continue at its next turn; also cancels a requested stop."""
         self.stands, self._asked = False, None
 
     def next_s(self) -> float | None:
@@ -92,17 +92,17 @@ class TaskExecution:
         return None if self._asked is None else self._asked.at_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Stop and stand; see `happening.Happening`."""
+        """Stop and wait; see `happening.Happening`."""
         del passed_s, until_s
         assert self._asked is not None
         asked, self._asked = self._asked, None
         return self.clock.interlude(asked.at_s, lambda: self._stand(on_path=asked.on_path))
 
     def look_from(self, time_s: float) -> None:
-        """A stop is asked for at a time that has come."""
+        """Nothing to do: a stop is requested for the present time."""
 
     def stand(self) -> None:
-        """Stand until somebody starts the program; its robot makes the moves it has."""
+        """Wait until somebody starts the program; its robot finishes its moves."""
         self._stand(on_path=False)
 
     def _stand(self, *, on_path: bool) -> None:
@@ -110,7 +110,7 @@ class TaskExecution:
         stopped = on_path and not queue.is_halted
         stood_s = since_s
         if stopped:
-            # What cannot be planned is told when the program comes to it again.
+            # What cannot be planned is reported when the program comes to it again.
             with suppress(MotionError):
                 stood_s = queue.halt(since_s)
         self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)

@@ -84,7 +84,7 @@ class FileAccess:
         return self.cell.home.written_s(path)
 
     def loaded_s(self, path: str) -> float:
-        """When a program file had been written that was then loaded [s]."""
+        """When a loaded program file had been written [s]."""
         return self.cell.home.loaded_s(path)
 
     def bytes_in(self, path: str) -> int:
@@ -100,7 +100,7 @@ class TaskTexts:
     cell: Cell
 
     def install_texts(self, name: str, texts: Mapping[int, str]) -> None:
-        """Keep a table of texts."""
+        """Install a table of texts."""
         self._see_others()
         self.cell.texts.install(name, texts)
 
@@ -114,6 +114,6 @@ class TaskTexts:
         return self.cell.texts.text(table, index)
 
     def _see_others(self) -> None:
-        """Let what other tasks have installed by now be there."""
+        """Catch up with what other tasks have installed by now."""
         if self.cell.is_shared:
             self.clock.come_up()

@@ -1,6 +1,6 @@
-"""Externally guided motion of one task: identities, and the robot in the hand of a sensor.
+"""Externally guided motion of one task: identities, and the robot guided by a sensor.
 
-A guidance goes on by a cycle at a time, whatever the program does meanwhile, and takes what the
+A guidance advances by one cycle at a time, whatever the program does meanwhile, and takes what the
 sensor has said at instants of virtual time. Who the sensor is, `cell.sensors` knows.
 """
 
@@ -50,7 +50,7 @@ from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
 from rapidsim.values import dataclass
 
 MOST_IDENTITIES: Final = 4
-"""So many a task may have at one time; from memory of ABB's documents."""
+"""The most identities of a task at one time; from memory of ABB's documents."""
 
 
 @dataclass(slots=True, eq=False)
@@ -67,11 +67,11 @@ class TaskGuidance:
     _identities: dict[int, SensorIdentity] = field(default_factory=dict)
     _under_way: GuidanceUnderWay | None = None
     _correcting: PathCorrecting | None = None
-    """Who corrects the path, until the robot leaves it."""
+    """The sensor that corrects the path, until the robot leaves it."""
     _puts: bool = False
-    """Whether a move is put on a path that is corrected."""
+    """Whether a move is being put on a corrected path."""
     _last: tuple[SensorIdentity, Ended] | None = None
-    """Whose guidance has ended last, and how, until somebody has asked."""
+    """Whose guidance ended last, and how, until the program has asked."""
 
     # What a program asks.
 
@@ -97,7 +97,7 @@ class TaskGuidance:
         one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
-        """Say what the sensor's goals mean."""
+        """Set what the sensor's goals mean."""
         purpose = Purpose.JOINT if activation.frames is None else Purpose.POSE
         one, setup = self._connected(identity)
         if setup.purpose is not purpose:
@@ -129,7 +129,7 @@ class TaskGuidance:
             self._await(one)
 
     def activate_path(self, identity: int, sample_s: float) -> None:
-        """Say how often the sensor corrects a path."""
+        """Set how often the sensor corrects a path."""
         one, setup = self._connected(identity)
         if setup.purpose is not Purpose.PATH_CORRECTION:
             raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
@@ -164,7 +164,7 @@ class TaskGuidance:
             self._pause(correcting)
 
     def await_condition(self, identity: int) -> None:
-        """Wait until the robot that is guided is there."""
+        """Wait until the guided robot has arrived."""
         one, _ = self._connected(identity)
         self.clock.note_line()
         self.clock.come_up()
@@ -189,13 +189,13 @@ class TaskGuidance:
             self.clock.await_event(math.inf)
 
     def stream(self, identity: int, sample_s: float | None) -> None:
-        """Tell the sensor where the robot is."""
+        """Stream the robot's position to the sensor."""
         one, _ = self._connected(identity)
         self.clock.come_up()
         self._stream(one, sample_s)
 
     def give_back(self, identity: int) -> None:
-        """End all of it and give the identity back."""
+        """End everything and release the identity."""
         one = self._identities.get(identity)
         if one is None:
             return
@@ -217,7 +217,7 @@ class TaskGuidance:
         return DISCONNECTED if one is None else one.state
 
     def forget_all(self) -> None:
-        """The program is taken off: no sensor is talked to any more."""
+        """The program is unloaded: close all connections to sensors."""
         self._settle()
         if self.unit.own.corrected is not None:
             self.unit.own.corrected.settle()
@@ -237,7 +237,7 @@ class TaskGuidance:
         return None if math.isinf(next_s) else next_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Go on by a cycle or a sample, or tell a sensor where the robot is."""
+        """Carry out a cycle or a sample, or tell a sensor where the robot is."""
         del until_s
         under_way, corrected_s = self._under_way, self._corrected_s()
         due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
@@ -259,7 +259,7 @@ class TaskGuidance:
     # Within.
 
     def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
-        """Who is told where the robot is, the earliest first; a sensor that guides hears it so."""
+        """The sensors that are told where the robot is, the earliest first."""
         guides = None if self._under_way is None else self._under_way.identity
         if self._correcting is not None and self._correcting.runs:
             guides = self._correcting.identity
@@ -278,7 +278,7 @@ class TaskGuidance:
             self.clock.grant()
 
     def _cycle(self, under_way: GuidanceUnderWay) -> float:
-        """Go on by a cycle; its time [s]."""
+        """Carry out a cycle; returns its time [s]."""
         now_s, answer = under_way.next_s, None
         identity, run = under_way.identity, under_way.run
         assert identity.sensor is not None
@@ -332,7 +332,7 @@ class TaskGuidance:
         return self._correcting.next_s
 
     def _correction_of(self, one: SensorIdentity, move: Move) -> PathCorrecting:
-        """The correction of a path on which a move is put; a new one where it begins."""
+        """The correction of the path that a move is put on; a new one if it begins here."""
         queue = self.unit.own
         external = queue.end.external
         frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
@@ -376,7 +376,7 @@ class TaskGuidance:
         return now_s
 
     def _stop_here(self, correcting: PathCorrecting) -> None:
-        """Stop on a path that is corrected no more, and forget the rest of it."""
+        """Stop on a path that is no longer corrected, and drop the rest of it."""
         queue = self.unit.own
         rest_s = queue.halt(correcting.told_s)
         self.clock.go_to(max(queue.trajectory.seen_s(rest_s), correcting.rest()))
@@ -386,14 +386,14 @@ class TaskGuidance:
         correcting.identity.state, self._correcting = CONNECTED, None
 
     def _pause(self, correcting: PathCorrecting) -> None:
-        """The robot has come to a stop point of its path."""
+        """The robot has reached a stop point of its path."""
         if correcting.runs:
             self.clock.pass_time(max(self.clock.observe(), correcting.rest()))
             correcting.last_word(Guided.STOPPED)
         correcting.identity.state = CONNECTED
 
     def _end_correction(self) -> None:
-        """Let the robot come to the end of a path that is corrected, and stay beside it."""
+        """Let the robot finish a corrected path, and stay beside it."""
         correcting = self._correcting
         if correcting is None:
             return
@@ -418,7 +418,7 @@ class TaskGuidance:
         return self._under_way is not None and self._under_way.identity is one
 
     def _settle(self) -> None:
-        """Take note that the guidance has ended, here or because somebody has stopped the robot."""
+        """Take note that the guidance has ended, here or because the robot was stopped."""
         under_way = self._under_way
         if under_way is None or self.unit.own.guided is under_way:
             return

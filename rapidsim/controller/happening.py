@@ -6,11 +6,11 @@ from typing import Protocol
 
 
 class Happening(Protocol):
-    """Something that falls due while a task lets time pass."""
+    """Something that falls due while a task passes time."""
 
     @property
     def on_path(self) -> bool:
-        """Whether asking for the next plans the path of the robot."""
+        """Whether asking for the next one plans the path of the robot."""
         ...
 
     def next_s(self) -> float | None:
@@ -18,10 +18,10 @@ class Happening(Protocol):
         ...
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the next happen.
+        """Carry out the next one.
 
         Args:
-            passed_s: Nothing happens before this time [s] any more.
+            passed_s: Everything before this time [s] is over.
             until_s: It is due by then.
 
         Returns:

@@ -20,13 +20,13 @@ from rapidsim.language.reference import Reference
 from rapidsim.values import dataclass
 
 MIN_TIMER_PERIOD_S = 0.1
-"""The shortest period ITimer takes when it repeats."""
+"""The shortest period that ITimer accepts if it repeats."""
 MIN_TIMER_SINGLE_S = 0.01
-"""The shortest time ITimer takes when it fires once."""
+"""The shortest time that ITimer accepts if it fires once."""
 LONGEST_QUEUE = 1000
-"""So many interrupts may wait for their traps."""
+"""The most interrupts that may wait for their traps."""
 MOST_AT_ONCE = 10_000
-"""So many traps may run without any time passing."""
+"""The most traps that may run without any time passing."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ class _Connection:
     signal: str | None = None
     """Folded name of the signal whose change may raise the interrupt."""
     matches: Callable[[float], bool] = bool
-    """Whether a change to a value does."""
+    """Whether a change to a given value does."""
     watched: Reference[object] | None = None
     """The persistent whose change raises the interrupt."""
     seen: object = None
@@ -74,7 +74,7 @@ class _Connection:
         return any(order is not None for order in orders)
 
     def withdraw(self) -> None:
-        """Forget the order."""
+        """Cancel the order."""
         self.next_s = self.period_s = self.signal = self.watched = self.wanted = None
         self.message = None
         self.safe = False
@@ -85,7 +85,7 @@ class InterruptTable:
     """The interrupts of one task."""
 
     held: bool = False
-    """IDisable: interrupts wait until IEnable."""
+    """Whether IDisable is in effect: interrupts wait until IEnable."""
     watches: bool = False
     """Whether any persistent must be looked at."""
     _connections: dict[float, _Connection] = field(default_factory=dict)
@@ -95,7 +95,7 @@ class InterruptTable:
     _at_once: int = 0
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
-        """Book the next number for a trap."""
+        """Assign the next number to a trap."""
         self._last_number += 1
         self._connections[float(self._last_number)] = _Connection(trap, trap_name)
         return float(self._last_number)
@@ -150,7 +150,7 @@ class InterruptTable:
         self._find_free(number).wanted = wanted
 
     def error_logged(self, entry: LoggedError, now_s: float) -> None:
-        """Make the interrupts due that want this entry."""
+        """Raise the interrupts that wait for this entry."""
         for number, connection in self._connections.items():
             if connection.wanted is not None and connection.wanted(entry):
                 self._raise(number, connection, now_s, entry)
@@ -164,7 +164,7 @@ class InterruptTable:
         self._find_free(number).message = kind
 
     def message_came(self, message: Message, now_s: float) -> bool:
-        """Make the interrupts due that wait for such a message; whether there are any."""
+        """Raise the interrupts that wait for such a message; returns whether there are any."""
         waiting = [
             (number, one)
             for number, one in self._connections.items()
@@ -180,14 +180,14 @@ class InterruptTable:
         return any(c.wanted is not None for c in self._connections.values())
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """Make the interrupts due that wait for this change."""
+        """Raise the interrupts that wait for this change."""
         del old
         for number, connection in self._connections.items():
             if connection.signal == signal.lower() and connection.matches(value):
                 self._raise(number, connection, now_s)
 
     def look(self, now_s: float) -> None:
-        """Make the interrupts due whose persistents have changed since somebody looked."""
+        """Raise the interrupts whose persistents have changed since the last look."""
         for number, connection in self._connections.items():
             if connection.watched is None:
                 continue
@@ -197,7 +197,7 @@ class InterruptTable:
                 self._raise(number, connection, now_s)
 
     def raise_now(self, number: float, now_s: float) -> None:
-        """Make one interrupt due.
+        """Raise one interrupt.
 
         Raises:
             RapidError: If it is not connected.
@@ -205,11 +205,11 @@ class InterruptTable:
         self._raise(number, self._find(number), now_s)
 
     def post(self, due: Due) -> None:
-        """Let a procedure run like a trap."""
+        """Queue a procedure that runs like a trap."""
         self._queue.append(due)
 
     def delete(self, number: float) -> None:
-        """Forget an interrupt; one that is not connected is no mistake."""
+        """Delete an interrupt; one that is not connected is not an error."""
         self._connections.pop(number, None)
         self._note_watched()
         self._queue = [due for due in self._queue if due.number != number]
@@ -228,12 +228,12 @@ class InterruptTable:
         connection.asleep = asleep
 
     def make_safe(self, number: float) -> None:
-        """Let nobody put an interrupt to sleep."""
+        """Make an interrupt safe, so that it cannot be put to sleep."""
         self._find(number).safe = True
 
     @property
     def armed(self) -> bool:
-        """Whether any interrupt may come."""
+        """Whether any interrupt may be raised."""
         return bool(self._queue) or any(c.ordered for c in self._connections.values())
 
     def listens_to(self, signal: str) -> bool:
@@ -249,7 +249,7 @@ class InterruptTable:
         return min(times, default=None)
 
     def take_due(self, until_s: float) -> Due | None:
-        """The earliest interrupt due by `until_s`, taken off; sleeping ones are dropped.
+        """Remove and return the earliest interrupt due by `until_s`; sleeping ones are dropped.
 
         Raises:
             TrapStorm: If traps follow each other without time passing.
@@ -267,12 +267,12 @@ class InterruptTable:
         return tuple(self._queue)
 
     def stood(self, waited: tuple[Due, ...], since_s: float, until_s: float) -> None:
-        """The program has stood for a while: what came then is lost, but for what is safe.
+        """The program was stopped for a while: interrupts of that time are lost, unless safe.
 
         Args:
-            waited: What waited when it stopped.
+            waited: The interrupts that waited when it stopped.
             since_s: When that was [s].
-            until_s: When it went on [s].
+            until_s: When it continued [s].
         """
         safe = {number for number, one in self._connections.items() if one.safe}
         kept = {id(one) for one in waited}
@@ -289,7 +289,7 @@ class InterruptTable:
         self._note_watched()
 
     def _take(self, time_s: float) -> Due:
-        """The interrupt that is due at a time: one that was raised before a timer."""
+        """The interrupt that is due at a time: one that was raised goes before a timer."""
         if self._queue and self._queue[0].time_s <= time_s:
             return self._queue.pop(0)
         number, connection = next(
@@ -346,5 +346,5 @@ class InterruptTable:
 
 
 def _frozen(value: object) -> object:
-    """A value to compare with later: arrays change in place."""
+    """A copy to compare with later: arrays change in place."""
     return [_frozen(one) for one in value] if isinstance(value, list) else value

@@ -31,7 +31,7 @@ class TaskInterrupts:
     _cause: LoggedError | None = None
 
     def __post_init__(self) -> None:
-        """Nobody can be called until the interpreter says how."""
+        """Traps cannot be run until the interpreter says how."""
         self.call_procedure: Callable[[str], None] = _no_procedure
 
     def next_s(self) -> float | None:
@@ -82,7 +82,7 @@ class TaskInterrupts:
         self.table.order_logged(interrupt, wanted)
 
     def log_error(self, entry: LoggedError) -> None:
-        """Put an entry into the event log."""
+        """Add an entry to the event log."""
         self.clock.log(entry)
         if self.table.hears_errors:
             now_s = self.clock.observe()
@@ -90,11 +90,11 @@ class TaskInterrupts:
             self.clock.pass_time(now_s)
 
     def trap_cause(self) -> LoggedError | None:
-        """What made the trap run that runs; None if that is not an entry of the event log."""
+        """The entry of the event log that raised the current trap; None if none did."""
         return self._cause
 
     def delete_interrupt(self, interrupt: float) -> None:
-        """Forget an interrupt and its order."""
+        """Delete an interrupt and its order."""
         self.clock.observe()
         self.table.delete(interrupt)
 
@@ -104,7 +104,7 @@ class TaskInterrupts:
         self.table.sleep(interrupt, asleep=asleep)
 
     def make_safe(self, interrupt: float) -> None:
-        """Let nobody put an interrupt to sleep."""
+        """Make an interrupt safe, so that it cannot be put to sleep."""
         self.table.make_safe(interrupt)
 
     def hold_interrupts(self, *, hold: bool) -> None:
@@ -135,6 +135,6 @@ class TaskErrorNumbers:
     _booked: int = 0
 
     def book_error_number(self) -> float:
-        """The next error number that is free."""
+        """The next free error number."""
         self._booked += 1
         return FIRST_BOOKED + self._booked - 1.0

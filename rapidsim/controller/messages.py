@@ -36,23 +36,23 @@ class TaskMessages:
 
     @property
     def is_synchronous(self) -> bool | None:
-        """Whether messages wait for RMQReadWait, not for interrupts; None where nobody says."""
+        """Whether messages wait for RMQReadWait, not for interrupts; None if not configured."""
         mode = self.queue.settings.mode
         return None if mode is None else mode is QueueMode.SYNCHRONOUS
 
     def find_queue(self, name: str) -> Slot | None:
-        """The queue of a name, as it is spelled; None where nobody can send to one."""
+        """The queue of a name, case-sensitive; None if messages cannot be sent there."""
         self.clock.come_up()
         return self.cell.messages.find(name)
 
     def is_open(self, slot: Slot) -> bool:
-        """Whether a queue is still there: a client may have gone."""
+        """Whether a queue still exists: a client may have gone."""
         self.clock.come_up()
         assert isinstance(slot, MessageQueue)
         return slot.is_open
 
     def send_message(self, slot: Slot, message: Message) -> None:
-        """Put a message into a queue; it is there at once.
+        """Put a message into a queue, where it arrives at once.
 
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
@@ -119,7 +119,7 @@ class TaskMessages:
         return self.queue.messages.pop(0) if self.queue.messages else None
 
     def empty_queue(self) -> None:
-        """Throw all messages away."""
+        """Discard all messages."""
         self.clock.come_up()
         self.queue.messages.clear()
 
@@ -136,7 +136,7 @@ class TaskMessages:
     def _wait(
         self, is_there: Callable[[], bool], deadline_s: float, awaited: str, in_vain: str
     ) -> None:
-        """Let time pass until a message is there or a deadline [s] has come."""
+        """Let time pass until a message has arrived or a deadline [s] has passed."""
         with self.clock.waiting(awaited) as wait:
             while not is_there():
                 if self.clock.observe() >= deadline_s:

@@ -21,7 +21,7 @@ from rapidsim.language.path_events import Trigger
 
 _LOOKS_BACK_S = 1e-3
 _ARRIVED_MM = 0.01
-"""A path that ends so near to its target was not cut short."""
+"""A path that ends this close to its target was not cut short."""
 
 
 @dataclass(slots=True, eq=False)
@@ -44,7 +44,7 @@ class TaskMotion:
 
     @property
     def settings(self) -> MotionSettings:
-        """What holds for the moves to come."""
+        """The settings for the moves to come."""
         return self.state.settings
 
     @settings.setter
@@ -52,7 +52,7 @@ class TaskMotion:
         self.state.settings = settings
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
-        """Put a move on the path, with what happens on the way."""
+        """Put a move on the path, with what happens along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
 
     def current_joints(self) -> JointTarget:
@@ -71,7 +71,7 @@ class TaskMotion:
         return self.resolver.joint_target(joints, external)
 
     def is_moving(self) -> bool:
-        """Whether the robot has moves under way."""
+        """Whether the robot is moving."""
         queue = self.unit.queue
         is_guided = self.unit.own.guided is not None
         return is_guided or queue.is_open or queue.trajectory.duration > self.clock.observe()
@@ -91,11 +91,11 @@ class TaskMotion:
         return self.state.wobj
 
     def active_names(self) -> tuple[str, str]:
-        """What the program calls these two."""
+        """The names of these two in the program."""
         return self.state.tool_name, self.state.wobj_name
 
     def activate(self, data: ToolData | WobjData, name: str) -> None:
-        """Let a tool or a work object be that of the last move."""
+        """Make a tool or a work object the active one."""
         if isinstance(data, ToolData):
             self.state.tool, self.state.tool_name = data, name
         else:
@@ -138,7 +138,7 @@ class TaskMotion:
         self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
 
     def abandon(self) -> None:
-        """Let the robot make the moves it has before the program stopped with an error."""
+        """Let the robot finish the moves it has before the program stops with an error."""
         self.unit.own.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:

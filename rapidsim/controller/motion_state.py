@@ -1,4 +1,4 @@
-"""What stays from one move of a task to the next."""
+"""The state that lasts from one move of a task to the next."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class MotionState:
     r"""Moves with \Conc since the last without."""
 
     searches: bool = False
-    """Whether a search is under way."""
+    """Whether a search is in progress."""
 
     corrections: dict[int, Pos] = field(default_factory=dict)
     """What each correction generator that is connected adds to the path [mm]."""
@@ -28,7 +28,7 @@ class MotionState:
     wobj_name: str = "wobj0"
 
     def use(self, move: Move, arguments: Mapping[str, str]) -> None:
-        """Keep tool and work object of a move, and what its call names them."""
+        """Keep the tool and work object of a move, and their names in its call."""
         self.tool, self.wobj = move.tool, move.wobj
         self.tool_name = arguments.get("tool", self.tool_name)
         if "tool" in arguments:

@@ -1,4 +1,4 @@
-"""What one task says and asks: the FlexPendant, and what it does not simulate."""
+"""What one task shows and asks: the FlexPendant, and reports of what is not simulated."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class TaskOperator:
 
     @contextmanager
     def asking(self, instruction: str) -> Iterator[None]:
-        """While an instruction asks; afterwards its question stands no longer."""
+        """The context in which an instruction asks; its question is withdrawn at the end."""
         pendant, task = self.cell.pendant, self.journal.task
         if pendant is None:
             yield
@@ -48,12 +48,12 @@ class TaskOperator:
 
     @property
     def has_answered(self) -> bool:
-        """Whether an answer has come to the question that waits."""
+        """Whether the open question has been answered."""
         pendant = self.cell.pendant
         return pendant is not None and pendant.has_answer(self.journal.task)
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
-        """The operator's answer to a question; None where nobody sits and it ends otherwise."""
+        """The operator's answer; None if nobody answers and the question ends by itself."""
         return self._told(
             prompt,
             lambda there: there.number(prompt, ends=ends),
@@ -62,7 +62,7 @@ class TaskOperator:
         )
 
     def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
-        """Index of the key the operator presses; the first that is there, where nobody sits."""
+        """Index of the key the operator presses; the first one if nobody answers."""
         return self._told(
             prompt,
             lambda there: there.choice(prompt, choices, ends=ends),
@@ -71,7 +71,7 @@ class TaskOperator:
         )
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
-        """A text the operator types; the proposal, where nobody sits."""
+        """A text the operator types; the proposal if nobody answers."""
         return self._told(
             prompt,
             lambda there: there.text(prompt, proposal, ends=ends),
@@ -86,7 +86,7 @@ class TaskOperator:
         on_pendant: Callable[[Pendant], AnswerValue | None],
         text: Callable[[T], str],
     ) -> T | None:
-        """The answer, asked for at a time that is known; question and answer are an event."""
+        """Ask at a known time; question and answer are an event."""
         self.clock.observe()
         answer: OperatorAnswer[T] | None
         if self.cell.pendant is None:

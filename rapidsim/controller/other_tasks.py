@@ -1,4 +1,4 @@
-"""One task's way to the others of its cell: waiting for them, asking about them.
+"""One task's access to the others of its cell: waiting for them, asking about them.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "WaitSyncTask",
 "CRobT", "GetTaskName". That a task takes part under the name that stands at the call is our
@@ -42,7 +42,7 @@ class TaskOthers:
     task_name: str
     has_robot: bool = True
     neighbours: Mapping[str, TaskOthers] = field(default_factory=dict)
-    """Those of all tasks of the cell, its own too, by folded name."""
+    """The objects of all tasks of the cell, its own included, by folded name."""
 
     @property
     def task_number(self) -> int:
@@ -57,7 +57,7 @@ class TaskOthers:
 
     @property
     def robot_task(self) -> str:
-        """The task whose robot this one looks at: its own, or the first that has one."""
+        """The task whose robot this one refers to: itself, or the first that has one."""
         with_robot = (one.task_name for one in self.all_tasks().values() if one.has_robot)
         return self.task_name if self.has_robot else next(with_robot, self.task_name)
 
@@ -74,11 +74,11 @@ class TaskOthers:
         max_time: float | None = None,
         in_position: bool = False,
     ) -> bool:
-        """Wait at a synchronization point until some tasks are there, this one among them.
+        """Wait at a synchronization point until given tasks, including this one, have arrived.
 
         Raises:
             RapidError: ERR_ARGVALERR, if the task is not among them or others wait for others.
-            Stopped: When one of them can never come.
+            Stopped: If one of them can never arrive.
         """
         self.clock.note_line()
         self.require_listed(instruction, name, tasks)
@@ -126,7 +126,7 @@ class TaskOthers:
         self.clock.tell()
 
     def start_other_robots(self) -> None:
-        """Let the robots of all other tasks go on."""
+        """Restart the robots of all other tasks."""
         now_s = self.clock.come_up()
         for other in self.all_tasks().values():
             if other is not self and other.unit.queue.is_halted:
@@ -146,7 +146,7 @@ class TaskOthers:
     def come_together(
         self, instruction: str, name: str, tasks: Sequence[str], max_time: float | None
     ) -> Meeting | None:
-        """Come to a synchronization point; None if `max_time` [s] ran out first."""
+        """Wait at a synchronization point; None if `max_time` [s] ran out first."""
         now_s = self.clock.come_up()
         deadline_s = math.inf if max_time is None else now_s + max_time
         meeting = self.cell.meetings.arrive(instruction, name, self.task_name, tasks)
@@ -162,12 +162,12 @@ class TaskOthers:
                     late = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
                     raise WaitsForever(f"{instruction} {name} waits for {late}, which never comes")
             wait.ended_by = missing
-        # Those who waited go on in their order, not the one who came last before them.
+        # Those who waited continue in their order, not the last to arrive before them.
         self.clock.come_up()
         return meeting
 
     def require_listed(self, instruction: str, name: str, tasks: Sequence[str]) -> None:
-        """Refuse to meet others without being one of those who meet.
+        """Refuse a list of tasks that does not include this one.
 
         Raises:
             RapidError: ERR_ARGVALERR.
@@ -179,7 +179,7 @@ class TaskOthers:
             )
 
     def all_tasks(self) -> Mapping[str, TaskOthers]:
-        """Those of all tasks of the cell, its own too, by folded name."""
+        """The objects of all tasks of the cell, its own included, by folded name."""
         return self.neighbours or {self.task_name.lower(): self}
 
     def _robot_of(self, task: str) -> TaskOthers:

@@ -1,4 +1,4 @@
-"""Stopping the robot on its path, starting it again, other paths meanwhile.
+"""Stopping the robot on its path, restarting it, and other paths in between.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
 "StartMove", "StorePath", "ClearPath". That a program goes on after StopMove when the robot stands
@@ -35,11 +35,11 @@ class TaskPathControl:
 
     @property
     def path_level(self) -> float:
-        """How many paths are stored, counted from 1."""
+        """The path level: 1 plus the number of stored paths."""
         return 1.0 + self.unit.own.stored
 
     def stop_move(self, *, quick: bool = False) -> None:
-        """Stop the robot on its path, or as fast as it can; returns when it stands."""
+        """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
         self.clock.note_line()
         now_s = self.clock.observe()
         if not self.unit.queue.is_halted:
@@ -57,7 +57,7 @@ class TaskPathControl:
         self.clock.fail_later(error)
 
     def start_move(self) -> None:
-        """Let the robot go on, and with it those that move together with it.
+        """Restart the robot, and with it those that move together with it.
 
         Raises:
             RapidError: ERR_ALRDY_MOVING; ERR_PATHDIST, when it stands too far from where it left
@@ -83,7 +83,7 @@ class TaskPathControl:
         return self.unit.queue.is_halted
 
     def clear_path(self) -> None:
-        """Forget the rest of the path of a robot that was stopped.
+        """Drop the rest of the path of a stopped robot.
 
         Raises:
             RapidError: ERR_PATH, while the robot moves.
@@ -94,7 +94,7 @@ class TaskPathControl:
         self.marks.clear()
 
     def store_path(self) -> None:
-        """Keep the rest of the path and begin another.
+        """Store the rest of the path and begin a new one.
 
         Raises:
             RapidError: ERR_PATH, while the robot moves.
@@ -106,7 +106,7 @@ class TaskPathControl:
         self.unit.queue.store()
 
     def restore_path(self) -> None:
-        """Take up the path that was kept; the robot goes on with it after `start_move`.
+        """Restore the stored path; the robot continues on it after `start_move`.
 
         Raises:
             RapidError: ERR_PATH, if none is kept.

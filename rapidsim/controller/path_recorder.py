@@ -1,4 +1,4 @@
-r"""The path recorder: going back on the moves that were made, and forth again.
+r"""The path recorder: moving back along the path that was made, and forward again.
 
 What is recorded are the moves of the path level on which the recorder was started. Backwards each
 is made again the other way round, from where the robot stands on it: a line as a line, an arc as an
@@ -43,26 +43,26 @@ class TaskPathRecorder:
     state: MotionState
     put: PutMove
     _ids: dict[int, int] = field(default_factory=dict)
-    """For each identifier how many moves had been given to the robot when it was set."""
+    """For each identifier, the number of moves given to the robot when it was set."""
     _level: int = 0
     _last: int | None = None
-    """One past the last move that is recorded; None while the recorder runs."""
+    """One past the last recorded move; None while the recorder is running."""
     _given: list[QueuedMove] = field(default_factory=list)
-    """The moves of the way back, in the order in which they were recorded."""
+    """The moves of the way back, in recorded order."""
     _origin: Waypoint | None = None
-    """Where the last way back began; None where the robot is there."""
+    """Where the last way back began; None if the robot is there."""
     _made: list[QueuedMove] = field(default_factory=list)
-    """The moves of ways back and forth, which are no part of the record."""
+    """The moves made back and forward, which are not recorded."""
     _left: int = 0
-    """How many of `_given` the robot has not gone back on."""
+    """How many of `_given` the robot has not moved back along."""
 
     @property
     def first(self) -> int | None:
-        """The number of the first move that is recorded; None where none is."""
+        """The number of the first recorded move; None if there is none."""
         return min(self._ids.values(), default=None)
 
     def start_recording(self) -> int:
-        """Record the moves from here on; the number of the identifier of this place."""
+        """Record the moves from here on; returns the number of the identifier of this place."""
         self.clock.note_line()
         if not self._ids or self._last is not None:
             self._forget()
@@ -72,26 +72,26 @@ class TaskPathRecorder:
         return number
 
     def stop_recording(self, *, clear: bool) -> None:
-        """Record no further moves; with `clear`, forget all."""
+        """Stop recording; with `clear`, discard the record."""
         self.clock.note_line()
         self._last = len(self.unit.own.moves)
         if clear:
             self._forget()
 
     def may_go_back(self, identifier: int | None) -> bool:
-        """Whether there is a recorded way back to a place."""
+        """Whether there is a recorded path back to a place."""
         if not self._ids or (identifier is not None and identifier not in self._ids):
             return False
         return bool(self._way_back(identifier))
 
     def may_go_forth(self, identifier: int | None) -> bool:
-        """Whether the robot has gone back, and can go forth to a place."""
+        """Whether the robot has moved back, and can move forward to a place."""
         if self._origin is None:
             return False
         return identifier is None or self._place_of(identifier) > self._left
 
     def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
-        """Go back on the recorded path to a place.
+        """Move back along the recorded path to a place.
 
         Args:
             identifier: Of the place; None for the first.
@@ -119,7 +119,7 @@ class TaskPathRecorder:
         self._left = self._given.index(way[0])
 
     def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
-        """Go forth again to a place, or to where the way back began.
+        """Move forward again to a place, or to where the way back began.
 
         Args:
             identifier: Of the place; None for where the way back began.
@@ -147,7 +147,7 @@ class TaskPathRecorder:
             self._origin = None
 
     def _begun(self) -> list[QueuedMove]:
-        """The recorded moves on which the robot has been."""
+        """The recorded moves that the robot has started."""
         first = min(self._ids.values())
         last = self._last
         return [
@@ -172,7 +172,7 @@ class TaskPathRecorder:
     def _standing_at(
         self, queued: QueuedMove, stands: Waypoint, offset: Pos | None
     ) -> RobTarget | JointTarget:
-        """A place of a recorded move as a target for it."""
+        """A place of a recorded move as a target of a move."""
         move = queued.move
         external = self.resolver.ext_joint(stands.external)
         if move.interpolation is Interpolation.AXES and offset is None:

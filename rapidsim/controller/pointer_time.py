@@ -1,4 +1,4 @@
-"""The time of the program pointer: so long after an instant that nobody may know yet.
+"""The time of the program pointer: an offset from an instant that may not be known yet.
 
 Loops use up ticks, a small fixed time a turn; they are counted in the controller's `left` and
 turned into time when somebody looks.
@@ -13,30 +13,30 @@ from rapidsim.controller.journal.journal import Instant, Moment
 TICK_S = 1e-5
 """Virtual time of one turn of a loop that neither moves nor waits."""
 BACKGROUND_TICK_S = 1e-3
-"""The same in a task of the background, which gets what normal tasks leave of the processor."""
+"""The same in a background task, which gets what normal tasks leave of the processor."""
 LONGEST_SLICE = 100_000
-"""Ticks after which the controller looks around even when nothing is due."""
+"""Ticks after which the controller checks what is due even if it expects nothing."""
 
 
 _ROUNDING = 1e-6
-"""Share of a tick that a time computed in another way may be off."""
+"""The fraction of a tick by which a time computed in another way may differ."""
 NO_TICKS = -(1 << 62)
 """What is left of a slice whose ticks the watchdog has taken away: how many were used is not
 known, at most those of one slice."""
 
 
 class PointerTime:
-    """When the statement that runs happens."""
+    """When the current statement happens."""
 
     __slots__ = ("_granted", "instant", "offset_s", "tick_s", "used")
 
     def __init__(self, tick_s: float = TICK_S) -> None:
-        """Start at time zero, with no ticks granted; a tick takes so long [s]."""
+        """Start at time zero, with no ticks granted; a tick takes `tick_s` [s]."""
         self.tick_s = tick_s
         self.instant = Instant(0.0)
         self.offset_s = 0.0
         self.used = 0
-        """Ticks so far."""
+        """Ticks used so far."""
         self._granted = 0
 
     @property
@@ -63,7 +63,7 @@ class PointerTime:
             self._granted = left
 
     def hold(self, now_left: int, left: int) -> int:
-        """Let so many ticks be left, whatever was granted: a loop may count on from there."""
+        """Set the ticks left, whatever was granted: a loop may continue counting from there."""
         self.settle(now_left)
         self._granted = left
         return left

@@ -1,4 +1,4 @@
-"""Finding out that a loop only looks, so that it can be taken to where something happens at once.
+"""Detecting that a loop only polls, so that it can skip to the next thing that happens.
 
 A program whose state is the same at the same place a few ticks later, and which has asked nothing
 of the controller meanwhile but to look, will be there again after as many ticks, and again, until
@@ -16,11 +16,11 @@ from dataclasses import dataclass
 from itertools import zip_longest
 
 FIRST_LOOK = 200
-"""Ticks that a program may take without a wait before anybody looks whether it polls."""
+"""Ticks that a program may use without a wait before polling is looked for."""
 LONGEST_ROUND = 100
-"""Ticks of the longest round that is found."""
+"""The longest round that is detected, in ticks."""
 SELDOM = 100_000
-"""A program that computes is looked at ever more seldom, but once in so many ticks."""
+"""A program that computes is checked ever less often, but at least once in so many ticks."""
 
 
 @dataclass(slots=True, eq=False)
@@ -33,18 +33,18 @@ class Polling:
     _watched: int = 0
     """Ticks at which watching began."""
     _since: int = 0
-    """Ticks of the state that later ones are compared with."""
+    """Ticks at the state that later ones are compared with."""
     _seen: tuple[object, tuple[object, ...]] | None = None
-    """What the program had done by then, and that state; None while nothing is watched."""
+    """What the program had done by then, and its state; None while nothing is watched."""
     _pause: int = FIRST_LOOK
     _next: int = FIRST_LOOK
     _done: object = None
-    """What it had done when it was last looked at."""
+    """What it had done at the last look."""
     stays_s: float = math.inf
-    """Until then [s] all that the program was told in the round that is watched stays so."""
+    """Until this time [s], everything that the watched round has read stays the same."""
 
     def told(self, until_s: float) -> None:
-        """Take note that the program was told what stays as it is until a time [s]."""
+        """Note that the program has read something that stays unchanged until a time [s]."""
         self.stays_s = min(self.stays_s, until_s)
 
     def ticks_left(self, used: int) -> int:
@@ -52,7 +52,7 @@ class Polling:
         return 0 if self._seen is not None else max(0, self._next - used)
 
     def look(self, used: int, done: object) -> int | None:
-        """The ticks of a round that the program makes again and again; None while none is known.
+        """The ticks of a round that the program repeats; None while none is known.
 
         Args:
             used: Ticks so far.
@@ -76,12 +76,12 @@ class Polling:
         return None
 
     def again(self, used: int, ticks: int) -> None:
-        """Rounds of so many ticks have been made; look after the next whether there are more."""
+        """Rounds of so many ticks were skipped; look after the next one whether there are more."""
         # What ends the wait falls into the next, and what is seen of it stands after that.
         self._seen, self._next, self._pause = None, used + 2 * ticks, FIRST_LOOK
 
     def in_vain(self, used: int) -> None:
-        """Nothing was found, or nothing comes of it; look later, and ever more seldom."""
+        """Nothing was found, or it was of no use; look later, and ever less often."""
         self._seen = None
         self._pause = min(2 * self._pause, SELDOM)
         self._next = used + self._pause
@@ -93,7 +93,7 @@ class Polling:
         self._keep(used, done)
 
     def _keep(self, used: int, done: object) -> None:
-        """Compare with what is now."""
+        """Compare with the present state."""
         self.stays_s = math.inf
         state = tuple(self.state())
         if state[-1:] == (None,):

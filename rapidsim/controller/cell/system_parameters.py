@@ -11,7 +11,7 @@ class SystemParameters:
     """A copy that the program may change; a controller takes changes up when it is restarted."""
 
     def __init__(self, configured: Configured) -> None:
-        """Begin with what the station says."""
+        """Start with the parameters of the station."""
         self._types = {
             (domain.upper(), of.upper()): [Attributes(one) for one in found]
             for domain, types in configured.items()
@@ -24,11 +24,11 @@ class SystemParameters:
         return tuple(dict.fromkeys(domain for domain, _ in self._types))
 
     def types(self, domain: str) -> tuple[str, ...]:
-        """The types of a domain; none where there is no such domain."""
+        """The types of a domain; empty if there is no such domain."""
         return tuple(of for one, of in self._types if one == domain.upper())
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
-        """The instances of a type; None where there is no such type."""
+        """The instances of a type; None if there is no such type."""
         return self._types.get((domain.upper(), of.upper()))
 
     def change(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:

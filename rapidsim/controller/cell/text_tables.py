@@ -9,15 +9,15 @@ FIRST_TABLE = 1
 
 
 class TextTables:
-    """Texts by table and number; names of tables tell case, as file names do."""
+    """Texts by table and number; names of tables are case-sensitive, as file names are."""
 
     def __init__(self) -> None:
-        """Begin without tables."""
+        """Start without tables."""
         self._numbers: dict[str, int] = {}
         self._texts: dict[tuple[float, float], str] = {}
 
     def install(self, name: str, texts: Mapping[int, str]) -> None:
-        """Keep a table."""
+        """Add a table."""
         number = self._numbers[name] = FIRST_TABLE + len(self._numbers)
         self._texts |= {(number, index): text for index, text in texts.items()}
 

@@ -22,14 +22,14 @@ from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.controller.pointer_time import NO_TICKS
 
 _AGAIN_S: Final = 0.02
-"""So long after it took the ticks of a task away it does so again, if it was just given others."""
+"""How long [s] until it takes the ticks of a task away again, in case more were just granted."""
 
 _LOOKS_S: Final = 0.1
-"""So often it looks how much has been noted."""
+"""How often [s] it looks how much has been recorded."""
 _WRITING_S: Final = 25e-6
-"""So long [s] each of the things noted takes to be dated, sorted and written as JSON and events."""
+"""How long [s] each recorded item takes to be dated, sorted and written as JSON and events."""
 _FREE_S: Final = 1.0
-"""So long writing may take beyond the limit."""
+"""How long [s] writing may take beyond the limit."""
 
 
 class _Interrupted(WallLimitReached):
@@ -43,7 +43,7 @@ class Ticking(Protocol):
     """What runs loops."""
 
     left: int
-    """Ticks that are left; below zero a loop asks for others, and who grants them looks."""
+    """Ticks that are left; below zero a loop asks for more, and whoever grants them looks."""
 
 
 class Watchdog:
@@ -64,13 +64,13 @@ class Watchdog:
         self._tasks: list[Ticking] = []
         self._lock = Lock()
         self._at_work: int | None = None
-        """The thread that does work which may be interrupted."""
+        """The thread doing work that may be interrupted."""
         if limit_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
     @property
     def has_ended_the_run(self) -> bool:
-        """Whether `look` has raised; from then on nothing that takes long may begin."""
+        """Whether `look` has raised; from then on nothing long may begin."""
         return self._is_over and self._rests.is_set()
 
     @property
@@ -117,7 +117,7 @@ class Watchdog:
             raise
 
     def rest(self) -> None:
-        """Watch no longer: the run is over."""
+        """Stop watching: the run is over."""
         self._rests.set()
 
     def _watch(self) -> None:
@@ -140,7 +140,7 @@ class Watchdog:
                 ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)
 
     def _no_longer(self) -> None:
-        """End interruptible work; an exception that is on its way comes up in here or before."""
+        """End interruptible work; an exception on its way is raised in here or before."""
         with self._lock:
             interrupted, self._at_work = self._at_work is None, None
         if interrupted and not isinstance(sys.exception(), _Interrupted):

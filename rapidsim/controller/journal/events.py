@@ -1,4 +1,4 @@
-"""What happens in a run, an instant each: events, executed lines, what is not simulated."""
+"""What happens in a run, each at an instant: events, executed lines, what is not simulated."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class ExecutedLine:
 
 @dataclass(frozen=True, slots=True)
 class Wait:
-    """A statement let virtual time pass: waits of no length are none."""
+    """A statement let virtual time pass; waits of no length are not recorded."""
 
     task: str
     place: Place
@@ -63,7 +63,7 @@ class Wait:
     start_s: float
     end_s: float
     ended_by: str
-    """Why it went on, and whose doing that was; `CUT_OFF` where the run ended first."""
+    """What ended it, and its cause; `CUT_OFF` if the run ended first."""
 
 
 CUT_OFF = "the end of the run"
@@ -74,7 +74,7 @@ SATISFIED = "its condition"
 
 @dataclass(frozen=True, slots=True)
 class Unsimulated:
-    """A routine that was met and not simulated."""
+    """A routine that was called and not simulated."""
 
     name: str
     count: int

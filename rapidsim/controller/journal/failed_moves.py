@@ -1,4 +1,4 @@
-"""Moves that could not be made, and where in space: for whoever shows a run.
+"""Moves that could not be made, and where in space: for those who display a run.
 
 A finding says in words why a move fails. Here are the programmed way of the TCP and the place on it
 where the move fails, in the base frame of the robot.
@@ -18,7 +18,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 _WAY_POINTS = 49
-"""Points that make a joint move or an arc look round."""
+"""Enough points to make a joint move or an arc look round."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,13 +30,13 @@ class FailedMove:
     base_from_tcp: Transform
     """The programmed end."""
     way: Array
-    """The programmed way of the TCP (k, 3) [m] in base; the end alone where no more is known."""
+    """The programmed path of the TCP (k, 3) [m] in base; only the end if no more is known."""
     fails_at: Array
-    """Where on the way (3,) [m] it fails; the end, where that cannot be reached."""
+    """Where on the path (3,) [m] it fails; the end if that cannot be reached."""
 
 
 def refused_move(place: Place, violation: Violation, segment: Segment, robot: Robot) -> FailedMove:
-    """A move whose end cannot be reached; `segment` holds its pose, its joints do not count."""
+    """A move whose end cannot be reached; `segment` has its pose, its joints do not count."""
     end = segment.end.base_from_tcp
     if segment.geometry is Geometry.JOINT:
         way = end.translation[None]
@@ -57,7 +57,7 @@ def refused_axes(place: Place, violation: Violation, base_from_tcp: Transform) -
 def failed_on_the_way(
     place: Place, violation: Violation, segment: Segment, fraction: float, robot: Robot
 ) -> FailedMove:
-    """A move whose way fails after a share of it, 0 to 1."""
+    """A move that fails after a fraction of its path, 0 to 1."""
     way = _way(segment, robot)
     place_on_way = fraction * (len(way) - 1)
     before = min(int(place_on_way), len(way) - 2)

@@ -18,7 +18,7 @@ from rapidsim.language.moves import Place
 from rapidsim.values import dataclass
 
 MOST_EVENTS = 1_000_000
-"""A loop that writes texts or sets outputs for ever would otherwise use up the memory."""
+"""The most events of a run: an endless loop that writes would otherwise use up the memory."""
 
 
 class Instant:
@@ -27,13 +27,13 @@ class Instant:
     __slots__ = ("time",)
 
     def __init__(self, time: float | None = None) -> None:
-        """Known from the start, or to be known later."""
+        """Make an instant, known now or later."""
         self.time = time
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """So many seconds after an instant."""
+    """A time some seconds after an instant."""
 
     instant: Instant
     offset_s: float = 0.0
@@ -66,7 +66,7 @@ class Journal:
 
     task: str
     keeps_all: bool = True
-    """Whether statements, waits and findings are kept; a controller that stays on would fill up."""
+    """Whether statements, waits and findings are kept, which grow without bound."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _waits: list[Wait] = field(default_factory=list)
@@ -76,7 +76,7 @@ class Journal:
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
     remarks: int = 0
-    """How often something was found, failed or was not simulated."""
+    """How often something was found, has failed or was not simulated."""
 
     def beside(self, task: str) -> Journal:
         """The journal of another task of the cell, whose events go into the same list.
@@ -87,13 +87,13 @@ class Journal:
 
     @property
     def noted(self) -> int:
-        """How many events of the cell and statements of this task have been noted."""
+        """The number of events of the cell and statements of this task so far."""
         return len(self._events) + len(self._lines)
 
     def event(
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
     ) -> None:
-        """Note an event."""
+        """Record an event."""
         if len(self._events) >= MOST_EVENTS:
             raise EventLimitReached(
                 f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
@@ -101,25 +101,25 @@ class Journal:
         self._events.append(_Entry(self.task, moment, kind, place, message, details))
 
     def take(self) -> tuple[Event, ...]:
-        """The events of the cell whose time is known, which are forgotten."""
+        """Remove and return the events of the cell whose time is known."""
         events = self.events()
         self._events[:] = [one for one in self._events if one.moment.instant.time is None]
         return events
 
     def put_back(self, events: Iterable[Event]) -> None:
-        """Note again what was taken."""
+        """Record again what was taken."""
         self._events[:0] = [
             _Entry(e.task, Moment(Instant(e.time_s)), e.kind, e.place, e.message, e.details)
             for e in events
         ]
 
     def line(self, moment: Moment, place: Place) -> None:
-        """Note that the program pointer reached a statement."""
+        """Record that the program pointer reached a statement."""
         if self.keeps_all and (not self._lines or self._lines[-1] != (moment, place)):
             self._lines.append((moment, place))
 
     def wait(self, wait: Wait) -> None:
-        """Note a wait that is over."""
+        """Record a wait that is over."""
         if self.keeps_all:
             self._waits.append(wait)
 
@@ -131,7 +131,7 @@ class Journal:
         once: object = None,
         assumed: bool = False,
     ) -> None:
-        """Note a finding; with `once`, only the first of those that share the key.
+        """Record a finding; with `once`, only the first of those that share the key.
 
         What is `assumed` is no error: the run goes on.
         """
@@ -147,7 +147,7 @@ class Journal:
         self._diagnostics.append(Diagnostic(violation, span, routine=routine, assumed=assumed))
 
     def failed_move(self, failed: FailedMove) -> None:
-        """Note a move that could not be made; a loop that tries it again notes it once."""
+        """Record a move that could not be made; once, even if a loop tries it again."""
         self.remarks += 1
         key = (failed.place.span, failed.violation)
         if self.keeps_all and key not in self._reported:
@@ -155,18 +155,18 @@ class Journal:
             self._failed_moves.append(failed)
 
     def has_found(self, once: object) -> bool:
-        """Whether a finding with this key has been noted, so that its facts need no work."""
+        """Whether a finding with this key has been recorded, so its facts need no work."""
         return once in self._reported
 
     def unsimulated(self, name: str, treated_as: str, place: Place) -> None:
-        """Count a routine that was not simulated, and note where it was first met."""
+        """Count a routine that was not simulated, and record where it was first called."""
         self.remarks += 1
         key = (name, treated_as)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
         self._first_met.setdefault(key, place)
 
     def events(self) -> tuple[Event, ...]:
-        """All events of the cell in order of time; those at one time in the order of noting."""
+        """All events of the cell in order of time; at the same time, in the order of recording."""
         dated = [
             Event(e.moment.time_s, e.task, e.kind, e.place, e.message, e.details)
             for e in self._events
@@ -196,9 +196,9 @@ class Journal:
         return tuple(self._failed_moves)
 
     def not_simulated(self) -> tuple[Unsimulated, ...]:
-        """All routines that were not simulated, in the order they were met."""
+        """All routines that were not simulated, in the order of their first calls."""
         return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())
 
     def first_met(self, one: Unsimulated) -> Place:
-        """Where a routine that was not simulated was met first."""
+        """Where a routine that was not simulated was first called."""
         return self._first_met[one.name, one.treated_as]

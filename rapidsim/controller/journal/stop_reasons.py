@@ -15,24 +15,24 @@ class EventLimitReached(TimeLimitReached):
 
 
 class WallLimitReached(TimeLimitReached):
-    """The run has taken as long on our clock as `--max-wall` allows."""
+    """The run has taken as much wall-clock time as `--max-wall` allows."""
 
 
 class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
 
     def __init__(self, reason: str, cure: str | None = None) -> None:
-        """Say why, and what would end the wait where that is no input."""
+        """Say why, and what would end the wait if that is not an input."""
         super().__init__(reason)
         self.cure = cure
 
 
 class PollsForever(WaitsForever):
-    """The program looks again and again at what never changes."""
+    """The program polls something that never changes."""
 
 
 class TrapStorm(Stopped):
-    """Interrupts come faster than their traps are done with."""
+    """Interrupts come faster than their traps can finish."""
 
 
 class ZoneReached(Stopped):
@@ -40,7 +40,7 @@ class ZoneReached(Stopped):
 
 
 class MoveImpossible(Stopped):
-    """A move that the controller stops at, without asking any ERROR clause."""
+    """A move at which the controller stops without calling an ERROR clause."""
 
     def __init__(self, violation: Violation) -> None:
         """Carry the finding along."""
