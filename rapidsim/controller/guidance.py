@@ -259,7 +259,7 @@ class TaskGuidance:
     # Within.
 
     def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
-        """The sensors that are told where the robot is, the earliest first; not the one that guides it."""
+        """The streams in order of time, without that of the sensor that guides the robot."""
         guides = None if self._under_way is None else self._under_way.identity
         if self._correcting is not None and self._correcting.runs:
             guides = self._correcting.identity
