@@ -156,7 +156,10 @@ def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
             near = did_you_mean(error.option_name, [o for o in options if o.startswith("--")])
             return f"there is no option `{error.option_name}`", near or shown
         case click.MissingParameter(param=click.Argument() as argument):
-            return f"{argument.make_metavar(context)} is missing", shown  # type: ignore[arg-type]
+            wanted = argument.make_metavar(context)  # type: ignore[arg-type]
+            if wanted == "PATH..." and context:
+                shown = f"`{context.command_path} .` takes this folder; --help lists the options"
+            return f"{wanted} is missing", shown
         case _:
             message = error.format_message().rstrip(".")
             return message[:1].lower() + message[1:], shown

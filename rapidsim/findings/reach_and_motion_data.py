@@ -71,6 +71,13 @@ class ConfigurationNotReachable(Violation, code="K603"):
         return f"reached by, nearest first: {listed}{f' and {more} more' if more > 0 else ''}"
 
 
+class MainAxesSwitched(Violation, code="K619"):
+    target: str
+    before: int
+    after: int
+    why: str
+
+
 class ConfigurationChangesOnLine(Violation, code="K606"):
     target: str
     stored: str

@@ -23,6 +23,7 @@ from rapidsim.reach.target_findings import (
     configuration_findings,
     margin_findings,
     orientation_findings,
+    switch_findings,
     unreachable_findings,
     wind_up_findings,
 )
@@ -96,6 +97,7 @@ def check_reach(
         *finder.findings(ways),
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),
+        *switch_findings(program, placed, ways.stances, robot),
         *(() if told is None else told.diagnostics),
     ]
     if told is not None and told.scene is not None:

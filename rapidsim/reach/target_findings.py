@@ -8,7 +8,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.moves.configuration_choice import by_stored, conf_text
+from rapidsim.controller.moves.configuration_choice import by_stored, conf_text, is_switch
+from rapidsim.controller.moves.motion_findings import switched
 from rapidsim.controller.moves.target_checks import frame_orientations
 from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Diagnostic
@@ -23,6 +24,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.language.data import Orient, RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.target_violations import QuaternionNotUnit
+from rapidsim.motion.configurations.confdata import configuration, told_apart
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
 from rapidsim.motion.configurations.reachability import programmed_excess, why_unreachable
 from rapidsim.motion.configurations.targets import is_no_orientation
@@ -95,6 +97,26 @@ def configuration_findings(
             fix=confdata_fix(program, known, choices[0].confdata),
             routine=known.routine,
         )
+
+
+def switch_findings(
+    program: Program, posed: PosedMoves, stances: Stances, robot: Robot
+) -> Iterator[Diagnostic]:
+    """K619: a joint move without monitoring that has to switch the main axes."""
+    if not told_apart(robot.kinematics):
+        return
+    for row in np.flatnonzero(stances.sure & ~posed.to_axes).tolist():
+        known = posed.moves[row]
+        before = known.previous
+        if before is None or not stances.sure[before] or not is_free(known):
+            continue
+        if known.move.interpolation.leads_tcp:
+            continue
+        start, end = (configuration(robot.kinematics, stances.joints[k]) for k in (before, row))
+        if is_switch(start, end):
+            name, flange = target_text(program, known), posed.base_from_flange[row]
+            found = switched(name, robot, flange, start, end)
+            yield Diagnostic(found, target_span(program, known), routine=known.routine)
 
 
 def orientation_findings(

@@ -17,6 +17,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
+from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
 from rapidsim.findings.runs import EndlessWait, NotDeclaredHere, is_of_runs
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
@@ -213,6 +214,9 @@ def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
     """Whether only a run tells a finding: its error, or what a function says of reach."""
     if _of_run(found):
         return found.severity is Severity.ERROR
+    if isinstance(found.violation, MainAxesSwitched):
+        # Where the first move starts, only the run says.
+        return True
     of_reach = found.severity is Severity.ERROR or found.violation.code.startswith("K")
     at = found.span
     return of_reach and at is not None and not any(map(at.begins_in, moves)) and not _of_text(found)

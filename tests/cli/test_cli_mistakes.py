@@ -48,7 +48,7 @@ def test_a_folder_of_folders_says_where_modules_are(tmp_path: Path) -> None:
 
 
 def test_no_path_is_a_usage_mistake() -> None:
-    refused(rapidsim("check"), "PATH... is missing", "rapidsim check --help")
+    refused(rapidsim("check"), "PATH... is missing", "`rapidsim check .` takes this folder")
 
 
 def test_an_unknown_robot_brings_near_names(tmp_path: Path) -> None:

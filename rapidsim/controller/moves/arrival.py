@@ -19,12 +19,13 @@ from rapidsim.controller.moves.configuration_choice import (
     Quarters,
     by_stored,
     conf_text,
+    is_switch,
     nearest,
     nearest_without_switch,
     rounded,
     stored_or_nearest,
 )
-from rapidsim.controller.moves.motion_findings import fault_violation
+from rapidsim.controller.moves.motion_findings import fault_violation, switched
 from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
 from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Violation
@@ -179,11 +180,26 @@ class Arrivals:
             arrived = self._end_of_curve(segment)
             return arrived or nearest(self._working(asked, segment), near)
         if not self._is_monitored(asked, segment):
-            working = self._working(asked, segment)
-            return nearest_without_switch(working, self.configuration(near))
+            before = self.configuration(near)
+            chosen = nearest_without_switch(self._working(asked, segment), before)
+            self._tell_switch(asked, segment, before, chosen)
+            return chosen
         wanted = rounded(stored)
         as_stored = named(self.robot, self._base_from_flange(asked, segment), wanted)
         return as_stored or self._by_stored(asked, wanted, segment)[0]
+
+    def _tell_switch(
+        self, asked: AskedMove, segment: Segment, before: Configuration, chosen: Configuration
+    ) -> None:
+        """Tell if a joint move switches the main axes; nobody knows where the first one starts."""
+        key = ("main axes", asked.written)
+        is_told = segment.geometry is Geometry.JOINT and segment.index > 0
+        is_told &= told_apart(self.robot.kinematics) and is_switch(before, chosen)
+        if not is_told or self.journal.has_found(key):
+            return
+        flange = self._base_from_flange(asked, segment)
+        found = switched(asked.name, self.robot, flange, before, chosen)
+        self.journal.finding(found, asked.place, once=key)
 
     def _hold_to_stored(
         self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration

@@ -80,11 +80,36 @@ def nearest_without_switch(working: Sequence[Configuration], start: Configuratio
     r"""The nearest that leaves the main axes on their branch, else the nearest.
 
     Source: TRM, ConfJ \Off: the arm goes to the nearest configuration and does not switch that of
-    its main axes. Where only a switch reaches the target, it is made.
+    its main axes. If only a switch reaches the target, it is made, and a run says so.
     """
-    main_axes = start.confdata[3] & _MAIN_AXES
-    kept = [one for one in working if one.confdata[3] & _MAIN_AXES == main_axes]
+    kept = [one for one in working if not is_switch(start, one)]
     return nearest(kept or working, start.joints)
+
+
+def is_switch(start: Configuration, end: Configuration) -> bool:
+    """Whether the main axes change from one branch to another."""
+    return bool((start.confdata[3] ^ end.confdata[3]) & _MAIN_AXES)
+
+
+def excess_without_switch(
+    robot: Robot, base_from_flange: Transform, start: Configuration
+) -> Array | None:
+    """Joints (n,) [rad] past their limits that reach a pose without a switch of the main axes.
+
+    Those that are past them by the least; None if the arm does not get there at all.
+    """
+    branches = robot.inverse(base_from_flange)
+    kept = [
+        number
+        for number in np.flatnonzero(branches.exists).tolist()
+        if not (number ^ start.confdata[3]) & _MAIN_AXES
+    ]
+    if not kept:
+        return None
+    joints = turns_within_limits(robot, branches.joints[kept])
+    excess = np.abs(limit_excess(robot, joints)).max(axis=-1)
+    least: Array = joints[int(excess.argmin())]
+    return least
 
 
 def nearest(working: Sequence[Configuration], near: Array) -> Configuration:

@@ -4,16 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+
+from rapidsim.controller.moves.configuration_choice import excess_without_switch
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
+from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.reach_and_motion_data import (
+    MainAxesSwitched,
     PathConfiguration,
     PathNotReachable,
     PathThroughSingularity,
     TooLittleTime,
 )
 from rapidsim.findings.wrist_circles import WristCircleFails
+from rapidsim.frames.transform import Transform
+from rapidsim.motion.configurations.confdata import Configuration
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
+from rapidsim.motion.robot.robot import Robot
 
 _EXCESS = 1.01
 """A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
@@ -41,6 +49,22 @@ def fault_violation(fault: PathFault, target: str) -> Violation:
         distance_mm=1000.0 * fault.distance,
         why=fault.reason,
     )
+
+
+def switched(
+    target: str,
+    robot: Robot,
+    base_from_flange: Transform,
+    before: Configuration,
+    after: Configuration,
+) -> MainAxesSwitched:
+    """What forces the main axes to switch on the way to a target, whose configuration is free."""
+    joints = excess_without_switch(robot, base_from_flange, before)
+    why = "no other posture gets there"
+    if joints is not None:
+        rest = np.clip(0.0, robot.axes.lower, robot.axes.upper)[len(joints) :]
+        why = f"without that, {excess_text(robot, np.concatenate([joints, rest]))}"
+    return MainAxesSwitched(target, before.confdata[3], after.confdata[3], why)
 
 
 def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:

@@ -1,0 +1,18 @@
+MODULE example
+  CONST robtarget far:=[[700,300,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget near:=[[500,-140,480],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    ConfJ \Off;
+    MoveJ far,v500,fine,tool0;
+    MoveJ near,v500,fine,tool0;
+  ENDPROC
+ENDMODULE
+! ---
+MODULE no_main_yet
+  CONST robtarget near:=[[500,-140,480],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC later()
+    MoveAbsJ [[23,16,18,0,56,23],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+    ConfJ \Off;
+    MoveJ near,v500,fine,tool0;
+  ENDPROC
+ENDMODULE
