@@ -197,7 +197,7 @@ class Cell:
     def __repr__(self) -> str:
         """One line."""
         name = Path(self._asked.paths[0]).name[:50]
-        return f"<cell {name}: {len(self._files)} files, {self._robot[:30]}>"
+        return f"<cell {name}, files: {len(self._files)}, robot: {self._robot[:30]}>"
 
 
 def _answers(given: PathLike_ | Sequence[str] | Callable[[str], str | None]) -> Answers:

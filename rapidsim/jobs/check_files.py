@@ -76,7 +76,7 @@ class CheckResult:
         """One line."""
         count = len(self.diagnostics)
         verdict = "accepted" if self.accepted else "rejected"
-        return f"<check: {verdict}, files: {len(self.files)}, findings: {count}>"
+        return f"<check: {verdict}, files: {len(self.files)}, diagnostics: {count}>"
 
     def looked_for(self, selector: str) -> bool:
         """Whether everything that a selector covers was checked.

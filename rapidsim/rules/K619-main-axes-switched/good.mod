@@ -8,8 +8,11 @@ MODULE example
   ENDPROC
 ENDMODULE
 ! ---
-MODULE no_main_yet
+MODULE not_called
   CONST robtarget near:=[[500,-140,480],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    TPWrite "not yet";
+  ENDPROC
   PROC later()
     MoveAbsJ [[23,16,18,0,56,23],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
     ConfJ \Off;
