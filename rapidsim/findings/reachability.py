@@ -32,6 +32,14 @@ class LowJointMargin(Violation, code="K607"):
     measure: str
 
 
+class Overload(Violation, code="M523"):
+    what: str
+    """With its verb."""
+    mass_kg: float
+    robot: str
+    rated_kg: float
+
+
 class AxisSpeedLimits(Violation, code="K609"):
     target: str
     axis: int

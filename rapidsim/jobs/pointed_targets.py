@@ -13,6 +13,7 @@ from rapidsim.findings.reach_and_motion_data import (
     ConfigurationChangesOnLine,
     ConfigurationNotReachable,
     JointOutOfRange,
+    MainAxesSwitched,
     PathConfiguration,
     PathNotReachable,
     PathThroughSingularity,
@@ -25,7 +26,7 @@ from rapidsim.syntax import tree
 _ABOUT_TARGETS = (
     *(UnreachableTarget, JointOutOfRange, ConfigurationNotReachable, ConfigurationChangesOnLine),
     *(PathNotReachable, PathThroughSingularity, PathConfiguration, WristCircleFails),
-    *(CircleUncertain, QuaternionNotUnit),
+    *(CircleUncertain, QuaternionNotUnit, MainAxesSwitched),
 )
 _TARGETS = ("robtarget", "jointtarget")
 

@@ -23,6 +23,7 @@ from rapidsim.reach.target_findings import (
     configuration_findings,
     margin_findings,
     orientation_findings,
+    overload_findings,
     switch_findings,
     unreachable_findings,
     wind_up_findings,
@@ -98,6 +99,7 @@ def check_reach(
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),
         *switch_findings(program, placed, ways.stances, robot),
+        *(() if by_default else overload_findings(program, placed, robot)),
         *(() if told is None else told.diagnostics),
     ]
     if told is not None and told.scene is not None:

@@ -18,7 +18,7 @@ from rapidsim.findings.reach_and_motion_data import (
     JointOutOfRange,
     UnreachableTarget,
 )
-from rapidsim.findings.reachability import JointWindUp, LowJointMargin
+from rapidsim.findings.reachability import JointWindUp, LowJointMargin, Overload
 from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import Orient, RobTarget
@@ -41,6 +41,7 @@ from rapidsim.reach.wording import (
     declared,
     target_span,
     target_text,
+    tool_span,
 )
 
 LOW_MARGIN = np.radians(5.0)
@@ -168,6 +169,22 @@ def margin_findings(
             robot.joints[axis].measure,
         )
         yield Diagnostic(found, target_span(program, known), routine=known.routine)
+
+
+def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iterator[Diagnostic]:
+    """M523: the tool and what it holds weigh more than the arm is rated for; once a load."""
+    rated_kg, told = robot.payload_kg, set[tuple[float, float]]()
+    if rated_kg is None:
+        return
+    for known in posed.moves:
+        held_kg = 0.0 if "grip_load" in known.uncertain else known.settings.grip_load_kg
+        mass_kg = known.move.tool.tload.mass + held_kg
+        if mass_kg > rated_kg and (mass_kg, held_kg) not in told:
+            told.add((mass_kg, held_kg))
+            what = f"the tool and what it holds ({held_kg:.4g} kg) weigh"
+            what = what if held_kg else "the tool weighs"
+            found = Overload(what, mass_kg, robot.title, rated_kg)
+            yield Diagnostic(found, tool_span(program, known), routine=known.routine)
 
 
 def wind_up_findings(

@@ -45,6 +45,12 @@ def target_span(program: Program, known: KnownMove) -> Span:
     return known.span if written is None else known.module.span(written)
 
 
+def tool_span(program: Program, known: KnownMove) -> Span:
+    """The source span of the tool in a move."""
+    written = argument(program, known, "tool")
+    return known.span if written is None else known.module.span(written)
+
+
 def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None:
     """The module data that an argument of a move refers to, if it is just a name."""
     # Only what is in the tree has symbols.
