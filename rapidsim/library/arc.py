@@ -1,6 +1,6 @@
 r"""Arc welding: lines and arcs at the speed of the weld, with the times of the seam.
 
-ArcLStart comes to the seam with its own speed and stands for as long as gas, ignition and heating
+ArcLStart moves to the seam at its own speed and waits for as long as gas, ignition and heating
 take; ArcL and ArcLEnd weld with `weld_speed`, where the weld data give one, and ArcLEnd stands for
 as long as filling and cooling take. There is no arc: weaving, tracking and corrections do not move
 the torch, and the run says so. Speeds of weld data are taken for mm/s.
@@ -29,7 +29,7 @@ INSTEAD = "a move with the speed of the weld and the times of the seam, without 
 
 
 class Phase(Enum):
-    """Where in the seam an instruction stands."""
+    """The part of the seam that an instruction belongs to."""
 
     START = "Start"
     ON = ""
@@ -82,7 +82,7 @@ def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
 
 
 def _stands_s(phase: Phase, seam: SeamData) -> float:
-    """How long the torch stands at the end of a move [s]."""
+    """How long the torch waits at the end of a move [s]."""
     if phase is Phase.START:
         return seam.preflow_time + seam.ign_move_delay + seam.heat_time
     if phase is Phase.END:

@@ -28,22 +28,22 @@ def bit_or(bit_data1: Byte, bit_data2: Byte) -> Byte:
 
 
 def bit_x_or(bit_data1: Byte, bit_data2: Byte) -> Byte:
-    """Bits that are set in one only."""
+    """Bits that are set in exactly one."""
     return float(_byte(bit_data1) ^ _byte(bit_data2))
 
 
 def bit_neg(bit_data: Byte) -> Byte:
-    """All bits turned over."""
+    """All bits inverted."""
     return float(_byte(bit_data) ^ 0xFF)
 
 
 def bit_l_sh(bit_data: Byte, shift_steps: Num) -> Byte:
-    """Bits moved up; what leaves the byte is lost."""
+    """Bits shifted left; what leaves the byte is lost."""
     return float(_byte(bit_data) << _steps(shift_steps, BYTE_BITS) & 0xFF)
 
 
 def bit_r_sh(bit_data: Byte, shift_steps: Num) -> Byte:
-    """Bits moved down; what leaves the byte is lost."""
+    """Bits shifted right; what leaves the byte is lost."""
     return float(_byte(bit_data) >> _steps(shift_steps, BYTE_BITS))
 
 
@@ -75,24 +75,24 @@ def bit_or_dnum(value1: Dnum, value2: Dnum) -> Dnum:
 
 
 def bit_x_or_dnum(value1: Dnum, value2: Dnum) -> Dnum:
-    """Bits that are set in one only."""
+    """Bits that are set in exactly one."""
     return float(_whole(value1, DNUM_BITS) ^ _whole(value2, DNUM_BITS))
 
 
 def bit_neg_dnum(value: Dnum, *, size: Num | None = None) -> Dnum:
-    r"""The lowest \Size bits turned over, the others cleared; all 52 without \Size."""
+    r"""The lowest \Size bits inverted, the others cleared; all 52 without \Size."""
     mask = (1 << _size(size)) - 1
     return float(~_whole(value, DNUM_BITS) & mask)
 
 
 def bit_l_sh_dnum(value: Dnum, shift_steps: Num, *, size: Num | None = None) -> Dnum:
-    r"""Bits moved up; what leaves the lowest \Size bits is lost."""
+    r"""Bits shifted left; what leaves the lowest \Size bits is lost."""
     mask = (1 << _size(size)) - 1
     return float(_whole(value, DNUM_BITS) << _steps(shift_steps, DNUM_BITS) & mask)
 
 
 def bit_r_sh_dnum(value: Dnum, shift_steps: Num) -> Dnum:
-    """Bits moved down."""
+    """Bits shifted right."""
     return float(_whole(value, DNUM_BITS) >> _steps(shift_steps, DNUM_BITS))
 
 

@@ -1,7 +1,7 @@
 r"""Cameras: pictures whose results the station's [[camera]] tables give.
 
-Of a camera that the station does not describe nothing is known: it is skipped, and the run says so.
-Exposure and parameters are kept for whoever asks, and change nothing in what is found.
+A camera that the station does not describe is skipped, and the run says so.
+Exposure and parameters can be read back, but do not affect what is found.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
 "CamGetResult", "CamNumberOfResults", "CamSetRunMode", "CamGetParameter"; Application manual
@@ -31,13 +31,13 @@ _NOT_THERE = "skipped: the station has no [[camera]] of that name"
 
 
 def cam_set_program_mode(controller: Controller, camera: Var[CameraDev]) -> None:
-    """Let a camera be programmed: it takes no pictures."""
+    """Put a camera into program mode, in which it takes no pictures."""
     if (found := _camera(controller, "CamSetProgramMode", camera)) is not None:
         found.runs = False
 
 
 def cam_set_run_mode(controller: Controller, camera: Var[CameraDev]) -> None:
-    """Let a camera take pictures."""
+    """Put a camera into run mode, in which it takes pictures."""
     if (found := _camera(controller, "CamSetRunMode", camera)) is not None:
         found.runs = True
 
@@ -62,12 +62,12 @@ def cam_start_load_job(
     *,
     keep_targets: Switch = False,
 ) -> None:
-    """Begin to load a job into a camera: it is there at once."""
+    """Start loading a job into a camera, which is done at once."""
     _load(controller, "CamStartLoadJob", camera, name, keep_targets)
 
 
 def cam_wait_load_job(camera: Var[CameraDev]) -> None:
-    """Wait until a job is loaded: it is there already."""
+    """Wait until a job is loaded, which it already is."""
     del camera
 
 
@@ -90,7 +90,7 @@ def cam_req_image(
     keep_targets: Switch = False,
     await_complete: Switch = False,
 ) -> None:
-    """Take a picture; its results are there after the time of the script."""
+    """Take a picture; its results are available after the time of the script."""
     found = _camera(controller, "CamReqImage", camera)
     if found is None:
         return
@@ -113,7 +113,7 @@ def cam_get_result(
     scene_id: Num | None = None,
     max_time: Num | None = None,
 ) -> None:
-    """Fetch the next result, waiting for it while a picture is being looked at."""
+    """Fetch the next result, waiting while a picture is being processed."""
     del scene_id
     found = _camera(controller, "CamGetResult", camera)
     if found is None:
@@ -134,14 +134,14 @@ def cam_get_result(
 def cam_number_of_results(
     controller: Controller, camera: Var[CameraDev], *, scene_id: Num | None = None
 ) -> Num:
-    """How many results can be fetched."""
+    """The number of results that can be fetched."""
     del scene_id
     found = _camera(controller, "CamNumberOfResults", camera)
     return 0.0 if found is None else float(controller.cameras.found(found))
 
 
 def cam_flush(controller: Controller, camera: Var[CameraDev]) -> None:
-    """Throw away the results that nobody has fetched."""
+    """Discard the results that have not been fetched."""
     if (found := _camera(controller, "CamFlush", camera)) is not None:
         controller.cameras.forget(found)
 
@@ -267,7 +267,7 @@ def _mismatch(camera: Camera, name: str, value: float | bool | str | None) -> st
 def alias_camera(
     controller: ClockService, camera_name: String | CameraDev, to_camera: Var[CameraDev]
 ) -> None:
-    """Let a variable stand for a camera, which is named by a string or is one itself."""
+    """Make a variable an alias of a camera, given by its name or as another variable."""
     written = controller.place.arguments.get("cameraname", "")
     to_camera.value = camera_name if isinstance(camera_name, str) else written
 

@@ -1,4 +1,4 @@
-r"""Conveyors: waiting for the next object, and letting go of it.
+r"""Conveyors: waiting for the next object, and dropping it.
 
 When objects come, [[conveyor]] tables of the station say. The robot does not follow the conveyor:
 a run ends at a move in a work object that one of the station carries.
@@ -32,7 +32,7 @@ def wait_wobj(
     max_time: Num | None = None,
     time_flag: Var[Bool] | None = None,
 ) -> None:
-    """Wait until the next object has come, or come so far [mm], and connect the work object."""
+    """Wait until the next object has come a given distance [mm], and connect the work object."""
     unit = wobj.value.ufmec
     conveyor = controller.equipment.conveyor(unit)
     if conveyor is None:
@@ -58,7 +58,7 @@ def wait_wobj(
 
 
 def drop_wobj(controller: Controller, wobj: Pers[WobjData]) -> None:
-    """Let go of the object, so that the next can be waited for."""
+    """Disconnect the work object, so that the next object can be waited for."""
     conveyor = controller.equipment.conveyor(wobj.value.ufmec)
     if conveyor is None:
         controller.honesty.not_simulated("DropWObj", _NO_CONVEYOR)

@@ -21,7 +21,7 @@ from rapidsim.library.poses import single_pos
 from rapidsim.library.table import routine, table
 
 MOST_GENERATORS = 5
-"""So many can be connected at a time."""
+"""The most that can be connected at one time."""
 _NOTHING = Pos(0.0, 0.0, 0.0)
 
 
@@ -35,7 +35,7 @@ def corr_con(controller: Motion, descr: Var[CorrDescr]) -> None:
 
 
 def corr_discon(controller: Motion, descr: Var[CorrDescr]) -> None:
-    """Disconnect a correction generator; what it corrects is taken back."""
+    """Disconnect a correction generator; its correction ends."""
     del controller.corrections[_connected(controller, descr)]
     descr.value = None
 
@@ -46,12 +46,12 @@ def corr_clear(controller: Motion) -> None:
 
 
 def corr_write(controller: Motion, descr: Var[CorrDescr], data: Pos) -> None:
-    """Let a generator correct the path by so much [mm], in the path coordinate system."""
+    """Set the correction of a generator [mm], in the path coordinate system."""
     controller.corrections[_connected(controller, descr)] = data
 
 
 def corr_read(controller: Motion) -> Pos:
-    """What all generators correct together [mm]."""
+    """The sum of the corrections of all generators [mm]."""
     if not controller.corrections:
         raise rapid_error(CORR_NOOBJECT, "no correction generator is connected")
     return single_pos(sum_of(controller.corrections))

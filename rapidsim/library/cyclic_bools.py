@@ -25,7 +25,7 @@ from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
 MOST = 100
-"""So many may be set up at a time."""
+"""The most that may be set up at one time."""
 
 
 def setup_cyclic_bool(
@@ -44,12 +44,12 @@ def setup_cyclic_bool(
 
 
 def remove_cyclic_bool(controller: Controller, flag: Bool | String) -> None:
-    """Let a persistent, or that of a name, be as it is."""
+    """Stop updating a persistent, given itself or by its name."""
     controller.cyclic_bools.remove(_name(controller, flag))
 
 
 def remove_all_cyclic_bool(controller: Controller, *, all_tasks: Switch = False) -> None:
-    """Let all persistents be as they are."""
+    """Stop updating all persistents."""
     ignored(controller.honesty, "RemoveAllCyclicBool", {r"\AllTasks": all_tasks})
     for name in controller.cyclic_bools.names():
         controller.cyclic_bools.remove(name)
@@ -62,7 +62,7 @@ def is_cyclic_bool(
     task_ref: Var[TaskId] | None = None,
     task_name: String | None = None,
 ) -> Bool:
-    """Whether a persistent, or that of a name, is kept equal to a condition."""
+    """Whether a persistent, given itself or by its name, is kept equal to a condition."""
     ignored(controller.honesty, "IsCyclicBool", {r"\TaskRef": task_ref, r"\TaskName": task_name})
     kept = [name.lower() for name in controller.cyclic_bools.names()]
     return _name(controller, flag).lower() in kept
@@ -79,7 +79,7 @@ def get_max_number_of_cyclic_bool() -> Num:
 
 
 def get_next_cyclic_bool(controller: CyclicBools, list_number: Var[Num], name: Var[String]) -> Bool:
-    """The name of the next one, its list number from 0 on; FALSE behind the last."""
+    """The name of the next one, by list number from 0; FALSE after the last."""
     names, number = controller.names(), int(list_number.value)
     if not 0 <= number < len(names):
         return False
@@ -88,7 +88,7 @@ def get_next_cyclic_bool(controller: CyclicBools, list_number: Var[Num], name: V
 
 
 def _name(controller: Controller, flag: object) -> str:
-    """What the program calls a persistent; a string says it itself."""
+    """The name of a persistent in the program, or the name given as a string."""
     if isinstance(flag, str):
         return flag
     return controller.clock.place.arguments.get("flag", "")

@@ -111,9 +111,9 @@ def ui_message_box(
     image: String | None = None,
     **asked: Unpack[Asked],
 ) -> BtnRes:
-    r"""Show a message with buttons; the button, or its number in the program's own list.
+    r"""Show a message with buttons; returns the button, or its number in the program's own list.
 
-    Broken off without an answer it gives \DefaultBtn.
+    Ended without an answer, it returns \DefaultBtn.
     """
     del image
     _report(controller.honesty, "UIMessageBox", asked)
@@ -177,7 +177,7 @@ def ui_list_view(
     default_index: Num | None = None,
     **options: Unpack[Options],
 ) -> Num:
-    """Ask for one line of a list; its number. The first button ends the choice."""
+    """Ask for one line of a list; returns its number. The first button ends the choice."""
     _report(controller.honesty, "UIListView", options)
 
     def ask(ends: bool) -> int | None:
@@ -230,7 +230,7 @@ def ui_msg_write(
     abort_value: Bool | None = None,
     ui_active_signal: Var[SignalDo] | None = None,
 ) -> None:
-    """Show a message and go on; nobody looks when it is taken away."""
+    """Show a message and continue."""
     del wrap, icon, image, pers_bool, pers_bool_name, abort_value
     ignored(controller.honesty, "UIMsgWrite", {r"\UIActiveSignal": ui_active_signal})
     lines = message if isinstance(message, list) else [message]
@@ -238,7 +238,7 @@ def ui_msg_write(
 
 
 def ui_msg_write_abort() -> None:
-    """Take a message of UIMsgWrite away."""
+    """Remove a message of UIMsgWrite."""
 
 
 def _tuned(

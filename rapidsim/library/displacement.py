@@ -1,4 +1,4 @@
-"""Program displacement and offsets of external axes: setting, applying, taking away.
+"""Program displacement and offsets of external axes: setting, applying, removing.
 
 A displaced target is given in a frame that stands in the object frame; the displacement in force is
 a setting of the task.
@@ -49,7 +49,7 @@ def in_program(controller: Motion, point: RobTarget) -> RobTarget:
 
 
 def with_axis_offsets(axes: ExtJoint, offsets: ExtJoint | None) -> ExtJoint:
-    """External axes with offsets added; axes that are not used stay so."""
+    """External axes with offsets added; unused axes stay unused."""
     if offsets is None:
         return axes
     return ExtJoint(
@@ -61,7 +61,7 @@ def with_axis_offsets(axes: ExtJoint, offsets: ExtJoint | None) -> ExtJoint:
 
 
 def without_axis_offsets(axes: ExtJoint, offsets: ExtJoint | None) -> ExtJoint:
-    """External axes with offsets taken away."""
+    """External axes with offsets removed."""
     if offsets is None:
         return axes
     negative = (o if o == UNUSED_AXIS else -o for o in offsets)
@@ -77,7 +77,7 @@ def p_disp_on(
     exe_p: RobTarget | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> None:
-    r"""Displace the program by the way from one target to where the robot is, or to \ExeP."""
+    r"""Displace the program by the difference between a target and where the robot is, or \ExeP."""
     if exe_p is None:
         exe_p = controller.current_target(tool.value, None if wobj is None else wobj.value)
     if rot:
@@ -100,7 +100,7 @@ def p_disp_off(controller: Motion) -> None:
 
 
 def e_offs_on(controller: Motion, prog_point: RobTarget, *, exe_p: RobTarget | None = None) -> None:
-    r"""Offset the external axes by the way from one target to where they are, or to \ExeP."""
+    r"""Offset the external axes by the difference between a target and where they are, or \ExeP."""
     axes = controller.current_joints().extax if exe_p is None else exe_p.extax
     offsets = without_axis_offsets(axes, prog_point.extax)
     controller.settings = replace(controller.settings, axis_offsets=offsets)

@@ -1,4 +1,4 @@
-"""Interrupts when an entry comes into the event log, and reading that entry in the trap.
+"""Interrupts on entries of the event log, and reading the entry in the trap.
 
 Entries come from ErrWrite, ErrLog and corner path failures. An error that stops the program comes
 too late for a trap, as on a controller.
@@ -31,7 +31,7 @@ def i_error(
 
 
 def get_trap_data(controller: Interrupts, trap_event: Var[TrapData]) -> None:
-    """Keep what made the trap run."""
+    """Store what caused the trap."""
     if not controller.in_trap:
         raise NotAllowed("GetTrapData can be used in a trap only")
     trap_event.value = controller.trap_cause()
@@ -50,7 +50,7 @@ def read_err_data(
     str4: Var[String] | None = None,
     str5: Var[String] | None = None,
 ) -> None:
-    """Give the parts of what made the trap run."""
+    """Read the parts of what caused the trap."""
     entry = trap_event.value
     if entry is None:
         raise rapid_error(

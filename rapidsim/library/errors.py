@@ -28,7 +28,7 @@ from rapidsim.library.traits import Does
 
 
 def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
-    """Give a variable an error number that nobody else has; one that it has already stays."""
+    """Give a variable a unique error number; one that it already has is kept."""
     if error_name.value == -1.0:
         error_name.value = controller.book_error_number()
 
@@ -99,11 +99,11 @@ def err_raise(
 
 
 def skip_warn() -> None:
-    """Take back the warning that was logged last; the run goes on telling all that it has told."""
+    """Remove the last warning from the event log; the run still reports it."""
 
 
 def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
-    """The texts of an error; the task and the place in the program where they are asked for."""
+    """The texts of an error, with the task and the place in the program that asks."""
     place = controller.clock.place
     file_name = PurePath(place.span.file).name
     meant = {
@@ -114,18 +114,18 @@ def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
 
 
 def reset_retry_count(controller: Controller) -> None:
-    """Count the retries of the statement anew whose ERROR clause runs, which then may never end."""
+    """Restart the count of retries in an ERROR clause, which then may never end."""
     controller.error_numbers.retries = 0
     controller.clock.tick()
 
 
 def remaining_retries(controller: ErrorNumbers) -> Num:
-    """How often the statement may still be retried whose ERROR clause runs."""
+    """How many more retries the ERROR clause may make."""
     return max(0.0, float(MAX_RETRIES - controller.retries))
 
 
 def exec_handler(controller: ErrorNumbers) -> HandlerType:
-    """Which clause of a routine runs: none, ERROR or UNDO."""
+    """Which clause of a routine is running: none, ERROR or UNDO."""
     return controller.handler
 
 

@@ -42,12 +42,12 @@ _DISK_NOTE = "a disk of 1 GB that holds the home folder alone"
 
 
 def copy_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Copy a file; the new one must not be there yet."""
+    """Copy a file; the new one must not exist yet."""
     controller.copy_file(old_path, new_path)
 
 
 def rename_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Give a file another name or place; there must be none of that name yet."""
+    """Rename or move a file; there must be none of that name yet."""
     controller.rename_file(old_path, new_path)
 
 
@@ -57,7 +57,7 @@ def remove_file(controller: Files, path: String) -> None:
 
 
 def make_dir(controller: Files, path: String) -> None:
-    """Make a folder."""
+    """Create a folder."""
     controller.make_folder(path)
 
 
@@ -98,7 +98,7 @@ def is_file(
     block_spec: Switch = False,
     char_spec: Switch = False,
 ) -> Bool:
-    """Whether a file is there, of the kind that the switch says if there is one."""
+    """Whether a file exists, of the kind that the switch says if there is one."""
     is_regular = controller.file_size(path) is not None
     is_folder = not is_regular and controller.is_folder(path)
     is_there = is_regular or is_folder
@@ -110,7 +110,7 @@ def is_file(
 
 
 def file_size(controller: Files, path: String) -> Num:
-    """How many bytes a file has."""
+    """The size of a file in bytes."""
     size = controller.file_size(path)
     if size is None:
         raise rapid_error(ERR_FILEACC, f"there is no file {path}")
@@ -136,7 +136,7 @@ def fs_size(
 
 
 def write_any_bin(io_device: Var[IoDev], data: AnyType, *, of: ArgumentType = NUM) -> None:
-    """Write data of any type that has values; ReadAnyBin reads them again, nothing else does."""
+    """Write data of any value type, in a form that only ReadAnyBin reads."""
     text = f"{of.name} {source_text(data, of)}\n"
     opened_device(io_device).write(text.encode(_ENCODING, "replace"))
 

@@ -1,4 +1,4 @@
-r"""When files were written, also those that modules were loaded from.
+r"""When files were written, including those that modules were loaded from.
 
 Times are virtual, as those of CDate: what a run finds there was written when the run began, and it
 makes no difference whether a time is that of writing, reading or of a change of state. A `num` has
@@ -53,14 +53,14 @@ def file_time_dnum(
 def mod_time(
     controller: Controller, object_: String, *, str_dig: Var[StringDig] | None = None
 ) -> Num:
-    """When the file of a module was written that was loaded, in seconds since 1970."""
+    """When the file of a loaded module was written, in seconds since 1970."""
     return _told(_module_seconds(controller, object_), str_dig)
 
 
 def mod_time_dnum(
     controller: Controller, object_: String, *, str_dig: Var[StringDig] | None = None
 ) -> Dnum:
-    """When the file of a module was written that was loaded, in seconds since 1970."""
+    """When the file of a loaded module was written, in seconds since 1970."""
     return _told(_module_seconds(controller, object_), str_dig)
 
 

@@ -52,7 +52,7 @@ def open_(
     append: Switch = False,
     bin_: Switch = False,
 ) -> None:
-    r"""Open a file, for writing where no switch says for what.
+    r"""Open a file, for writing unless a switch says otherwise.
 
     Binary and text files are the same here: what is written decides.
     """
@@ -70,7 +70,7 @@ def joined_path(path: str, file: str | None) -> str:
 
 
 def close(io_device: Var[IoDev]) -> None:
-    """Close a file; one that is not open is no mistake."""
+    """Close a file; one that is not open is not an error."""
     if io_device.value is not None:
         io_device.value.close()
         io_device.value = None
@@ -82,7 +82,7 @@ def rewind(io_device: Var[IoDev]) -> None:
 
 
 def clear_io_buff(io_device: Var[IoDev]) -> None:
-    """Throw away what a serial line has received; a file has nothing of that kind."""
+    """Discard what a serial line has received, which a file does not have."""
     opened_device(io_device)
 
 
@@ -103,7 +103,7 @@ def write(
 
 
 def write_bin(io_device: Var[IoDev], buffer: list[Num], n_char: Num) -> None:
-    """Write so many bytes of an array of numbers."""
+    """Write the first bytes of an array of numbers."""
     count = int(n_char)
     if not 0 <= count <= len(buffer):
         raise rapid_error(ERR_ARGVALERR, f"{count} bytes of an array with {len(buffer)} elements")
@@ -197,7 +197,7 @@ def read_bin(io_device: Var[IoDev], *, time: Num | None = None) -> Num:
 
 
 def read_str_bin(io_device: Var[IoDev], no_of_chars: Num, *, time: Num | None = None) -> String:
-    """The next so many characters; EOF at the end of the file."""
+    """The next characters, as many as asked for; EOF at the end of the file."""
     del time
     count = int(no_of_chars)
     if not 0 <= count <= MAX_STRING:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 _FLAT_MM = 1e-3
 """Points that lie closer to a line than this have no plane, and closer to a plane no sphere."""
 _MOST_POINTS = 100
-"""So many may be fitted by a circle or a sphere."""
+"""The most points that a circle or a sphere may be fitted to."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,7 +191,7 @@ def _fitted(points: Sequence[Pos], count: float | None, least: int) -> Array:
 
 
 def _counted(count: float, positions: Sequence[object]) -> int:
-    """How many positions of a list count."""
+    """The number of positions of a list that are used."""
     if not 3 <= count <= len(positions):
         raise rapid_error(
             ERR_FRAME, f"{count:g} positions of a list of {len(positions)}; at least 3"

@@ -23,7 +23,7 @@ RUNNING_CONTINUOUSLY = 1.0
 def stop(
     controller: Controller, *, no_regain: Switch = False, all_move_tasks: Switch = False
 ) -> None:
-    """Stop the program when the robot stands; the run ends where nobody starts it again."""
+    """Stop the program once the robot is at rest; the run ends unless it can be restarted."""
     del no_regain
     not_in_undo(controller, "Stop")
     ignored(controller.honesty, "Stop", {r"\AllMoveTasks": all_move_tasks})
@@ -32,19 +32,19 @@ def stop(
 
 
 def break_(controller: Execution) -> None:
-    """Stop the program at once; the run ends where nobody starts it again."""
+    """Stop the program at once; the run ends unless it can be restarted."""
     controller.stop("Break")
 
 
 def exit_cycle() -> None:
-    """End the cycle: the next one begins with main."""
+    """End the cycle; the next one begins with main."""
     raise CycleEnded("ExitCycle")
 
 
 def system_stop_action(
     controller: Execution, *, stop: Switch = False, stop_block: Switch = False, halt: Switch = False
 ) -> None:
-    """Stop all of the system; the run ends where nobody starts it again."""
+    """Stop the whole system; the run ends unless it can be restarted."""
     del stop, stop_block, halt
     controller.stop("SystemStopAction")
 
@@ -66,7 +66,7 @@ def rob_os() -> Bool:
 
 
 def rob_name(controller: TaskService) -> String:
-    """The name of the task's robot; none where it has no robot."""
+    """The name of the task's robot; empty if it has no robot."""
     return robot_name(controller.robot_number) if controller.robot_number else ""
 
 
@@ -77,7 +77,7 @@ def non_motion_mode(*, main: Switch = False) -> Bool:
 
 
 def linked_m_exe() -> None:
-    """What the controller's system module runs when it starts: nothing that a program sees."""
+    """Called by the controller's system module at start; has no effect on a program."""
 
 
 FLOW = table(

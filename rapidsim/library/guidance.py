@@ -71,12 +71,12 @@ RAMP_S: Final = 1.0
 
 
 def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
-    """Make an identity."""
+    """Create an identity."""
     egmid.value = controller.connect()
 
 
 def egm_reset(controller: Guidance, egmid: Var[EgmIdent]) -> None:
-    """End what an identity does and give it back."""
+    """End what an identity does and release it."""
     if egmid.value is not None:
         controller.give_back(egmid.value)
         egmid.value = None
@@ -101,7 +101,7 @@ def egm_setup_uc(
     latr: Switch = False,
     comm_timeout: Num | None = None,
 ) -> None:
-    """Connect an identity with a sensor that talks UDP; without a switch it is only told."""
+    """Connect an identity with a sensor that talks UDP; without a switch it only listens."""
     del mec_unit, aptr, latr
     silence_s = TIMEOUT_S if comm_timeout is None else _positive("CommTimeout", comm_timeout)
     setup = SensorSetup(
@@ -185,7 +185,7 @@ def egm_act_joint(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[JointBands],
 ) -> None:
-    """Say that the sensor's goals are joints, and how near to them the robot is there."""
+    """Make the sensor's goals joints, with the bands within which they are reached."""
     del tload
     _tell_no_deviation(controller, "EGMActJoint", max_pos_deviation)
     controller.guidance.activate(
@@ -224,7 +224,7 @@ def egm_act_pose(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[PoseBands],
 ) -> None:
-    """Say that the sensor's goals are poses of the TCP, in which frames, and how near is there."""
+    """Make the sensor's goals poses of the TCP, with their frames and bands."""
     del tload
     _tell_no_deviation(controller, "EGMActPose", max_pos_deviation)
     controller.guidance.activate(
@@ -257,7 +257,7 @@ def egm_run_joint(
     pos_corr_gain: Num | None = None,
     **chosen: Unpack[JointSwitches],
 ) -> None:
-    """Let the sensor move the joints until they are where it wants them."""
+    """Let the sensor move the joints until they have reached its goal."""
     terms = _terms(
         [bool(chosen.get(name)) for name in JOINTS],
         mode,
@@ -282,7 +282,7 @@ def egm_run_pose(
     pos_corr_gain: Num | None = None,
     **chosen: Unpack[PoseSwitches],
 ) -> None:
-    """Let the sensor move the TCP until it is where it wants it."""
+    """Let the sensor move the TCP until it has reached its goal."""
     terms = _terms(
         [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
@@ -295,7 +295,7 @@ def egm_run_pose(
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
-    r"""Wait until the robot is where the sensor wants it, after a run with \NoWaitCond."""
+    r"""Wait until the robot has reached the sensor's goal, after a run with \NoWaitCond."""
     controller.await_condition(known(egmid, "EGMWaitCond"))
 
 
@@ -314,12 +314,12 @@ def egm_stop(
 def egm_stream_start(
     controller: Guidance, egmid: Var[EgmIdent], *, sample_rate: Num | None = None
 ) -> None:
-    """Tell the sensor from now on where the robot is."""
+    """Start streaming the robot's position to the sensor."""
     controller.stream(known(egmid, "EGMStreamStart"), sample_s(sample_rate))
 
 
 def egm_stream_stop(controller: Guidance, egmid: Var[EgmIdent]) -> None:
-    """Tell it nothing more."""
+    """Stop streaming."""
     controller.stream(known(egmid, "EGMStreamStop"), None)
 
 

@@ -46,7 +46,7 @@ def i_timer(
     single: Switch = False,
     single_safe: Switch = False,
 ) -> None:
-    """Order an interrupt in so many seconds, again and again or once."""
+    """Order an interrupt after a time, repeatedly or once."""
     controller.order_timer(interrupt.value, time, single=single or single_safe)
     _keep(controller, interrupt, single_safe)
 
@@ -213,12 +213,12 @@ def i_watch(controller: Interrupts, interrupt: Var[IntNum]) -> None:
 
 
 def i_disable(controller: Interrupts) -> None:
-    """Keep all interrupts waiting."""
+    """Make all interrupts wait."""
     controller.hold_interrupts(hold=True)
 
 
 def i_enable(controller: Interrupts) -> None:
-    """Serve interrupts again, those that waited first."""
+    """Let interrupts through again, first those that waited."""
     controller.hold_interrupts(hold=False)
 
 

@@ -35,13 +35,13 @@ def _named(name: str) -> float:
 
 
 def io_enable(controller: Equipment, unit_name: String, max_time: Num) -> None:
-    """Let an I/O device take part again."""
+    """Enable an I/O device."""
     del max_time
     controller.enable(unit_name, enabled=True)
 
 
 def io_disable(controller: Equipment, unit_name: String, max_time: Num) -> None:
-    """Take an I/O device out."""
+    """Disable an I/O device."""
     del max_time
     controller.enable(unit_name, enabled=False)
 
@@ -49,7 +49,7 @@ def io_disable(controller: Equipment, unit_name: String, max_time: Num) -> None:
 def io_unit_state(
     controller: Equipment, unit_name: String, *, phys: Switch = False, logic: Switch = False
 ) -> IoUnitStateNum:
-    """How an I/O device is: it runs, unless the program has switched it off."""
+    """The state of an I/O device: running, unless the program has disabled it."""
     runs = controller.is_enabled(unit_name)
     if phys:
         return _named("IOUNIT_PHYS_STATE_RUNNING" if runs else "IOUNIT_PHYS_STATE_DEACTIVATED")
@@ -61,21 +61,21 @@ def io_unit_state(
 def io_bus_state(
     bus_name: String, state: Var[BusState], *, phys: Switch = False, logic: Switch = False
 ) -> None:
-    """How an I/O bus is: it runs."""
+    """The state of an I/O bus: running."""
     del bus_name
     running = "IOBUS_PHYS_STATE_RUNNING" if phys else "BUSSTATE_RUN"
     state.value = _named("IOBUS_LOG_STATE_STARTED" if logic else running)
 
 
 def io_bus_start(bus_name: String) -> None:
-    """Start an I/O bus: it runs already."""
+    """Start an I/O bus, which is already running."""
     del bus_name
 
 
 def get_signal_origin(
     controller: ClockService, signal: Var[AnySignal], signal_name: Var[String]
 ) -> SignalOriginNum:
-    """Where a signal is from: the configuration, or AliasIO; and its name there."""
+    """The origin of a signal, the configuration or AliasIO, and its name there."""
     of = signal.value
     name = of.name if isinstance(of, Signal) else ""
     signal_name.value = name

@@ -43,7 +43,7 @@ def load(
     file: String | None = None,
     check_ref: Switch = False,
 ) -> None:
-    """Take a module from a file into the program, with its initial values."""
+    """Load a module from a file into the program, with its initial values."""
     del dynamic
     path = joined_path(file_path, file)
     source = _read(controller.files, path)
@@ -80,7 +80,7 @@ def wait_load(
     unload_file: String | None = None,
     check_ref: Switch = False,
 ) -> None:
-    """Remove another module if asked to, then make a module that StartLoad read part of it."""
+    """Unload another module if asked to, then add the module that StartLoad has read."""
     session = _session(load_no.value, ERR_UNKPROC)
     if unload_path is not None:
         with controller.clock.long_work():
@@ -93,7 +93,7 @@ def wait_load(
 
 
 def cancel_load(load_no: Var[LoadSessionVar]) -> None:
-    """Forget a module that StartLoad has read."""
+    """Discard a module that StartLoad has read."""
     _session(load_no.value, ERR_LOADNO_NOUSE)
     load_no.value = None
 
@@ -106,7 +106,7 @@ def un_load(
     save: Switch = False,
     file: String | None = None,
 ) -> None:
-    """Remove the module that was loaded from a file."""
+    """Unload the module that was loaded from a file."""
     path = joined_path(file_path, file)
     modules = controller.modules.loaded_from(path)
     if err_if_changed and any(module.text != module.loaded_text for module in modules):
@@ -124,13 +124,13 @@ def un_load(
 
 
 def erase_module(controller: Controller, module_name: String) -> None:
-    """Remove a module by its name, however it came in."""
+    """Remove a module by its name, however it was loaded."""
     with controller.clock.long_work():
         controller.modules.erase(module_name)
 
 
 def check_prog_ref(controller: Controller) -> None:
-    """Raise ERR_LINKREF if the program uses anything that nothing declares."""
+    """Raise ERR_LINKREF if the program uses anything undeclared."""
     with controller.clock.long_work():
         controller.modules.check_references()
 
@@ -149,7 +149,7 @@ def save(
     file_path: String | None = None,
     file: String | None = None,
 ) -> None:
-    """Write a module into a file, with the values that its persistents have now."""
+    """Save a module to a file, with the present values of its persistents."""
     if means_another(controller.tasks, task_ref, task_name):
         controller.honesty.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
         return

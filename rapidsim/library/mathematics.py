@@ -204,7 +204,7 @@ def incr(name: InOut[Num] | InOut[Dnum], *, of: ArgumentType = NUM) -> None:
 
 
 def decr(name: InOut[Num] | InOut[Dnum], *, of: ArgumentType = NUM) -> None:
-    """Take 1 from a variable."""
+    """Subtract 1 from a variable."""
     name.value = _as(of, name.value - 1.0)
 
 

@@ -37,7 +37,7 @@ def get_next_mech_unit(
     drive_module: Var[Num] | None = None,
     ok_to_deact: Var[Bool] | None = None,
 ) -> Bool:
-    """The next mechanical unit of the system, its list number from 0 on; FALSE behind the last."""
+    """The next mechanical unit of the system, by list number from 0; FALSE after the last."""
     units = controller.equipment.system_units()
     number = int(list_number.value)
     if not 0 <= number < len(units):

@@ -89,7 +89,7 @@ def rmq_send_wait(
     of: ArgumentType = NUM,
     answer_of: ArgumentType = NUM,
 ) -> None:
-    """Send data to a queue and wait for an answer of a type, 60 s unless it is said."""
+    """Send data to a queue and wait for an answer of a type, 60 s by default."""
     messages = controller.messages
     _require(controller, "RMQSendWait", synchronous=False, in_trap=False)
     sent = _message(messages, send_data, of, user_def)
@@ -104,7 +104,7 @@ def rmq_send_wait(
 def rmq_read_wait(
     controller: Controller, message: Var[RmqMessage], *, time_out: Num | None = None
 ) -> None:
-    """Take the next message, waiting for it 60 s unless it is said."""
+    """Take the next message, waiting for it, 60 s by default."""
     if controller.messages.is_synchronous is None:
         controller.honesty.not_simulated(
             "RMQReadWait", "as in synchronous mode: nothing says the mode of the task's queue"
@@ -132,7 +132,7 @@ def rmq_get_msg_header(
     sender_id: Var[RmqSlot] | None = None,
     user_def: Var[Num] | None = None,
 ) -> None:
-    r"""The type of a message, who has sent it, and its \UserDef, -1 without one."""
+    r"""The type of a message, its sender, and its \UserDef, -1 without one."""
     found = _received(message)
     if header is not None:
         dimensions = (*map(float, found.kind.dimensions), 0.0, 0.0, 0.0)[:3]
@@ -177,7 +177,7 @@ def rmq_get_msg_data(
 
 
 def rmq_empty_queue(controller: Messages) -> None:
-    """Throw all messages away."""
+    """Discard all messages."""
     controller.empty_queue()
 
 

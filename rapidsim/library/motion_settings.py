@@ -76,7 +76,7 @@ def speed_refresh(controller: Controller, override: Num) -> None:
 
 
 def path_resol(controller: Controller, path_sample_time: Num) -> None:
-    """Change how finely the path is computed: kept for whoever reads it, without effect."""
+    """Change how finely the path is computed: can be read back, without effect."""
     _without_effect(controller, "PathResol", "the path is exact")
     controller.motion.settings = replace(
         controller.motion.settings, path_resolution_percent=path_sample_time
@@ -91,7 +91,7 @@ def motion_sup(
     tunevalue: Num | None = None,
     no_backoff: Switch = False,
 ) -> None:
-    """Switch the supervision of collisions: kept for whoever reads it, without effect."""
+    """Switch the supervision of collisions: can be read back, without effect."""
     del on, no_backoff
     _without_effect(controller, "MotionSup", "nothing is hit")
     before = controller.motion.settings.supervision_tune_percent
@@ -191,7 +191,7 @@ def _limit(name: str, limit: float | None) -> float:
 
 
 def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
-    """Switch a mechanical unit on, so that targets move its axes."""
+    """Activate a mechanical unit, so that targets move its axes."""
     name = _unit_name(controller.clock)
     active = controller.motion.settings.inactive_units - {name}
     controller.motion.settings = replace(controller.motion.settings, inactive_units=active)
@@ -199,7 +199,7 @@ def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
 
 
 def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
-    """Switch a mechanical unit off: its axes stay where they are."""
+    """Deactivate a mechanical unit: its axes stay where they are."""
     name = _unit_name(controller.clock)
     inactive = controller.motion.settings.inactive_units | {name}
     controller.motion.settings = replace(controller.motion.settings, inactive_units=inactive)
@@ -207,7 +207,7 @@ def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
 
 
 def is_mech_unit_active(controller: Controller, mech_unit: Var[MecUnit]) -> Bool:
-    """Whether a mechanical unit is on."""
+    """Whether a mechanical unit is active."""
     del mech_unit
     return _unit_name(controller.clock) not in controller.motion.settings.inactive_units
 

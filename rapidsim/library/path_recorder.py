@@ -1,4 +1,4 @@
-"""The path recorder: going back on the moves that were made, and forth again.
+"""The path recorder: moving back along the path that was made, and forward again.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathRecStart",
 "PathRecStop", "PathRecMoveBwd", "PathRecMoveFwd", "PathRecValidBwd", "PathRecValidFwd".
@@ -15,12 +15,12 @@ from rapidsim.library.traits import Does
 
 
 def path_rec_start(controller: PathRecorder, id_: Var[PathRecId]) -> None:
-    """Record the path from here on; the identifier stands for this place."""
+    """Record the path from here on; the identifier marks this place."""
     id_.value = controller.start_recording()
 
 
 def path_rec_stop(controller: PathRecorder, *, clear: Switch = False) -> None:
-    r"""Record no further moves; with \Clear, forget those that were recorded."""
+    r"""Stop recording; with \Clear, discard what was recorded."""
     controller.stop_recording(clear=clear)
 
 
@@ -31,7 +31,7 @@ def path_rec_move_bwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Go back on the recorded path, to an identifier or to where the recorder was started."""
+    """Move back along the recorded path, to an identifier or to where the recorder was started."""
     controller.go_back(_number(id_), tool_offs, speed)
 
 
@@ -42,17 +42,17 @@ def path_rec_move_fwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Go forth again, to an identifier or to where PathRecMoveBwd began."""
+    """Move forward again, to an identifier or to where PathRecMoveBwd began."""
     controller.go_forth(_number(id_), tool_offs, speed)
 
 
 def path_rec_valid_bwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
-    """Whether PathRecMoveBwd can go back there."""
+    """Whether PathRecMoveBwd can move back to there."""
     return controller.may_go_back(_number(id_))
 
 
 def path_rec_valid_fwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
-    """Whether PathRecMoveFwd can go forth there."""
+    """Whether PathRecMoveFwd can move forward to there."""
     return controller.may_go_forth(_number(id_))
 
 

@@ -46,7 +46,7 @@ def pack_raw_bytes(
     float4: Switch = False,
     ascii_: Switch = False,
 ) -> None:
-    """Put a number or a text into raw bytes, from a position on."""
+    """Pack a number or a text into raw bytes, from a position on."""
     if isinstance(value, str):
         if not ascii_:
             raise rapid_error(ERR_ARGVALERR, r"a string is packed with \ASCII")
@@ -76,7 +76,7 @@ def unpack_raw_bytes(
     ascii_: Num | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Read a number or a text out of raw bytes, from a position on."""
+    """Unpack a number or a text from raw bytes, from a position on."""
     if resolved(of) == STRING:
         if ascii_ is None:
             raise rapid_error(ERR_ARGVALERR, r"a string is unpacked with \ASCII")
@@ -102,7 +102,7 @@ def unpack_raw_bytes(
 
 
 def clear_raw_bytes(raw_data: Var[RawBytes], *, from_index: Num | None = None) -> None:
-    """Cut raw bytes off, all of them or from a position on."""
+    """Clear raw bytes, all of them or from a position on."""
     kept = 0 if from_index is None else _index(from_index)
     raw_data.value = raw_data.value[:kept]
 
@@ -115,21 +115,21 @@ def copy_raw_bytes(
     *,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Copy bytes, so many or all that follow."""
+    """Copy bytes, a given number or all that follow."""
     source = from_raw_data.value
     count = len(source) - _index(from_index) if no_of_bytes is None else int(no_of_bytes)
     _put(to_raw_data, to_index, _take(source, from_index, count))
 
 
 def raw_bytes_len(raw_data: Var[RawBytes]) -> Num:
-    """How many bytes are in use."""
+    """The number of bytes in use."""
     return float(len(raw_data.value))
 
 
 def write_raw_bytes(
     io_device: Var[IoDev], raw_data: Var[RawBytes], *, no_of_bytes: Num | None = None
 ) -> None:
-    """Write raw bytes to a file, so many or all."""
+    """Write raw bytes to a file, a given number or all."""
     count = len(raw_data.value) if no_of_bytes is None else int(no_of_bytes)
     opened_device(io_device).write(_take(raw_data.value, 1.0, count))
 

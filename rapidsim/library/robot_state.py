@@ -38,7 +38,7 @@ def c_rob_t(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
-    """Where the TCP is; without arguments, that of the tool and work object of the last move."""
+    """Where the TCP is; by default, of the tool and work object of the last move."""
     of_tool = None if tool is None else tool.value
     of_wobj = None if wobj is None else wobj.value
     other = _other_task(controller.tasks, task_ref, task_name)

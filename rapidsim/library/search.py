@@ -78,7 +78,7 @@ def search_ext_j(
     speed: SpeedData,
     **options: Unpack[SearchOptions],
 ) -> None:
-    """Move the external axes only and keep where all axes were when a signal changed."""
+    """Move the external axes only and store where all axes were when a signal changed."""
     name, way = "SearchExtJ", Interpolation.EXTERNAL_AXES
     offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))

@@ -77,7 +77,7 @@ def reset(controller: Signals, signal: Var[SignalDo]) -> None:
 
 
 def invert_do(controller: Signals, signal: Var[SignalDo]) -> None:
-    """Turn a digital output over."""
+    """Invert a digital output."""
     _write(controller, signal, 1.0 - _read(controller, signal))
 
 
@@ -88,7 +88,7 @@ def pulse_do(
     high: Switch = False,
     p_length: Num | None = None,
 ) -> None:
-    r"""Turn a digital output over for a while; with \High, to 1 and then to 0."""
+    r"""Invert a digital output for a while; with \High, set it to 1 and then to 0."""
     length_s = DEFAULT_PULSE_S if p_length is None else p_length
     if not LEAST_PULSE_S <= length_s <= LONGEST_PULSE_S:
         raise rapid_error(
@@ -177,7 +177,7 @@ def alias_io(
     of: ArgumentType = STRING,
     to: ArgumentType = STRING,
 ) -> None:
-    """Let a signal variable mean a signal, given itself or by its name."""
+    """Make a signal variable an alias of a signal, given itself or by its name."""
     source = from_signal if isinstance(from_signal, str | Signal) else from_signal.value
     name = source.name if isinstance(source, Signal) else source
     if not isinstance(name, str) or not isinstance(to_signal.value, Signal):
@@ -192,7 +192,7 @@ def alias_io(
 
 
 def alias_io_reset(signal: Var[AnySignal]) -> None:
-    """Let a signal variable mean nothing again."""
+    """Remove the alias of a signal variable."""
     if not isinstance(signal.value, Signal) or signal.value.is_configured:
         raise rapid_error(ERR_NO_ALIASIO_DEF, "AliasIO has connected nothing there")
     signal.value = Signal("")

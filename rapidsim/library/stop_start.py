@@ -1,4 +1,4 @@
-r"""Stopping the robot on its path and starting it again; other paths meanwhile.
+r"""Stopping the robot on its path, restarting it, and other paths in between.
 
 ProcerrRecovery in a trap raises its error at the statement that the trap interrupts, or at the next
 that can fail where that is a loop that computes: \SyncOrgMoveInst and \SyncLastMoveInst are one.
@@ -34,7 +34,7 @@ from rapidsim.library.traits import Does
 def stop_move(
     controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
 ) -> None:
-    """Stop the robot on its path; the program goes on when it stands."""
+    """Stop the robot on its path; the program continues when it is at rest."""
     if all_motion_tasks:
         _require_no_robot(controller, "StopMove")
         controller.tasks.stop_other_robots()
@@ -42,7 +42,7 @@ def stop_move(
 
 
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
-    """Let the robot go on."""
+    """Restart the robot on its path."""
     if all_motion_tasks:
         _require_no_robot(controller, "StartMove")
         controller.tasks.start_other_robots()
@@ -50,7 +50,7 @@ def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> N
 
 
 def start_move_retry(controller: PathControl) -> None:
-    """Let the robot go on; the ERROR clause it stands in then does what RETRY does."""
+    """Restart the robot; the ERROR clause that calls it then does what RETRY does."""
     controller.start_move()
 
 
@@ -88,18 +88,18 @@ def _require_no_robot(controller: Controller, instruction: str) -> None:
 
 
 def clear_path(controller: PathControl) -> None:
-    """Forget the rest of the path."""
+    """Drop the rest of the path."""
     controller.clear_path()
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
-    """Keep the rest of the path and begin another."""
+    """Store the rest of the path and begin a new one."""
     ignored(controller.honesty, "StorePath", {r"\KeepSync": keep_sync})
     controller.path_control.store_path()
 
 
 def resto_path(controller: PathControl) -> None:
-    """Take up the path that was kept; StartMove goes on with it."""
+    """Restore the stored path; StartMove continues on it."""
     controller.restore_path()
 
 
@@ -111,7 +111,7 @@ def path_level(controller: PathControl) -> Num:
 def is_stop_move_act(
     controller: PathControl, *, from_move_task: Switch = False, from_non_move_task: Switch = False
 ) -> Bool:
-    """Whether StopMove keeps the robot where it is."""
+    """Whether StopMove is holding the robot."""
     if from_non_move_task and not from_move_task:
         return False
     return controller.is_stopped()

@@ -96,7 +96,7 @@ def set_data_search(
     global_sym: Switch = False,
     local_sym: Switch = False,
 ) -> None:
-    r"""Say which data GetNextSym shall find. Data of routines (\InRout) are never found."""
+    r"""Set which data GetNextSym finds. Data of routines (\InRout) are never found."""
     del type_mod, in_task
     kinds = {"PERS": pers_sym, "VAR": var_sym, "CONST": const_sym}
     if in_rout is not None:
@@ -119,7 +119,7 @@ def get_next_sym(
     *,
     recursive: Switch = False,
 ) -> Bool:
-    """The next name that SetDataSearch asked for, and where it is; FALSE when there is none."""
+    """The next name found by SetDataSearch, and where it is; FALSE if there is none."""
     del recursive
     found = controller.symbols.next_found()
     if found is None:

@@ -1,4 +1,4 @@
-r"""What a program asks about the controller and the tool that is active.
+r"""What a program can ask about the controller and the active tool.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
 "GetSysData", "SetSysData", "EventType", "UIClientExist", "IsSysId", "ProgMemFree".
@@ -71,7 +71,7 @@ def is_sys_id(system_id: String) -> Bool:
 
 
 def prog_mem_free(controller: Honesty) -> Num:
-    """How many bytes of program memory are free: always the same."""
+    """The free program memory in bytes, which is always the same."""
     controller.not_simulated("ProgMemFree", _MEMORY_NOTE)
     return FREE_MEMORY_BYTES
 
@@ -111,7 +111,7 @@ def set_sys_data(
     object_name: String | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Let a tool, a work object or a load be the active one, as a move or GripLoad does."""
+    """Activate a tool, a work object or a load, as a move or GripLoad does."""
     written = controller.clock.place.arguments.get("sourceobject", "")
     name = written if object_name is None else object_name
     match source_object.value:
@@ -147,7 +147,7 @@ def exec_level(controller: Interrupts) -> ExecLevelNum:
 
 
 def pp_moved_in_man_mode() -> Bool:
-    """Whether somebody has moved the program pointer: nobody does."""
+    """Whether the program pointer was moved by hand, which it never is."""
     return False
 
 

@@ -61,7 +61,7 @@ def sync_move_on(
     *,
     time_out: Num | None = None,
 ) -> None:
-    """Wait for all tasks of a list at a stop point; from there their robots move together."""
+    """Wait for all tasks of a list at a stop point; from then on their robots move together."""
     tasks = _in_the_run(controller, "SyncMoveOn", task_list)
     name = _name_of(controller.clock)
     if len(tasks) > 1 and not controller.sync_moves.move_together(name, tasks, max_time=time_out):
@@ -71,7 +71,7 @@ def sync_move_on(
 def sync_move_off(
     controller: Controller, sync_id: Var[SyncIdent], *, time_out: Num | None = None
 ) -> None:
-    """Wait for the tasks that move together at a stop point; from there each moves alone."""
+    """Wait for the tasks that move together at a stop point; from then on each moves alone."""
     name = _name_of(controller.clock)
     if controller.sync_moves.team and not controller.sync_moves.move_apart(name, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEOFF, "SyncMoveOff", name, time_out)

@@ -63,7 +63,7 @@ def no_window(controller: Honesty, name: str, window: Window) -> None:
 
 
 def wait_time(controller: ClockService, time: Num, *, in_pos: Switch = False) -> None:
-    r"""Wait so many seconds; with \InPos, first until the robot stands."""
+    r"""Wait for a time [s]; with \InPos, first until the robot is at rest."""
     if time < 0.0:
         raise rapid_error(ERR_ARGVALERR, f"a wait of {time:g} s lies in the past")
     controller.wait(time, in_position=in_pos)
@@ -105,7 +105,7 @@ def report_timeout(
 def wait_rob(
     controller: ClockService, *, in_pos: Switch = False, zero_speed: Switch = False
 ) -> None:
-    """Wait until the robot stands at its stop point, or just stands."""
+    """Wait until the robot is at its stop point, or just at rest."""
     if not (in_pos or zero_speed):
         raise rapid_error(ERR_ARGVALERR, r"WaitRob needs \InPos or \ZeroSpeed")
     controller.wait(0.0, in_position=True)
@@ -118,19 +118,19 @@ def wait_test_and_set(controller: Signals, object_: Pers[Bool]) -> None:
 
 
 def clk_reset(clock: Var[Clock]) -> None:
-    """Set a clock to 0; it stands."""
+    """Stop a clock and set it to 0."""
     clock.value = ClockState()
 
 
 def clk_start(controller: ClockService, clock: Var[Clock]) -> None:
-    """Let a clock run; one that runs already runs on."""
+    """Start a clock; one that is running keeps running."""
     state = clock.value
     if state.started_s is None:
         clock.value = ClockState(state.counted_s, controller.now())
 
 
 def clk_stop(controller: ClockService, clock: Var[Clock]) -> None:
-    """Let a clock stand."""
+    """Stop a clock."""
     clock.value = ClockState(_clock_time(controller, clock.value))
 
 
@@ -165,7 +165,7 @@ def get_time(
     min_: Switch = False,
     sec: Switch = False,
 ) -> Num:
-    """One number of the time of day; days of the week count from Monday, 1."""
+    """One part of the date and time; days of the week count from Monday, 1."""
     if not (w_day or hour or min_ or sec):
         raise rapid_error(ERR_ARGVALERR, r"GetTime needs one of \WDay, \Hour, \Min and \Sec")
     now = controller.date_and_time()

@@ -71,7 +71,7 @@ def trigg_io(
     d_o_delay: Num | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Set an output at a place: so far before the end, after the start, or so long before it."""
+    """Set an output at a place: a distance before the end or after the start, or a time before."""
     ignored(controller, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(d_op or g_op or a_op, set_value, d_o_delay or 0.0, digital=d_op is not None)
     trigg_data.value = Trigger(
@@ -94,7 +94,7 @@ def trigg_equip(
     proc_id: Num | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Set an output at a place, earlier by what the equipment lags behind."""
+    """Set an output at a place, earlier by the lag of the equipment."""
     ignored(controller, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(d_op or g_op or a_op, set_value, 0.0, digital=d_op is not None)
     trigg_data.value = Trigger(
@@ -137,7 +137,7 @@ def trigg_check_io(
     inhib: Pers[Bool] | None = None,
     mode: TriggMode | None = None,
 ) -> None:
-    """Look at a signal at a place, and raise an interrupt if it is not as it should be."""
+    """Check a signal at a place, and raise an interrupt if the condition is not met."""
     del mode
     ignored(controller, "TriggCheckIO", {r"\Next": next_})
     compare = _RELATIONS.get(relation)
@@ -164,7 +164,7 @@ def trigg_ramp_ao(
     time: Switch = False,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    r"""Ramp an analog output from a place on, over a way; with \Time over a time."""
+    r"""Ramp an analog output from a place on, over a distance, or with \Time over a time."""
     ignored(controller, "TriggRampAO", {r"\Next": next_})
     action = RampOutput(connected(a_output), set_value, ramp_length, by_time=time)
     trigg_data.value = Trigger(
@@ -185,7 +185,7 @@ def trigg_speed(
     err_do: Var[SignalDo] | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Let an analog output follow the speed of the TCP from a place on."""
+    """Make an analog output follow the TCP speed from a place on."""
     ignored(controller, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do})
     action = FollowSpeed(connected(a_op), scale_value, scale_lag)
     trigg_data.value = Trigger(
@@ -194,7 +194,7 @@ def trigg_speed(
 
 
 def trigg_data_reset(trigg_data: Var[TriggData]) -> None:
-    """Let trigger data mean nothing."""
+    """Clear trigger data."""
     trigg_data.value = None
 
 
@@ -204,7 +204,7 @@ def trigg_data_copy(source: Var[TriggData], destination: Var[TriggData]) -> None
 
 
 def trigg_data_valid(trigg_data: Var[TriggData]) -> Bool:
-    """Whether trigger data mean anything."""
+    """Whether trigger data are defined."""
     return trigg_data.value is not None
 
 

@@ -40,7 +40,7 @@ def wz_cyl_def(
     inside: Switch = False,
     outside: Switch = False,
 ) -> None:
-    """Define a cylinder that stands on a point, or hangs from it with a negative height."""
+    """Define a cylinder above a point, or below it with a negative height."""
     del inside
     shape.value = ZoneShape(Cylinder(centre_point, radius, height), outside)
 
@@ -96,7 +96,7 @@ def wz_lim_sup(
     temp: Switch = False,
     stat: Switch = False,
 ) -> None:
-    """Stop the robot where it comes into a zone."""
+    """Stop the robot when it enters a zone."""
     del temp, stat
     world_zone.value = WzTemporary(controller.watch_zone(_defined(shape), None))
 
@@ -120,17 +120,17 @@ def wz_do_set(
 
 
 def wz_enable(controller: WorldZones, world_zone: InOut[WzTemporary]) -> None:
-    """Watch a zone again."""
+    """Enable a zone."""
     controller.enable_zone(world_zone.value.wz, enabled=True)
 
 
 def wz_disable(controller: WorldZones, world_zone: InOut[WzTemporary]) -> None:
-    """Do not watch a zone."""
+    """Disable a zone."""
     controller.enable_zone(world_zone.value.wz, enabled=False)
 
 
 def wz_free(controller: WorldZones, world_zone: InOut[WzTemporary]) -> None:
-    """Forget a zone."""
+    """Delete a zone."""
     controller.free_zone(world_zone.value.wz)
     world_zone.value = WzTemporary(0.0)
 
