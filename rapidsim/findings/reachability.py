@@ -32,7 +32,7 @@ class LowJointMargin(Violation, code="K607"):
     measure: str
 
 
-class Overload(Violation, code="M523"):
+class Overload(Violation, code="M524"):
     what: str
     """With its verb."""
     mass_kg: float

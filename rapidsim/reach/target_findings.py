@@ -172,7 +172,7 @@ def margin_findings(
 
 
 def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iterator[Diagnostic]:
-    """M523: the tool and what it holds weigh more than the arm is rated for; once a load."""
+    """M524: the tool and what it holds weigh more than the arm is rated for; once a load."""
     rated_kg, told = robot.payload_kg, set[tuple[float, float]]()
     if rated_kg is None:
         return
