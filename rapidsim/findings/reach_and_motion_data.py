@@ -78,6 +78,12 @@ class MainAxesSwitched(Violation, code="K619"):
     why: str
 
 
+class WristTurnsFar(Violation, code="K620"):
+    target: str
+    axis: int
+    turn_deg: float
+
+
 class ConfigurationChangesOnLine(Violation, code="K606"):
     target: str
     stored: str

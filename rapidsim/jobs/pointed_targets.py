@@ -18,6 +18,7 @@ from rapidsim.findings.reach_and_motion_data import (
     PathNotReachable,
     PathThroughSingularity,
     UnreachableTarget,
+    WristTurnsFar,
 )
 from rapidsim.findings.wrist_circles import WristCircleFails
 from rapidsim.language.target_violations import QuaternionNotUnit
@@ -26,7 +27,7 @@ from rapidsim.syntax import tree
 _ABOUT_TARGETS = (
     *(UnreachableTarget, JointOutOfRange, ConfigurationNotReachable, ConfigurationChangesOnLine),
     *(PathNotReachable, PathThroughSingularity, PathConfiguration, WristCircleFails),
-    *(CircleUncertain, QuaternionNotUnit, MainAxesSwitched),
+    *(CircleUncertain, QuaternionNotUnit, MainAxesSwitched, WristTurnsFar),
 )
 _TARGETS = ("robtarget", "jointtarget")
 

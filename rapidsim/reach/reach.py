@@ -21,6 +21,7 @@ from rapidsim.reach.outside_values import moved_by_outside
 from rapidsim.reach.path_findings import WayFinder, Ways
 from rapidsim.reach.target_findings import (
     configuration_findings,
+    far_turn_findings,
     margin_findings,
     orientation_findings,
     overload_findings,
@@ -99,6 +100,7 @@ def check_reach(
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),
         *switch_findings(program, placed, ways.stances, robot),
+        *far_turn_findings(program, placed, ways.stances, robot),
         *(() if by_default else overload_findings(program, placed, robot)),
         *(() if told is None else told.diagnostics),
     ]

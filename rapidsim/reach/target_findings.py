@@ -9,7 +9,11 @@ import numpy as np
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.configuration_choice import by_stored, conf_text, is_switch
-from rapidsim.controller.moves.motion_findings import switched
+from rapidsim.controller.moves.motion_findings import (
+    WRIST_TURNS_FAR,
+    switched,
+    wrist_turning_far,
+)
 from rapidsim.controller.moves.target_checks import frame_orientations
 from rapidsim.controller.moves.target_words import named_target
 from rapidsim.diagnostics import Diagnostic
@@ -117,6 +121,24 @@ def switch_findings(
         if is_switch(start, end):
             name, flange = target_text(program, known), posed.base_from_flange[row]
             found = switched(name, robot, flange, start, end)
+            yield Diagnostic(found, target_span(program, known), routine=known.routine)
+
+
+def far_turn_findings(
+    program: Program, posed: PosedMoves, stances: Stances, robot: Robot
+) -> Iterator[Diagnostic]:
+    """K620: a line or arc under ConfL on which a wrist axis turns far."""
+    previous = np.array([-1 if one.previous is None else one.previous for one in posed.moves])
+    rows = np.flatnonzero(stances.sure & (previous >= 0))
+    rows = rows[stances.sure[previous[rows]]]
+    turns = np.abs(stances.joints[rows] - stances.joints[previous[rows]]).max(axis=-1)
+    for row in rows[turns > WRIST_TURNS_FAR].tolist():
+        known = posed.moves[row]
+        if not known.move.interpolation.leads_tcp or not is_monitored(known, robot):
+            continue
+        joints = (stances.joints[k] for k in (previous[row], row))
+        found = wrist_turning_far(target_text(program, known), *joints)
+        if found is not None:
             yield Diagnostic(found, target_span(program, known), routine=known.routine)
 
 

@@ -25,7 +25,7 @@ from rapidsim.controller.moves.configuration_choice import (
     rounded,
     stored_or_nearest,
 )
-from rapidsim.controller.moves.motion_findings import fault_violation, switched
+from rapidsim.controller.moves.motion_findings import fault_violation, switched, wrist_turning_far
 from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
 from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Violation
@@ -104,6 +104,8 @@ class Arrivals:
             else:
                 arrival = self._chosen(asked, stored, segment)
             self._hold_to_stored(asked, stored, segment, arrival)
+            if not is_short:
+                self._tell_far_turn(asked, segment, arrival)
             area = asked.request.settings.singular_area
             if area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
@@ -200,6 +202,14 @@ class Arrivals:
         flange = self._base_from_flange(asked, segment)
         found = switched(asked.name, self.robot, flange, before, chosen)
         self.journal.finding(found, asked.place, once=key)
+
+    def _tell_far_turn(self, asked: AskedMove, segment: Segment, arrival: Configuration) -> None:
+        """Tell if a wrist axis turns so far on a line or arc that a controller may stop."""
+        if _in_joints(segment) or not self._is_monitored(asked, segment):
+            return
+        found = wrist_turning_far(asked.name, segment.start.joints, arrival.joints)
+        if found is not None:
+            self.journal.finding(found, asked.place, once=("wrist turns", asked.written))
 
     def _hold_to_stored(
         self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration

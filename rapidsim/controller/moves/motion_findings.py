@@ -16,13 +16,18 @@ from rapidsim.findings.reach_and_motion_data import (
     PathNotReachable,
     PathThroughSingularity,
     TooLittleTime,
+    WristTurnsFar,
 )
 from rapidsim.findings.wrist_circles import WristCircleFails
-from rapidsim.frames.transform import Transform
+from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import Configuration
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.robot.robot import Robot
 
+WRIST_TURNS_FAR = np.radians(140.0)
+r"""Beyond this [rad] a line may stop under ConfL \On. Source: RAPID Reference Manual, "ConfL", from
+memory: the limit is between 140 and 180 degrees."""
+_WRIST = slice(3, 6)
 _EXCESS = 1.01
 """A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
 
@@ -65,6 +70,23 @@ def switched(
         rest = np.clip(0.0, robot.axes.lower, robot.axes.upper)[len(joints) :]
         why = f"without that, {excess_text(robot, np.concatenate([joints, rest]))}"
     return MainAxesSwitched(target, before.confdata[3], after.confdata[3], why)
+
+
+def wrist_turning_far(target: str, start: Array, end: Array) -> WristTurnsFar | None:
+    r"""The wrist axis of a six-axis arm that turns too far for ConfL \On; None if none does.
+
+    Args:
+        target: Where the line or arc goes.
+        start: Joints (n,) [rad] before it.
+        end: Joints (n,) [rad] at its end.
+    """
+    if len(start) != _WRIST.stop:
+        return None
+    turns = np.abs(end - start)[_WRIST]
+    axis = int(turns.argmax())
+    if turns[axis] <= WRIST_TURNS_FAR:
+        return None
+    return WristTurnsFar(target, _WRIST.start + axis + 1, float(np.degrees(turns[axis])))
 
 
 def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
