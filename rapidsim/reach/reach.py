@@ -92,6 +92,7 @@ def check_reach(
     cures = None if by_default else Cures(program, placed, ends, robot, base_from_world)
     finder = WayFinder(program, placed, ends, robot, options.model, joints)
     ways = finder.survey()
+    broken = {row for row, way in ways.surveyed.items() if way.broken}
     found = [
         *orientation_findings(program, placed, options.external_axes),
         *unreachable_findings(program, placed, ends, robot, cures),
@@ -100,7 +101,7 @@ def check_reach(
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),
         *switch_findings(program, placed, ways.stances, robot),
-        *far_turn_findings(program, placed, ways.stances, robot),
+        *far_turn_findings(program, placed, ways.stances, robot, broken),
         *(() if by_default else overload_findings(program, placed, robot)),
         *(() if told is None else told.diagnostics),
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 
 import numpy as np
 
@@ -125,16 +126,18 @@ def switch_findings(
 
 
 def far_turn_findings(
-    program: Program, posed: PosedMoves, stances: Stances, robot: Robot
+    program: Program, posed: PosedMoves, stances: Stances, robot: Robot, broken: AbstractSet[int]
 ) -> Iterator[Diagnostic]:
-    """K620: a line or arc under ConfL on which a wrist axis turns far."""
-    previous = np.array([-1 if one.previous is None else one.previous for one in posed.moves])
+    """K620: a line or arc under ConfL on which a wrist axis turns far, but for broken ones."""
+    before = (-1 if one.previous is None else one.previous for one in posed.moves)
+    previous = np.fromiter(before, dtype=np.int64, count=len(posed.moves))
     rows = np.flatnonzero(stances.sure & (previous >= 0))
     rows = rows[stances.sure[previous[rows]]]
     turns = np.abs(stances.joints[rows] - stances.joints[previous[rows]]).max(axis=-1)
     for row in rows[turns > WRIST_TURNS_FAR].tolist():
         known = posed.moves[row]
-        if not known.move.interpolation.leads_tcp or not is_monitored(known, robot):
+        is_led = known.move.interpolation.leads_tcp and is_monitored(known, robot)
+        if not is_led or row in broken:
             continue
         joints = (stances.joints[k] for k in (previous[row], row))
         found = wrist_turning_far(target_text(program, known), *joints)

@@ -3,6 +3,6 @@ MODULE example
   CONST robtarget turned:=[[700,0,600],[0,0.8660254,0.5,0],[0,0,1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PROC main()
     MoveJ p,v500,fine,tool0;
-    MoveL turned,v100,fine,tool0;
+    MoveL turned,[100,50,100,50],fine,tool0;
   ENDPROC
 ENDMODULE
