@@ -124,7 +124,7 @@ _ASIDE = """
     StartMove;
     IDelete timer;
     CONNECT timer WITH now;
-    ITimer 0.37,timer;
+    ITimer 1.1,timer;
 """
 
 
