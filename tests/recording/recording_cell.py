@@ -122,39 +122,38 @@ class EasyTrajectory(Trajectory):
         return np.zeros(len(samples.times))
 
     def at(self, times: Array, *, coarse: bool = False) -> Samples:
-        rows = [self._row(float(time)) for time in times]
-        joints = np.array([row[1] for row in rows])
-        index = np.array([row[0] for row in rows], dtype=np.int64)
-        tools = [self.legs[i].executed.tcp_from_flange.inverse() for i in index]
-        tool = Transform(
-            np.stack([t.rotation for t in tools]), np.stack([t.translation for t in tools])
-        )
-        speeds = np.array([row[2] for row in rows])
+        times = np.asarray(times, dtype=np.float64)
+        starts = [leg.executed.start_s for leg in self.legs]
+        index = np.maximum(np.searchsorted(starts, times, side="right") - 1, 0)
+        joints, speeds = np.empty((len(times), 6)), np.empty(len(times))
+        tool = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
+        for number in np.unique(index).tolist():
+            on_leg, leg = index == number, self.legs[number]
+            joints[on_leg], speeds[on_leg] = self._along(leg, times[on_leg])
+            tcp_from_flange = leg.executed.tcp_from_flange.inverse()
+            tool.rotation[on_leg] = tcp_from_flange.rotation
+            tool.translation[on_leg] = tcp_from_flange.translation
         tcp = self.robot.kinematics.forward(joints) @ tool
-        return Samples(np.asarray(times), index, joints, tcp, speeds)
+        return Samples(times, index, joints, tcp, speeds)
 
-    def _row(self, time: float) -> tuple[int, Array, float]:
-        index = max(
-            (i for i, leg in enumerate(self.legs) if leg.executed.start_s <= time), default=0
-        )
-        leg = self.legs[index]
+    def _along(self, leg: Leg, times: Array) -> tuple[Array, Array]:
+        """Joints (k, n) and speeds (k,) on a leg."""
         move = leg.executed
         span = max(move.end_s - move.start_s, 1e-9)
-        u = min(max((time - move.start_s) / span, 0.0), 1.0)
+        u = np.clip((times - move.start_s) / span, 0.0, 1.0)
         share = 3.0 * u * u - 2.0 * u**3
         speed = 6.0 * u * (1.0 - u) / span * move.length_m
         if move.move.interpolation is Interpolation.JOINT:
-            return index, leg.start_joints + share * (move.joints - leg.start_joints), speed
+            return leg.start_joints + share[:, None] * (move.joints - leg.start_joints), speed
         end = move.base_from_tcp
-        quaternion = slerp(leg.start.quaternion, end.quaternion, np.array(share))
-        line = leg.start.translation + share * (end.translation - leg.start.translation)
+        quaternion = slerp(leg.start.quaternion, end.quaternion, share)
+        line = leg.start.translation + share[:, None] * (end.translation - leg.start.translation)
         pose = Transform.from_quaternion(quaternion, line) @ move.tcp_from_flange
         kinematics = self.robot.kinematics
         branch = int(kinematics.branch_of(move.joints))
-        one = Transform(pose.rotation[None], pose.translation[None])
-        followed = kinematics.inverse_on_branch(one, branch, move.joints)
+        followed = kinematics.inverse_on_branch(pose, branch, move.joints)
         assert followed.exists.all()
-        return index, followed.joints[0], speed
+        return followed.joints, speed
 
 
 def cell(robot: Robot | None = None, *, rounds: int = 2) -> Simulation:

@@ -22,8 +22,8 @@ PROGRAM = """MODULE Tried
     VAR num answered;
     PERS num k := 0;
     PROC main()
-        MoveAbsJ [[20,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, z10, tool0;
-        MoveAbsJ [[0,10,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;
+        MoveAbsJ [[4,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, z10, tool0;
+        MoveAbsJ [[0,2,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v100, fine, tool0;
         k := k + 1;
     ENDPROC
     PROC fails()

@@ -31,3 +31,28 @@ def test_smoothed_along_the_path_the_arm_is_on_its_line_and_arc() -> None:
 def test_smoothed_by_axis_it_is_a_little_beside() -> None:
     for one in deviations(MotionModel(smoothing="axes")).values():
         assert 1e-6 < one.rms < one.largest < 5e-3
+
+
+NEVER_BEGUN = r"""
+MODULE cell
+  CONST robtarget pA := [[700,-200,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveJ pA, v500, fine, tool0;
+    FOR i FROM 1 TO 3 DO
+      MoveL Offs(pA, 0, 300, 0), v500, z20, tool0;
+      MoveL Offs(pA, 0, 300, 90), v500, z20, tool0;
+      StopMove;
+      ClearPath;
+      StartMove;
+      MoveL pA, v500, fine, tool0;
+    ENDFOR
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_moves_that_are_never_begun_have_none() -> None:
+    run = ran(NEVER_BEGUN, nearest_configuration=True).run
+    lines = [move.index for move in run.only.moves][1:]
+    assert lines == [1, 3, 4, 6, 7, 9]
+    assert list(all_curve_deviations(run)) == lines

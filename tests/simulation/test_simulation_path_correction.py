@@ -109,7 +109,7 @@ def test_a_sensor_that_wants_nothing_changes_nothing() -> None:
 def test_an_arc_is_left_by_as_much_everywhere() -> None:
     it, devices = corrected(
         r"""    prepare;
-    EGMMoveC id, Offs(p1, 100, 100, 0), p2, v50, fine, tool0;""",
+    EGMMoveC id, Offs(p1, 100, 100, 0), p2, v100, fine, tool0;""",
         by(4.0),
     )
     times = np.array([one.time_s for one in devices.sensor.heard[60:-1]])

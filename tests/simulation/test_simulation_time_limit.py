@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from rapidsim.analysis.passes.checker import check
+from rapidsim.controller import solo_moves
 from rapidsim.diagnostics import Source
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.report.run.figures import figures
@@ -37,7 +38,12 @@ ENDMODULE
 
 
 @pytest.mark.parametrize("body", LOOPS.values(), ids=LOOPS.keys())
-def test_the_note_stands_in_the_loop_that_does_not_end(body: str) -> None:
+def test_the_note_stands_in_the_loop_that_does_not_end(
+    body: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The program never waits: this decides how far it gets before the clock does. Tests of
+    # interruption and of the limits of long programs have as many as users.
+    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 100)
     source = Source("endless.mod", TEXT.format(body=body))
     program = check((parse(source).file,)).program
     assert program is not None

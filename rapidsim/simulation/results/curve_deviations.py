@@ -6,6 +6,7 @@ Measured between the zones of a move: within them the corner is meant to leave t
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -102,8 +103,10 @@ def _between_zones(
     def zone(move: ExecutedMove) -> float:
         return move.zone_m if move.corner is CornerKind.FLY_BY else 0.0
 
-    # Before the first move of a run nothing is passed by: the move stands in for one before it.
-    before = [one.moves[max(move.index - 1, 0)] for move in moves]
+    # Moves that were never begun have numbers, too. Before the first one nothing is passed by: it
+    # stands in for one before it.
+    before_each = {move.index: before for before, move in pairwise((one.moves[0], *one.moves))}
+    before = [before_each[move.index] for move in moves]
     starts = np.array([move.base_from_tcp.translation for move in before])
     ends = np.array([move.base_from_tcp.translation for move in moves])
     at_start, at_end = np.array([(zone(b), zone(m)) for b, m in zip(before, moves, strict=True)]).T
