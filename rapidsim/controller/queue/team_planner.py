@@ -15,8 +15,9 @@ from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath, team_path
 from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece

@@ -9,7 +9,6 @@ from __future__ import annotations
 import copy
 import dataclasses
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,30 +19,23 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import (
     Corner,
     Limit,
-    corners_of,
     describe,
     describe_stop,
-    without_skipped,
 )
-from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of, unsupported
-from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
-from rapidsim.motion.geometry.parameterisation import Layout, layout_of
-from rapidsim.motion.geometry.segments import Geometry, Segment
-from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.geometry.joint_mapping import Arms
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
 from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space
-from rapidsim.motion.path.line_derivatives import Lines, lines_of
+from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
-from rapidsim.motion.robot.external_axes import Axes
-from rapidsim.motion.robot.robot import Robot
 
 _KINK = 1e-6
-_CORNER_CHECKS = 8
 _WHILE_WIDENING = 0.9
 """Share of the accelerations that leaves room for what a widening window adds; measured on random
 programs."""
@@ -422,64 +414,3 @@ class Path:
         """Velocity and angular velocity (k, 3) of the TCP against its curve per unit of s."""
         motion = self.arms.curve_motion(joints, first, row)
         return motion.velocity, motion.turning
-
-
-def build_path(
-    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
-) -> Path | PathFault:
-    """Join segments to a path.
-
-    Args:
-        robot: The arm with its joint limits.
-        segments: At least one; each starts with the joints at the end of the previous one, and has
-            speeds above zero.
-        model: Shape of corners.
-        look: Called now and then.
-
-    Returns:
-        The path, or the first point where the arm cannot follow it.
-    """
-    kinematics, axes = robot.kinematics, robot.axes
-    for i, segment in enumerate(segments):
-        if segment.geometry is Geometry.JOINT:
-            continue
-        reason = circle_fault(segment) or unsupported(kinematics)
-        if reason is not None:
-            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
-    curves = curves_of(segments, kinematics)
-    active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
-    if not len(active):
-        active = np.zeros(1, dtype=np.int64)
-    moving = [segments[int(i)] for i in active]
-    if len(active) < len(segments):
-        curves = curves_of(moving, kinematics)
-    look()
-    arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
-    corners = without_skipped(corners_of(moving, curves, arms, model), active)
-    layout = layout_of(curves, corners, model.corner)
-    lines = lines_of(layout, arms)
-    nodes = follow(layout, arms, lines, moving, axes, look)
-    if isinstance(nodes, PathFault):
-        return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model, lines)
-    look()
-    fault = _joint_space_fault(path, axes)
-    if fault is not None:
-        return dataclasses.replace(fault, segment=int(active[fault.segment]))
-    return path
-
-
-def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
-    """Where a joint move or a corner made in joint space leaves the limits."""
-    layout = path.layout
-    pieces = np.flatnonzero(
-        layout.curves.in_joints[layout.row] | (layout.joint_corner >= 0)
-    ).astype(np.int64)
-    if not len(pieces):
-        return None
-    share = np.linspace(0.0, 1.0, _CORNER_CHECKS + 1)
-    width = np.diff(layout.bounds)[pieces]
-    s = (layout.bounds[pieces][:, None] + width[:, None] * share).ravel()
-    piece = np.repeat(pieces, len(share))
-    joints, _, _ = path._in_joint_space(s, piece)
-    return limit_fault(layout, s, layout.row[piece], joints, axes)
