@@ -15,10 +15,9 @@ from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.motion.path.building import build_path
-from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.path.synchronised_path import TeamPath, team_path
+from rapidsim.motion.path.synchronised_path import TeamPath
+from rapidsim.motion.path.team_building import TeamFault, build_team
 from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
@@ -89,8 +88,14 @@ class TeamPlanner:
             lead.look,
             ready_s=max(robot.planner.ready_s for robot in robots),
         )
+        self.waiting: dict[int, int] = {}
+        """Robots whose next move depends on where another's leads, by number, and that other's."""
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""
+
+    def said(self, number: int) -> QueuedMove | None:
+        """A robot's part of the next move; None before its task has said it."""
+        return None if self.offer is None else self.offer.parts.get(number)
 
     def say(self, number: int, part: QueuedMove, sync_id: float) -> Offer:
         r"""Let a task say its part of the next move.
@@ -180,8 +185,8 @@ class TeamPlanner:
         return own.extended(Piece(plan.start_s, path, plan.timing, plan.from_m, path.length))
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
-        paths = []
-        for number, robot in enumerate(self.robots):
+        rows = []
+        for number in range(len(self.robots)):
             own = [move.parts[number] for move in moves if isinstance(move, TeamMove)]
             for move, part in zip(moves, own, strict=True):
                 if move.segment.zone is None and part.segment.zone is not None:
@@ -190,11 +195,13 @@ class TeamPlanner:
             segments = [part.segment for part in own]
             if lost_corner is not None:
                 segments[lost_corner] = replace(segments[lost_corner], zone=None)
-            path = build_path(robot.robot, segments, self.planner.model, self.planner.look)
-            if isinstance(path, PathFault):
-                raise MotionError(own[path.segment], path)
-            paths.append(path)
-        joint = team_path(paths)
+            rows.append(segments)
+        arms = [robot.robot for robot in self.robots]
+        joint = build_team(arms, rows, self.planner.model, self.planner.look)
+        if isinstance(joint, TeamFault):
+            blamed = moves[joint.fault.segment]
+            assert isinstance(blamed, TeamMove)
+            raise MotionError(blamed.parts[joint.number], joint.fault)
         for k, (move, segment) in enumerate(zip(moves, joint.segments, strict=True)):
             zone = move.segment.zone if k == lost_corner else segment.zone
             move.segment = replace(segment, index=move.segment.index, zone=zone)

@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.blends import Corners, corners_of, without_skipped
 from rapidsim.motion.geometry.curves import Curves, Index, circle_fault, curves_of, unsupported
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
-from rapidsim.motion.geometry.parameterisation import layout_of
+from rapidsim.motion.geometry.parameterisation import Led, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
@@ -89,12 +89,17 @@ def outline_of(
     return Outline(robot, tuple(segments), model, active, curves, arms, corners)
 
 
-def path_along(outline: Outline, look: Look = undisturbed) -> Path | PathFault:
-    """Let the arm follow an outline; see `build_path`."""
+def path_along(
+    outline: Outline,
+    look: Look = undisturbed,
+    led: Led | None = None,
+    further: Array | None = None,
+) -> Path | PathFault:
+    """Let the arm follow an outline; see `build_path` and `layout_of`."""
     segments, active, arms, model = outline.segments, outline.active, outline.arms, outline.model
     kinematics, axes = outline.robot.kinematics, outline.robot.axes
     moving = [segments[int(i)] for i in active]
-    layout = layout_of(outline.curves, outline.corners, model.corner)
+    layout = layout_of(outline.curves, outline.corners, model.corner, led, further)
     lines = lines_of(layout, arms)
     nodes = follow(layout, arms, lines, moving, axes, look)
     if isinstance(nodes, PathFault):

@@ -118,6 +118,8 @@ def limit_fault(
 ) -> PathFault | None:
     """The first of some points (k,) whose joints (k, n + e) are outside the limits."""
     lower, upper = axes.lower, axes.upper
+    # Behind them are axes of other robots, which look after their own limits.
+    joints = joints[:, : len(lower)]
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
     if not len(bad) or not (over > axes.tolerances).any():

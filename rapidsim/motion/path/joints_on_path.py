@@ -120,6 +120,8 @@ class JointsOnPath:
         if len(line):
             row, x = row[line], x[line]
             s = self.layout.places[row] + x
-            near = self.near(s, joints[line, self.arms.kinematics.joint_count :])
+            external = joints[line, self.arms.kinematics.joint_count :]
+            self.layout.put_led(s, self.layout.piece_at(s), external)
+            near = self.near(s, external)
             joints[line] = self.arms.joints(curves.at(row, x), row, near)[0]
         return joints

@@ -74,6 +74,12 @@ class Path:
         return int(self.layout.curves.start_joints.shape[1])
 
     @property
+    def own_axis_count(self) -> int:
+        """The same without the axes of robots that carry work objects."""
+        led = self.segments[0].led
+        return self.axis_count - (0 if led is None else len(led[0]))
+
+    @property
     def length(self) -> float:
         """Range of s [m]."""
         return float(self.layout.places[-1])
@@ -114,7 +120,10 @@ class Path:
         sharp = np.flatnonzero(corners.radius == 0.0)
         kinked = np.ones(len(sharp), dtype=bool)
         may_pass = np.flatnonzero(
-            (corners.limit[sharp] != Limit.STOP_POINT) & (corners.limit[sharp] != Limit.TURN_ONLY)
+            (corners.limit[sharp] != Limit.STOP_POINT)
+            & (corners.limit[sharp] != Limit.TURN_ONLY)
+            # How far others are is worked out before anybody knows whether the arm could pass.
+            & (self.layout.led is None)
         )
         if len(may_pass):
             place = places[sharp[may_pass]]
@@ -256,17 +265,26 @@ class Path:
         pose = Transform(rotation, position)
         return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
-    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+    def beside(
+        self, s: Array, joints: Array, rates: Array, speed: Array
+    ) -> tuple[Transform, Index, Array]:
         """The arm with joints and rates (k, n + e) close to, but not equal to, those at s (k,).
+
+        Args:
+            s: Places [m].
+            joints: Joints and external axes.
+            rates: Their derivatives by time.
+            speed: How fast s changes (k,) [m/s].
 
         Returns:
             base_from_tcp, position in `segments`, and the speed of the TCP relative to the work
             object.
         """
+        del speed
         row = self._row_at(s)
         velocity = self.arms.curve_motion(joints, rates, row).velocity
-        speed: Array = np.linalg.norm(velocity, axis=-1)
-        return self.arms.base_from_tcp(joints, row), self.active[row], speed
+        tcp_speed: Array = np.linalg.norm(velocity, axis=-1)
+        return self.arms.base_from_tcp(joints, row), self.active[row], tcp_speed
 
     def segment_at(self, s: Array) -> Index:
         """Position in `segments` at s (k,)."""
@@ -373,6 +391,7 @@ class Path:
         )
         first[cut] = into[1] * before + out[1] * after
         second[cut] = into[2] * before**2 + into[1] * before2 + out[2] * after**2 + out[1] * after2
+        self.layout.put_led(s, piece, joints, first, second)
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
@@ -386,6 +405,8 @@ class Path:
         if len(line):
             n = self.kinematics.joint_count
             course = ExternalCourse(joints[line, n:], first[line, n:], second[line, n:])
+            s = self.layout.places[row[line]] + x[line]
+            self.layout.put_led(s, self.layout.piece_at(s), *course)
             joints[line], first[line], second[line] = self._on_tcp_curve(row[line], x[line], course)
         return joints, first, second
 

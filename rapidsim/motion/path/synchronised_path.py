@@ -50,9 +50,11 @@ class MemberPath:
         """Derivatives with respect to the common parameter."""
         own = self.path.rates(self.place(s, piece), self.piece[piece])
         rate, bend = self.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
+        axes = slice(self.path.own_axis_count)
+        first, second = own.first[:, axes], own.second[:, axes]
         return PathRates(
-            own.first * rate,
-            own.second * rate**2 + own.first * bend,
+            first * rate,
+            second * rate**2 + first * bend,
             own.tcp_rate * rate[:, 0],
             own.turn_rate * rate[:, 0],
             own.stance,
@@ -87,6 +89,11 @@ class PartPath(SharedPath):
 
     course: MemberPath
 
+    @property
+    def axis_count(self) -> int:
+        """The number of joints of the arm and its external axes."""
+        return self.course.path.own_axis_count
+
     @cached_property
     def stops(self) -> Array:
         """Where the team comes to rest between the ends."""
@@ -106,7 +113,8 @@ class PartPath(SharedPath):
 
     def joints_at(self, s: Array) -> Array:
         """Joints at values of the common parameter; see `Path.joints_at`."""
-        return self.course.path.joints_at(self.course.place(*self._pieces(s)))
+        joints = self.course.path.joints_at(self.course.place(*self._pieces(s)))
+        return joints[:, : self.axis_count]
 
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the common parameter."""
@@ -114,15 +122,27 @@ class PartPath(SharedPath):
         points = self.course.path.evaluate(self.course.place(s, piece))
         return replace(
             points,
+            external=points.external[:, : self.axis_count - self.kinematics.joint_count],
             segment=self.segment_of(piece),
             tcp_rate=points.tcp_rate * self.course.rate(s, piece),
         )
 
-    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+    def beside(
+        self, s: Array, joints: Array, rates: Array, speed: Array
+    ) -> tuple[Transform, Index, Array]:
         """The arm with other joints; see `Path.beside`."""
         s, piece = self._pieces(s)
-        pose, _, speed = self.course.path.beside(self.course.place(s, piece), joints, rates)
-        return pose, self.segment_of(piece), speed
+        path, place = self.course.path, self.course.place(s, piece)
+        own_speed = self.course.rate(s, piece) * speed
+        more = path.axis_count - self.axis_count
+        if more:
+            # Leaders are where their command has them: next to where they are, as this robot is.
+            led, first = np.zeros((2, len(s), more))
+            path.layout.put_led(place, self.course.piece[piece], led, first)
+            joints = np.concatenate([joints, led], axis=1)
+            rates = np.concatenate([rates, first * own_speed[:, None]], axis=1)
+        pose, _, tcp_speed = path.beside(place, joints, rates, own_speed)
+        return pose, self.segment_of(piece), tcp_speed
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives with respect to the common parameter."""

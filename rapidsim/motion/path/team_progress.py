@@ -16,6 +16,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.segments import Segment, Speed, Zone
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.values import dataclass
 
 
@@ -106,7 +107,7 @@ class TeamProgress:
 
 
 def team_progress(
-    rows: Sequence[Sequence[Segment]], own: Sequence[Array], stops: Array
+    rows: Sequence[Sequence[Segment]], own: Sequence[Array], stops: Mask
 ) -> TeamProgress:
     """Let several robots travel in sync.
 
@@ -171,9 +172,7 @@ class _Passages:
     """M."""
 
 
-def _passages(
-    segments: Sequence[Segment], longest: Array, slopes: Array, stops: Array
-) -> _Passages:
+def _passages(segments: Sequence[Segment], longest: Array, slopes: Array, stops: Mask) -> _Passages:
     zones = np.array([one.zone.position if one.zone else 0.0 for one in segments[:-1]])
     before = np.where(stops, 0.0, np.minimum(zones, 0.5 * np.minimum(longest[:-1], longest[1:])))
     largest = np.maximum((slopes[:, :-1] + slopes[:, 1:]).max(axis=0), 1e-12)
