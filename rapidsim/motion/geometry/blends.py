@@ -42,7 +42,6 @@ class Limit(IntEnum):
     TURN_ONLY = 3
     STOP_POINT = 4
     NO_LENGTH = 5
-    LED = 6
 
 
 @dataclass(frozen=True, slots=True)
@@ -130,11 +129,6 @@ def corners_of(
     # Where joints tell the pose of the TCP and not the other way round.
     jointed = curves.in_joints | arms.wrist_rows | arms.pair_rows
     in_joints = jointed[into] | jointed[out] | _tool_changes(segments, arms.tcp_from_flange)
-    led = ~curves.in_joints & [
-        one.carrier is not None and one.carrier.leader is not None for one in segments
-    ]
-    unblended = in_joints & (led[into] | led[out])
-    limit, none = np.where(unblended & ~stop, Limit.LED, limit), none | unblended
     return Corners(
         radius=np.where(none, 0.0, radius),
         orientation_radius=np.where(none, 0.0, np.where(in_joints, radius, orientation_radius)),
@@ -191,8 +185,6 @@ def describe(
             text = "stop point"
         case Limit.NO_LENGTH:
             text = "no corner path at a move without length"
-        case Limit.LED:
-            text = "no corner path in joint space in a work object that another robot moves"
         case _:
             assert_never(limit)
     return text

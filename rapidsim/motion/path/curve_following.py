@@ -236,6 +236,9 @@ def _missed_waypoint(
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
     cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
+    if layout.led is not None:
+        # There the programmed point is where it is when the leader is at its own.
+        cut = cut | (layout.joint_corner >= 0)
     start = layout.curves.start_joints[rows]
     end = start + layout.curves.joint_travel[rows]
     arm = len(segments[0].start.joints)

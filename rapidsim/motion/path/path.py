@@ -22,7 +22,7 @@ from rapidsim.motion.geometry.blends import (
     describe,
     describe_stop,
 )
-from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.geometry.curves import STANDSTILL, Index
 from rapidsim.motion.geometry.joint_mapping import Arms
 from rapidsim.motion.geometry.parameterisation import Layout
 from rapidsim.motion.geometry.segments import Segment
@@ -30,7 +30,7 @@ from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space
+from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, meetings
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
@@ -167,7 +167,7 @@ class Path:
                 if bridges and not stops:
                     # A change of tool, work object or kind of move.
                     reason = "; ".join(filter(None, (reason, "made in joint space")))
-                if turns_only and not stops:
+                if turns_only and not stops and turn > STANDSTILL:
                     # There the path parameter is no length of anything.
                     reason = f"within {math.degrees(turn):.3g} deg of the end"
                 found[i] = Corner(0.0 if turns_only else radius, in_joints, stops, reason)
@@ -385,12 +385,16 @@ class Path:
         own, into, out = zip(*(places.split(part) for part in on_curves), strict=True)
         joints, first, second = np.empty((3, len(s), self.axis_count))
         joints[whole], first[whole], second[whole] = own
-        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[places.corner + 1]
+        meet, passing, bending = meetings(
+            self.layout, places.corner, s[cut], lambda row, x: self._on_curve(row, x)[0]
+        )
+        joints[cut] = into[0] + out[0] - meet
         (before, before2), (after, after2) = (
             (rate[:, None], change[:, None]) for rate, change in places.rates
         )
-        first[cut] = into[1] * before + out[1] * after
+        first[cut] = into[1] * before + out[1] * after - passing
         second[cut] = into[2] * before**2 + into[1] * before2 + out[2] * after**2 + out[1] * after2
+        second[cut] -= bending
         self.layout.put_led(s, piece, joints, first, second)
         return joints, first, second
 

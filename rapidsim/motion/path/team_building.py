@@ -98,6 +98,10 @@ def build_team(
     order = _order(leaders)
     if isinstance(order, TeamFault):
         return order
+    stopping = _stopping(robots, rows, leaders, model, look) if order else rows
+    if isinstance(stopping, TeamFault):
+        return stopping
+    rows = stopping
     outlines: list[Outline] = []
     paths: dict[int, Path] = {}
     stops: Mask = np.zeros(len(rows[0]) - 1, dtype=bool)
@@ -178,6 +182,35 @@ def _wide(
         start, end = ends
         wide.append(led_segment(segment, start, end))
     return wide
+
+
+def _stopping(
+    robots: Sequence[Robot],
+    rows: Sequence[Sequence[Segment]],
+    leaders: Sequence[Sequence[int]],
+    model: MotionModel,
+    look: Look,
+) -> Sequence[Sequence[Segment]] | TeamFault:
+    """The segments, with a stop point of all others where a robot that is led has to stop.
+
+    It stops where its programmed point is when the leaders are at theirs, and not beside them.
+    """
+    own = np.zeros((len(rows), len(rows[0]) - 1), dtype=bool)
+    for number, row in enumerate(rows):
+        if leaders[number]:
+            found = outline_of(robots[number], _wide(row, leaders[number], rows), model, look)
+            if isinstance(found, PathFault):
+                return TeamFault(number, found)
+            own[number] = _led_stops(found)
+    others = own.any(axis=0) & ~own
+    return [
+        [*map(_stopped, row, stops), row[-1]]
+        for row, stops in zip(rows, others.tolist(), strict=True)
+    ]
+
+
+def _stopped(segment: Segment, stops: bool) -> Segment:
+    return replace(segment, zone=None) if stops else segment
 
 
 def _led_stops(outline: Outline) -> Mask:
