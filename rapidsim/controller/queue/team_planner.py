@@ -42,26 +42,34 @@ class Offer:
 
 
 class _TeamTrajectory(Trajectory):
-    """The motion over the common parameter; it gives each robot its own."""
+    """The motion over the common parameter; it gives each robot its own.
+
+    Arms differ in how long the smoothing takes. In logs of two that move together, the middle of it
+    is the same: the command of a quicker one is later by half of the difference.
+    """
 
     def __init__(self, robots: Sequence[SoloQueue]) -> None:
         own = robots[0]
         model = own.planner.model
         super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
         self._robots = robots
+        widths_s = [robot.planner.model.window for robot in robots]
+        self.delays_s = tuple(0.5 * (max(widths_s) - width_s) for width_s in widths_s)
 
     def append(self, piece: Piece) -> float:
         """Add a piece to the motion of each robot too."""
         path = piece.path
         assert isinstance(path, TeamPath)
-        for number, robot in enumerate(self._robots):
-            robot.trajectory.append(replace(piece, path=path.part(number)))
+        for number, (robot, delay_s) in enumerate(zip(self._robots, self.delays_s, strict=True)):
+            later_s = piece.start_time + delay_s
+            own = replace(piece, path=path.part(number), start_time=later_s)
+            robot.trajectory.append(own)
         return super().append(piece)
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s], for each robot too."""
-        for robot in self._robots:
-            robot.trajectory.cut(time_s)
+        for robot, delay_s in zip(self._robots, self.delays_s, strict=True):
+            robot.trajectory.cut(time_s + delay_s)
         super().cut(time_s)
 
 
@@ -79,8 +87,9 @@ class TeamPlanner:
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
         self.offer: Offer | None = None
+        self._trajectory = _TeamTrajectory(robots)
         self.planner = BlockPlanner(
-            _TeamTrajectory(robots),
+            self._trajectory,
             lead.model,
             limits_together([robot.planner.limits for robot in robots]),
             self._build,
@@ -182,7 +191,8 @@ class TeamPlanner:
         plan = planner.planned()
         assert isinstance(plan.path, TeamPath)
         path = plan.path.part(number)
-        return own.extended(Piece(plan.start_s, path, plan.timing, plan.from_m, path.length))
+        start_s = plan.start_s + self._trajectory.delays_s[number]
+        return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length))
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
         rows = []
