@@ -138,9 +138,11 @@ class TaskOthers:
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        reading = other.reader.read(self.clock.come_up())
+        now_s = self.clock.come_up()
+        reading = other.reader.read(now_s)
         tool, wobj = tool or other.state.tool, wobj or other.state.wobj
-        return other.reader.target(reading, tool, wobj, self.clock.place)
+        place = self.clock.place
+        return other.clock.aside(now_s, lambda: other.reader.target(reading, tool, wobj, place))
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         """Tool and work object of the last move of a task's robot.

@@ -108,7 +108,7 @@ class Resolver:
             MoveImpossible: When its work object moves, and not with the team.
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
-        if not place.is_lasting or lead is not None or self._may_be_held(move.wobj):
+        if not place.is_lasting or lead is not None or self.may_be_held(move.wobj):
             return self._resolved(move, place, start, settings, index, lead)
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
@@ -289,15 +289,19 @@ class Resolver:
         """Where nothing moves the tool against the work object: as of a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
-    def _may_be_held(self, wobj: WobjData) -> bool:
+    def may_be_held(self, wobj: WobjData) -> bool:
         """Whether another robot may hold a work object."""
         if wobj.ufprog or wobj.robhold:
             return False
         return not targets.unit_of(wobj, self.robot.external)
 
+    def is_held(self, wobj: WobjData) -> bool:
+        """Whether another robot holds a work object."""
+        return self._holder(wobj) is not None
+
     def _holder(self, wobj: WobjData) -> Holder | None:
         """The robot that holds a work object, where it is now."""
-        return self.holders.find(wobj.ufmec) if self._may_be_held(wobj) else None
+        return self.holders.find(wobj.ufmec) if self.may_be_held(wobj) else None
 
     def _placement(
         self,

@@ -18,10 +18,10 @@ from rapidsim.motion.geometry.segments import Segment, led_segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path.building import Outline, outline_of, path_along
+from rapidsim.motion.path.building import Outline, build_path, outline_of, path_along
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.path.synchronised_path import TeamPath, joined
+from rapidsim.motion.path.synchronised_path import TeamPath, joined, team_path
 from rapidsim.motion.path.team_progress import Progress, team_progress
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
@@ -102,24 +102,29 @@ def build_team(
     if isinstance(stopping, TeamFault):
         return stopping
     rows = stopping
-    outlines: list[Outline] = []
     paths: dict[int, Path] = {}
-    stops: Mask = np.zeros(len(rows[0]) - 1, dtype=bool)
+    outlines: dict[int, Outline] = {}
     for number, (robot, row) in enumerate(zip(robots, rows, strict=True)):
-        found = outline_of(robot, _wide(row, leaders[number], rows), model, look)
+        found: Path | Outline | PathFault
+        if leaders[number]:
+            found = outline_of(robot, _wide(row, leaders[number], rows), model, look)
+        else:
+            found = build_path(robot, row, model, look)
         if isinstance(found, PathFault):
             return TeamFault(number, found)
-        outlines.append(found)
-        if leaders[number]:
-            stops |= _led_stops(found)
-            continue
-        path = path_along(found, look)
-        if isinstance(path, PathFault):
-            return TeamFault(number, path)
-        paths[number] = path
-        stops |= np.array([corner.stops for corner in path.corners[:-1]], dtype=bool)
-    lengths = [outline.segment_bounds for outline in outlines]
-    team = team_progress([outline.segments for outline in outlines], lengths, stops)
+        if isinstance(found, Path):
+            paths[number] = found
+        else:
+            outlines[number] = found
+    if not outlines:
+        return team_path(list(paths.values()))
+    stops = [_stops(path) for path in paths.values()] + [*map(_led_stops, outlines.values())]
+    all_of_them = [paths.get(number) or outlines[number] for number in range(len(rows))]
+    team = team_progress(
+        [one.segments for one in all_of_them],
+        [one.segment_bounds for one in all_of_them],
+        np.any(stops, axis=0),
+    )
     for number in order:
         pairs = ((paths[leader], team.members[leader]) for leader in leaders[number])
         led = LedAxes(team.members[number], tuple(pairs))
@@ -211,6 +216,11 @@ def _stopping(
 
 def _stopped(segment: Segment, stops: bool) -> Segment:
     return replace(segment, zone=None) if stops else segment
+
+
+def _stops(path: Path) -> Mask:
+    """Where (segments - 1,) a robot stops that follows a path."""
+    return np.array([corner.stops for corner in path.corners[:-1]], dtype=bool)
 
 
 def _led_stops(outline: Outline) -> Mask:
