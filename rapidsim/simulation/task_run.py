@@ -152,6 +152,7 @@ def begun(
         options.model.payload_acceleration,
         options.nearest_configuration,
         frozenset(cell.conveyors),
+        guesses_frames=options.guesses_frames,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None

@@ -8,7 +8,7 @@ import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.model import MODELS
+from rapidsim.motion.model import MODELS, Version
 from rapidsim.motion.path.synchronised_path import PartPath
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.simulation import RobotRun
@@ -77,7 +77,7 @@ ENDPROC
 
 
 @cache
-def run(follows: tuple[str, ...], zone: str, model: str = "1", between: str = "") -> Ran:
+def run(follows: tuple[str, ...], zone: str, model: Version = "1", between: str = "") -> Ran:
     holder = moves(HOLDER, zone, "").replace(";\nMoveC", f";\n{between}\nMoveC")
     first = f"WaitSyncTask there,both;\nMoveJ {START},v500,fine,tool0\\WObj:=held;"
     return ran(
@@ -112,7 +112,7 @@ def off_line(points: Array, start: tuple[float, ...], end: tuple[float, ...]) ->
 
 
 @pytest.mark.parametrize(("model", "within_mm"), [("1", 1e-6), ("2", 0.05)])
-def test_the_tcp_stays_on_its_line_in_the_moving_object(model: str, within_mm: float) -> None:
+def test_the_tcp_stays_on_its_line_in_the_moving_object(model: Version, within_mm: float) -> None:
     one = run(LINES, "fine", model)
     assert one.end == "ended"
     assert one.run.diagnostics == ()
@@ -126,7 +126,9 @@ def test_the_tcp_stays_on_its_line_in_the_moving_object(model: str, within_mm: f
 
 @pytest.mark.parametrize(("model", "within_mm"), [("1", 1e-6), ("2", 0.05)])
 @pytest.mark.parametrize("zone", ["fine", "z20"])
-def test_who_rests_on_the_object_is_carried_along(zone: str, model: str, within_mm: float) -> None:
+def test_who_rests_on_the_object_is_carried_along(
+    zone: str, model: Version, within_mm: float
+) -> None:
     one = run(AT_REST, zone, model)
     last = one.moves("T_ROB2")[-1]
     times = np.linspace(one.moves("T_ROB2")[1].start_s, last.end_s, 90)

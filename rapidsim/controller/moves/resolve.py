@@ -48,7 +48,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
-from rapidsim.language.errors import NotSimulated
+from rapidsim.language.errors import NotSimulated, Stopped
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.short_lines import end_of_short_line
@@ -77,6 +77,8 @@ class Resolver:
     """Folded names of the mechanical units that are conveyors of the cell."""
     holders: Holders = field(default_factory=Holders)
     """The other robots, which may hold work objects."""
+    guesses_frames: bool = True
+    """See `RunOptions`."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
@@ -315,6 +317,7 @@ class Resolver:
 
         Raises:
             MoveRefusedError: When one of their frames has no orientation.
+            Stopped: When nobody knows where the work object is, and nothing is guessed.
             NotSimulated: When a conveyor of the cell carries the work object.
         """
         if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
@@ -335,8 +338,9 @@ class Resolver:
             self._placements[tool, wobj] = placed
         if isinstance(placed, targets.NotSimulatedFrame):
             return placed
-        moved = not wobj.ufprog and not wobj.robhold
-        if moved and not targets.unit_of(wobj, self.robot.external):
+        if self.may_be_held(wobj):
+            if not self.guesses_frames:
+                raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
                 f"a work object moved by the mechanical unit `{wobj.ufmec}`",
                 "its user frame stands where `uframe` says; no [[external_axis]] carries it",
