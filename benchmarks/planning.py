@@ -49,7 +49,8 @@ from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.building import build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.timing.discretisation import cells_of

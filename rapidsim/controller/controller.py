@@ -90,6 +90,7 @@ def virtual_controller(
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts)
     reader = PositionReader(unit, resolver)
     others = TaskOthers(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
+    resolver.holders.find = others.holder
     team = TaskTeam(
         clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
     )

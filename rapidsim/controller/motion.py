@@ -10,7 +10,7 @@ from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.position_reading import PositionReader, Reading
+from rapidsim.controller.position_reading import HOLDS_S, PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import PutMove
 from rapidsim.controller.triggers import Triggers
@@ -80,7 +80,8 @@ class TaskMotion:
         """Where the TCP is now; None takes the tool or work object of the last move."""
         self.clock.note_line()
         tool, wobj = tool or self.state.tool, wobj or self.state.wobj
-        return self.reader.target(self._reading(), tool, wobj, self.clock.place)
+        reading = self._reading(holds_on=not self.resolver.may_be_held(wobj))
+        return self.reader.target(reading, tool, wobj, self.clock.place)
 
     def active_tool(self) -> ToolData:
         """The tool of the last move, tool0 before the first."""
@@ -155,8 +156,13 @@ class TaskMotion:
             with self.unit.ending():
                 queue.halt(limit_s)
 
-    def _reading(self) -> Reading:
-        """Where the robot is while the statement runs, which is no more than a look."""
+    def _reading(self, *, holds_on: bool = True) -> Reading:
+        """Where the robot is while the statement runs, which is no more than a look.
+
+        Args:
+            holds_on: Whether what is read stays while the robot stands.
+        """
         reading = self.reader.read(self.clock.observe())
-        self.clock.stays_until(self.reader.stays_until(reading))
+        until_s = self.reader.stays_until(reading)
+        self.clock.stays_until(until_s if holds_on else min(until_s, reading.time_s + HOLDS_S))
         return reading

@@ -11,6 +11,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+import numpy as np
+
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.rendezvous import Meeting
 from rapidsim.controller.clock import TaskClock
@@ -18,15 +20,21 @@ from rapidsim.controller.journal.events import MAX_TIME
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
+from rapidsim.controller.moves.work_object_holders import Holder
 from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
+from rapidsim.language.equipment import robot_name
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_NOT_MOVETASK,
     ERR_TASKNAME,
     rapid_error,
 )
+from rapidsim.motion.configurations.targets import world_from_base_at
+
+_ROUNDING_S = 1e-9
 
 
 @dataclass(slots=True, eq=False)
@@ -43,6 +51,8 @@ class TaskOthers:
     has_robot: bool = True
     neighbours: Mapping[str, TaskOthers] = field(default_factory=dict)
     """The objects of all tasks of the cell, its own included, by folded name."""
+    robot_label: str | None = None
+    """What the station calls its robot; None where it does not say."""
 
     @property
     def task_number(self) -> int:
@@ -60,6 +70,31 @@ class TaskOthers:
         """The task whose robot this one refers to: itself, or the first that has one."""
         with_robot = (one.task_name for one in self.all_tasks().values() if one.has_robot)
         return self.task_name if self.has_robot else next(with_robot, self.task_name)
+
+    def robot_of(self, unit: str) -> TaskOthers | None:
+        """The task whose robot has the name of a mechanical unit."""
+        wanted = unit.lower()
+        return next((one for one in self.all_tasks().values() if one._is_called(wanted)), None)
+
+    def holder(self, unit: str) -> Holder | None:
+        """Another robot by the name of its mechanical unit, as it is now; see `Holders`."""
+        other = self.robot_of(unit)
+        if other is None or other is self:
+            return None
+        now_s, robot = self.clock.come_up(), other.resolver.robot
+        path = foreseen(other.unit.queue)
+        seen = path.at(np.array([now_s]))
+        axes, world_from_base = robot.external, other.resolver.base_from_world.inverse()
+        world_from_base = world_from_base_at(axes, world_from_base, seen.external)[0]
+        world_from_flange = world_from_base @ robot.forward(seen.joints[0])
+        moves = now_s < path.duration - _ROUNDING_S or other.unit.own.is_led
+        return Holder(unit, moves, world_from_flange)
+
+    def _is_called(self, unit: str) -> bool:
+        """Whether its robot has a folded name."""
+        if not self.has_robot:
+            return False
+        return unit in (robot_name(self.robot_number).lower(), (self.robot_label or "").lower())
 
     def has_task(self, name: str) -> bool:
         """Whether a task of this name is in the run."""
@@ -103,9 +138,11 @@ class TaskOthers:
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        reading = other.reader.read(self.clock.come_up())
+        now_s = self.clock.come_up()
+        reading = other.reader.read(now_s)
         tool, wobj = tool or other.state.tool, wobj or other.state.wobj
-        return other.reader.target(reading, tool, wobj, self.clock.place)
+        place = self.clock.place
+        return other.clock.aside(now_s, lambda: other.reader.target(reading, tool, wobj, place))
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         """Tool and work object of the last move of a task's robot.

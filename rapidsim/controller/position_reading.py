@@ -115,7 +115,8 @@ class PositionReader:
     def target(self, reading: Reading, tool: ToolData, wobj: WobjData, place: Place) -> RobTarget:
         """Where the TCP was then; see `Resolver.target`."""
         known = reading.targets.get((tool, wobj))
-        if known is None:
+        # Another robot may hold the work object, and has moved since.
+        if known is None or self.resolver.may_be_held(wobj):
             joints, external = reading.joints, reading.external
             known = self.resolver.target(joints, external, tool, wobj, place)
             reading.targets[tool, wobj] = known

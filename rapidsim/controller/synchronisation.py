@@ -7,7 +7,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
 
@@ -16,21 +16,25 @@ from rapidsim.controller.cell.rendezvous import Meeting
 from rapidsim.controller.clock import TaskClock, Waiting
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.journal import Journal
-from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.journal.stop_reasons import MoveImpossible, WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.move_request import target_name
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
-from rapidsim.controller.queue.team_planner import Offer, TeamPlanner
+from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.controller.queue.team_queue import TeamQueue
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.controller.solo_moves import SoloMoves
+from rapidsim.findings.reach_and_motion_data import CoordinationImpossible
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Move
+from rapidsim.motion.configurations.targets import Lead, lead_of
 
+_IN_A_CIRCLE = "{}, which holds the work object, waits for this robot in turn, which holds its own"
 _NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
 _ONE_RAMP = "the lowest ramp since the last stop point counts for all"
 _NO_TRIGGERS = "moved without them: robots that move together have no triggers yet"
@@ -167,7 +171,8 @@ class TaskTeam:
         if math.isfinite(min(limits)):
             name = f"PathAccLim or WorldAccLim with {move.instruction} \\ID"
             self.journal.unsimulated(name, _NO_OTHER_LIMITS, self.clock.place)
-        if any(math.isfinite(speed) for speed in segment.external_speeds):
+        own_speeds = segment.external_speeds[: len(segment.start.external)]
+        if any(math.isfinite(speed) for speed in own_speeds):
             name = f"the programmed speed of external axes with {move.instruction} \\ID"
             self.journal.unsimulated(name, _NO_OTHER_LIMITS, self.clock.place)
 
@@ -178,12 +183,18 @@ class TaskTeam:
     def _in_step(self, seat: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""
         self.clock.note_line()
-        queued = self.resolver.resolve(move, self.clock.place, seat.end, self.state.settings)
+        lead = self._lead(seat, move, sync_id)
+        queued = self.resolver.resolve(
+            move, self.clock.place, seat.end, self.state.settings, lead=lead
+        )
         if self.clock.thinks_long() or not seat.is_open or self.table.armed:
             self.clock.come_up()
         offer = seat.team.say(seat.number, queued, sync_id)
         if len(offer.parts) < len(seat.team.robots):
-            self._await_parts(seat.team, offer, sync_id)
+            if seat.number in seat.team.waiting.values():
+                self.cell.happenings += 1
+                self.cell.turns.look_again(0.0)
+            self._await(seat.team, lambda: offer.is_complete, sync_id)
             return queued
         moment = self.clock.moment()
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
@@ -192,27 +203,68 @@ class TaskTeam:
         self.cell.turns.look_again(max(now_s, 0.0))
         return queued
 
-    def _await_parts(self, team: TeamPlanner, offer: Offer, sync_id: float) -> None:
-        """Sleep until the other tasks have said their parts.
+    def _lead(self, seat: TeamQueue, move: Move, sync_id: float) -> Lead | None:
+        """The robot of the team that carries the work object of a move along, if one does.
+
+        Where it goes must be known first, so this waits for its task.
+
+        Raises:
+            MoveImpossible: If it waits for this one in turn.
+            WaitsForever: If its task never says.
+        """
+        wobj, team = move.wobj, seat.team
+        other = None if wobj.ufprog or wobj.robhold else self.others.robot_of(wobj.ufmec)
+        if other is None or other is self.others or other.task_name not in team.tasks:
+            return None
+        number = team.tasks.index(other.task_name)
+        after = number
+        while after in team.waiting:
+            after = team.waiting[after]
+            if after == seat.number:
+                name = target_name(self.clock.place, move)
+                raise MoveImpossible(CoordinationImpossible(name, _IN_A_CIRCLE.format(wobj.ufmec)))
+        team.waiting[seat.number] = number
+        try:
+            self._await(team, lambda: team.said(number) is not None, sync_id)
+        finally:
+            del team.waiting[seat.number]
+        part = team.said(number)
+        assert part is not None
+        return lead_of(
+            number,
+            other.resolver.robot,
+            self.resolver.base_from_world,
+            other.resolver.base_from_world.inverse(),
+            (part.segment.start, part.segment.end),
+            len(self.resolver.robot.external),
+        )
+
+    def _await(self, team: TeamPlanner, ready: Callable[[], bool], sync_id: float) -> None:
+        """Sleep until other tasks have said their parts of the next move.
 
         Raises:
             WaitsForever: If one of them never will.
         """
-        others = ", ".join(t for n, t in enumerate(team.tasks) if n not in offer.parts)
+        others = ", ".join(self._silent(team))
         # Nobody needs the time where the robots are still on the way that all know.
         waits = self.clock.waiting(others) if self.clock.is_known else nullcontext(Waiting())
         with waits as wait:
-            while not offer.is_complete:
+            while not ready():
                 if self.clock.is_known:
                     woken = self.clock.await_event(math.inf)
                 else:
                     woken = not math.isinf(self.cell.turns.until(self.clock, math.inf))
                 if not woken:
-                    missing = (t for n, t in enumerate(team.tasks) if n not in offer.parts)
+                    missing = ", ".join(self._silent(team))
                     raise WaitsForever(
-                        f"{', '.join(missing)} has no move with \\ID:={sync_id:g} to make together"
+                        f"{missing} has no move with \\ID:={sync_id:g} to make together"
                     )
             wait.ended_by = others
+
+    def _silent(self, team: TeamPlanner) -> Iterator[str]:
+        """The other tasks that have not said their part of the next move."""
+        own = self.others.task_name
+        return (t for n, t in enumerate(team.tasks) if t != own and team.said(n) is None)
 
     def _join(self, meeting: Meeting, tasks: Sequence[str]) -> None:
         """Take the place in the team that some tasks form; the first to come here makes it."""

@@ -137,6 +137,11 @@ class NothingMovesTool(Violation, code="M522"):
     why: str
 
 
+class CoordinationImpossible(Violation, code="M523"):
+    target: str
+    why: str
+
+
 class OrientationDeviates(Violation, code="K613"):
     target: str
     switch: str

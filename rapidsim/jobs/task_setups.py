@@ -72,7 +72,17 @@ def task_setups(
         start, place = robot.start_joints_deg, robot.world_from_base
         _require_axes(station, arm, start)
         setups.append(
-            TaskSetup(task.name, task.program, arm, start, place, kind, task.written, queue=queue)
+            TaskSetup(
+                task.name,
+                task.program,
+                arm,
+                start,
+                place,
+                kind,
+                task.written,
+                queue=queue,
+                robot_label=robot.label,
+            )
         )
     return tuple(setups)
 

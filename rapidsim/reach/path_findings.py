@@ -26,9 +26,9 @@ from rapidsim.motion.configurations.confdata import confdata_of, told_apart
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_feasibility import HoldUp, SurveyedWay, survey_ways
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import build_path
 from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of

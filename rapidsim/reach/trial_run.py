@@ -100,7 +100,9 @@ def run_for_moves(
     calls = {(module.source.file, call.start): (call, module) for call, module in walked.written}
     with TemporaryDirectory(prefix="rapidsim-") as home:
         limited = _limited(options, longest_s, LONGEST_WORK_S)
-        asked = replace(limited, home=Path(home), nearest_configuration=True)
+        asked = replace(
+            limited, home=Path(home), nearest_configuration=True, guesses_frames=_is_all(options)
+        )
         try:
             run = simulate(program, robot, options=asked)
         except (InputError, NotExecutableError) as error:
@@ -149,7 +151,8 @@ def run_for_error(
         return ()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
-        run = simulate(program, robot, options=replace(limited, home=None, network=None))
+        asked = replace(limited, home=None, network=None, guesses_frames=_is_all(options))
+        run = simulate(program, robot, options=asked)
     except (InputError, NotExecutableError):
         return ()
     moves = [module.span(call) for call, module in walked.written]
@@ -197,6 +200,11 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
         max_time_s=min(options.max_time_s, longest_s),
         max_wall_s=work_s,
     )
+
+
+def _is_all(options: RunOptions) -> bool:
+    """Whether a run of one task is one of all: else what moves its work object may be missing."""
+    return len(options.cell_tasks) < 2
 
 
 def _is_told(found: Diagnostic) -> bool:

@@ -24,8 +24,9 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.confdata import configurations
 from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Postures
 from rapidsim.reach.arm_configurations import Stances

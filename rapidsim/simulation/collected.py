@@ -13,6 +13,7 @@ from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.early_outputs import early_output_findings
+from rapidsim.simulation.results.moved_work_objects import moved_object_findings
 from rapidsim.simulation.results.persistents import changed_persistents, told_once
 from rapidsim.simulation.results.simulation import (
     End,
@@ -110,6 +111,8 @@ def _simulation(
         for robot in robots
         for finding in early_output_findings(events, robot, _traps(programs[robot.task]))
     )
+    labels = [run.setup.robot_label for run in runs if run.setup.robot is not None]
+    findings += moved_object_findings(robots, labels)
     motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]
     return Simulation(

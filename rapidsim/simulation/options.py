@@ -67,6 +67,9 @@ class RunOptions:
     """Message queue of the task; None where nobody describes it."""
     cell_tasks: tuple[str, ...] = ()
     """Names of all tasks of the cell, also of those that are not in the run."""
+    guesses_frames: bool = True
+    """Whether a work object that nothing in the run moves, but something should, stands where its
+    `uframe` says; else the run stops there."""
 
     @property
     def cell(self) -> CellInputs:

@@ -74,6 +74,8 @@ class TaskSetup:
     """The procedure it begins with; None takes that of the run's options."""
     queue: QueueSettings | None = None
     """Its message queue; None where nobody describes it."""
+    robot_label: str | None = None
+    """What the station calls its robot; None where it does not say."""
 
     @property
     def counts(self) -> bool:
@@ -150,12 +152,14 @@ def begun(
         options.model.payload_acceleration,
         options.nearest_configuration,
         frozenset(cell.conveyors),
+        guesses_frames=options.guesses_frames,
     )
     place = _entry_place(setup.program, setup.entry or options.entry)
     has_robot = setup.robot is not None
     controller = virtual_controller(
         cell, unit, resolver, journal, place, has_robot=has_robot, queue=setup.queue
     )
+    controller.others.robot_label = setup.robot_label
     if not setup.counts:
         controller.clock.run_in_background()
     return TaskRun(setup, journal, unit.own, controller)

@@ -13,9 +13,10 @@ from rapidsim.frames.rotation_vectors import rotation_from_vector, vector_from_r
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.joined_paths import joined_paths
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.axis_limits import Limits
 

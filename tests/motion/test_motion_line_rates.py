@@ -29,8 +29,9 @@ from rapidsim.motion.geometry.segments import Geometry, Waypoint
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.path import curve_following, line_derivatives, line_formulas, line_loops
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing import active_constraints, smoothed_speed_loops, stages, two_pass_loops

@@ -16,8 +16,9 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import curves_of
 from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Speed, Waypoint, Zone
 from rapidsim.motion.geometry.wrist_pair import wrist_meets
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.wrist_circle import led_by_pair, start_on_circle
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.planning import plan

@@ -15,7 +15,15 @@ COLLISIONS = "\n[collisions]\n"
 
 @pytest.mark.parametrize(
     "program",
-    ["circle.mod", "pentagon.mod", "cell", "tested", "two_robots/Left.mod", "multimove/Left.mod"],
+    [
+        "circle.mod",
+        "pentagon.mod",
+        "cell",
+        "tested",
+        "two_robots/Left.mod",
+        "multimove/Left.mod",
+        "coordinated/Holder.mod",
+    ],
 )
 def test_an_arm_hits_nothing(program: str, tmp_path: Path) -> None:
     copy = tmp_path / "programs"

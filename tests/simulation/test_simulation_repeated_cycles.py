@@ -15,9 +15,9 @@ from rapidsim.jobs.run_files import simulate
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path as MotionPath
-from rapidsim.motion.path.path import build_path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.results.simulation import Simulation
 

@@ -9,7 +9,8 @@ from types import ModuleType
 import pytest
 
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.building import build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.motion.timing.planning import plan

@@ -63,7 +63,11 @@ def failed_on_the_way(
     before = min(int(place_on_way), len(way) - 2)
     rest = place_on_way - before
     fails_at = (1.0 - rest) * way[before] + rest * way[before + 1]
-    return FailedMove(place, violation, segment.end.base_from_tcp, way, fails_at)
+    end = segment.end.base_from_tcp
+    if segment.carrier is not None and segment.carrier.leader is not None:
+        # The pose is given on what another robot carries; the way is in base.
+        end = Transform(end.rotation, way[-1])
+    return FailedMove(place, violation, end, way, fails_at)
 
 
 def _way(segment: Segment, robot: Robot) -> Array:

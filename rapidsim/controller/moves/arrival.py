@@ -57,8 +57,8 @@ from rapidsim.motion.geometry.curves import Curves, circle_fault, curves_of
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import build_path
 from rapidsim.motion.path.wrist_circle import end_of_circle, findings_on_pair, led_by_pair
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass

@@ -131,7 +131,8 @@ def _world(resolver: Resolver, external: Array) -> Transform:
 
 
 def _work_object(resolver: Resolver, wobj: WobjData, external: Array) -> Transform:
-    if wobj.robhold or targets.unit_of(wobj, resolver.robot.external):
+    moved = targets.unit_of(wobj, resolver.robot.external) or resolver.is_held(wobj)
+    if wobj.robhold or moved:
         raise NotAllowed(
             "a robot guided by a sensor in a work object that something moves is not simulated"
         )

@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from rapidsim.controller.journal.journal import Instant, Journal
+from rapidsim.controller.journal.stop_reasons import MoveImpossible
 from rapidsim.controller.moves.arrival import Arrivals
 from rapidsim.controller.moves.configuration_choice import stored_or_nearest
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -33,9 +34,11 @@ from rapidsim.controller.moves.target_checks import (
     require_orientation,
 )
 from rapidsim.controller.moves.target_words import named_target
-from rapidsim.findings.reach_and_motion_data import NothingMovesTool
+from rapidsim.controller.moves.work_object_holders import Holder, Holders
+from rapidsim.findings.reach_and_motion_data import CoordinationImpossible, NothingMovesTool
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import (
+    IDENTITY_POSE,
     ConfData,
     ExtJoint,
     JointTarget,
@@ -45,7 +48,7 @@ from rapidsim.language.data import (
     WobjData,
 )
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
-from rapidsim.language.errors import NotSimulated
+from rapidsim.language.errors import NotSimulated, Stopped
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.short_lines import end_of_short_line
@@ -53,6 +56,7 @@ from rapidsim.motion.geometry.segments import WRIST_PAIRS, Waypoint
 from rapidsim.motion.robot.robot import Robot
 
 _MOST_REPEATS = 1000
+_MOVES = "{}, which holds the work object, is moving, and the robots are not synchronised"
 _TARGET = "the target"
 """What functions that compute with a target call it."""
 
@@ -71,6 +75,10 @@ class Resolver:
     """Whether a stored configuration that cannot be had gives way to the nearest."""
     conveyors: frozenset[str] = frozenset()
     """Folded names of the mechanical units that are conveyors of the cell."""
+    holders: Holders = field(default_factory=Holders)
+    """The other robots, which may hold work objects."""
+    guesses_frames: bool = True
+    """See `RunOptions`."""
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
@@ -86,6 +94,7 @@ class Resolver:
         settings: MotionSettings,
         *,
         index: int = 0,
+        lead: targets.Lead | None = None,
     ) -> QueuedMove:
         """Work out where a move goes.
 
@@ -95,12 +104,14 @@ class Resolver:
             start: Where it starts.
             settings: Of the task.
             index: Its number on the path, as far as that is known.
+            lead: The robot of the team that carries the work object along.
 
         Raises:
+            MoveImpossible: When its work object moves, and not with the team.
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
-        if not place.is_lasting:
-            return self._resolved(move, place, start, settings, index)
+        if not place.is_lasting or lead is not None or self.may_be_held(move.wobj):
+            return self._resolved(move, place, start, settings, index, lead)
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
         key = (id(place), move, settings, *stands)
@@ -116,10 +127,16 @@ class Resolver:
         return queued
 
     def _resolved(
-        self, move: Move, place: Place, start: Waypoint, settings: MotionSettings, index: int
+        self,
+        move: Move,
+        place: Place,
+        start: Waypoint,
+        settings: MotionSettings,
+        index: int,
+        lead: targets.Lead | None = None,
     ) -> QueuedMove:
         to = move.to
-        request = MoveRequest(move, settings, self._placement_of(move, place))
+        request = MoveRequest(move, settings, self._placement_of(move, place, lead))
         asked, placed = AskedMove(request, place), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
@@ -176,7 +193,7 @@ class Resolver:
         self, joints: Array, external: Array, tool: ToolData, wobj: WobjData, place: Place
     ) -> RobTarget:
         """The target that joints (n,) [rad] and external axes (e,) [m or rad] stand at."""
-        placed = self._placement(tool, wobj, place)
+        placed = self._placement(tool, wobj, place, self._holder(wobj))
         if isinstance(placed, targets.NotSimulatedFrame):
             placed = self._unmoved()
         curve_from_tcp = placed.standing_at(self.robot.kinematics, joints, external)
@@ -199,7 +216,7 @@ class Resolver:
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        placed = self._placement(tool, wobj, place)
+        placed = self._placement(tool, wobj, place, self._holder(wobj))
         if isinstance(placed, targets.NotSimulatedFrame):
             raise MoveRefusedError(ERR_OUTSIDE_REACH, NothingMovesTool(_TARGET, placed.reason))
         require_orientation(_TARGET, target.rot)
@@ -250,13 +267,19 @@ class Resolver:
         branch = int(self.robot.kinematics.branch_of(start.joints))
         return end_of_short_line(self.robot, start.joints, pose, placed.tcp_from_flange, branch)
 
-    def _placement_of(self, move: Move, place: Place) -> targets.Placement:
+    def _placement_of(
+        self, move: Move, place: Place, lead: targets.Lead | None
+    ) -> targets.Placement:
         """Where tool and work object of a move are."""
         if move.interpolation is Interpolation.EXTERNAL_AXES:
             # Nothing that the arm does: its TCP stays where it is on the robot.
             tcp_from_flange = targets.tcp_from_flange(move.tool)
             return targets.Placement(self.base_from_world, tcp_from_flange)
-        placed = self._placement(move.tool, move.wobj, place)
+        holder = None if lead is not None else self._holder(move.wobj)
+        if holder is not None and holder.moves:
+            why = _MOVES.format(holder.unit)
+            raise MoveImpossible(CoordinationImpossible(target_name(place, move), why))
+        placed = self._placement(move.tool, move.wobj, place, holder, lead)
         if not isinstance(placed, targets.NotSimulatedFrame):
             return placed
         if isinstance(move.to, JointTarget):
@@ -268,17 +291,45 @@ class Resolver:
         """Where nothing moves the tool against the work object: as of a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
+    def may_be_held(self, wobj: WobjData) -> bool:
+        """Whether another robot may hold a work object."""
+        if wobj.ufprog or wobj.robhold:
+            return False
+        return not targets.unit_of(wobj, self.robot.external)
+
+    def is_held(self, wobj: WobjData) -> bool:
+        """Whether another robot holds a work object."""
+        return self._holder(wobj) is not None
+
+    def _holder(self, wobj: WobjData) -> Holder | None:
+        """The robot that holds a work object, where it is now."""
+        return self.holders.find(wobj.ufmec) if self.may_be_held(wobj) else None
+
     def _placement(
-        self, tool: ToolData, wobj: WobjData, place: Place
+        self,
+        tool: ToolData,
+        wobj: WobjData,
+        place: Place,
+        holder: Holder | None = None,
+        lead: targets.Lead | None = None,
     ) -> targets.Placement | targets.NotSimulatedFrame:
         """Where a tool and a work object are; `place` asks.
 
         Raises:
             MoveRefusedError: When one of their frames has no orientation.
+            Stopped: When nobody knows where the work object is, and nothing is guessed.
             NotSimulated: When a conveyor of the cell carries the work object.
         """
         if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
             raise NotSimulated(wobj.ufmec)
+        if holder is not None or lead is not None:
+            for name, rotation in frame_orientations(tool, wobj._replace(uframe=IDENTITY_POSE), ()):
+                require_orientation(name, rotation)
+            world_from_user = None if holder is None else holder.world_from_flange
+            axes = self.robot.external
+            return targets.placement(
+                tool, wobj, self.base_from_world, axes, world_from_user=world_from_user, lead=lead
+            )
         placed = self._placements.get((tool, wobj))
         if placed is None:
             for name, rotation in frame_orientations(tool, wobj, self.robot.external):
@@ -287,8 +338,9 @@ class Resolver:
             self._placements[tool, wobj] = placed
         if isinstance(placed, targets.NotSimulatedFrame):
             return placed
-        moved = not wobj.ufprog and not wobj.robhold
-        if moved and not targets.unit_of(wobj, self.robot.external):
+        if self.may_be_held(wobj):
+            if not self.guesses_frames:
+                raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
                 f"a work object moved by the mechanical unit `{wobj.ufmec}`",
                 "its user frame stands where `uframe` says; no [[external_axis]] carries it",

@@ -29,6 +29,7 @@ from rapidsim.motion.geometry.segments import (
     Speed,
     Waypoint,
     Zone,
+    led_segment,
 )
 from rapidsim.motion.path.wrist_circle import start_on_circle
 from rapidsim.motion.robot.robot import Robot
@@ -127,7 +128,7 @@ def _segment(
     if asked.mode in WRIST_PAIRS:
         begin = start_on_circle(begin, start.aim)
     via = move.circle_point
-    return Segment(
+    segment = Segment(
         index=index,
         geometry=GEOMETRY[move.interpolation],
         start=Waypoint(start.joints, begin, start.external),
@@ -153,3 +154,4 @@ def _segment(
         external_speeds=asked.external_speeds,
         load=asked.load,
     )
+    return segment if placed.led is None else led_segment(segment, *placed.led)

@@ -71,6 +71,7 @@ class MechanicalUnit:
     def part(self) -> None:
         """Move alone from where the team has come to rest."""
         if self.seat is not None:
-            self.own.continue_from(self.seat.team.planner.ready_s)
+            ended_s = self.own.trajectory.command_end
+            self.own.continue_from(max(self.seat.team.planner.ready_s, ended_s))
             self._changes += 1
             self.seat = None

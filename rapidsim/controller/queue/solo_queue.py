@@ -21,8 +21,9 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import Path, build_path
+from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import limits_of, model_of
 from rapidsim.motion.trajectory.guided_stretch import GuidedStretch

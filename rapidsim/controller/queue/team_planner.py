@@ -15,9 +15,9 @@ from rapidsim.controller.queue import stopping
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import Path, build_path
-from rapidsim.motion.path.synchronised_path import TeamPath, team_path
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.path.synchronised_path import TeamPath
+from rapidsim.motion.path.team_building import TeamFault, build_team
 from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
@@ -42,26 +42,34 @@ class Offer:
 
 
 class _TeamTrajectory(Trajectory):
-    """The motion over the common parameter; it gives each robot its own."""
+    """The motion over the common parameter; it gives each robot its own.
+
+    Arms differ in how long the smoothing takes. In logs of two that move together, the middle of it
+    is the same: the command of a quicker one is later by half of the difference.
+    """
 
     def __init__(self, robots: Sequence[SoloQueue]) -> None:
         own = robots[0]
         model = own.planner.model
         super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
         self._robots = robots
+        widths_s = [robot.planner.model.window for robot in robots]
+        self.delays_s = tuple(0.5 * (max(widths_s) - width_s) for width_s in widths_s)
 
     def append(self, piece: Piece) -> float:
         """Add a piece to the motion of each robot too."""
         path = piece.path
         assert isinstance(path, TeamPath)
-        for number, robot in enumerate(self._robots):
-            robot.trajectory.append(replace(piece, path=path.part(number)))
+        for number, (robot, delay_s) in enumerate(zip(self._robots, self.delays_s, strict=True)):
+            later_s = piece.start_time + delay_s
+            own = replace(piece, path=path.part(number), start_time=later_s)
+            robot.trajectory.append(own)
         return super().append(piece)
 
     def cut(self, time_s: float) -> None:
         """Take back what is commanded after a time [s], for each robot too."""
-        for robot in self._robots:
-            robot.trajectory.cut(time_s)
+        for robot, delay_s in zip(self._robots, self.delays_s, strict=True):
+            robot.trajectory.cut(time_s + delay_s)
         super().cut(time_s)
 
 
@@ -79,8 +87,9 @@ class TeamPlanner:
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
         self.offer: Offer | None = None
+        self._trajectory = _TeamTrajectory(robots)
         self.planner = BlockPlanner(
-            _TeamTrajectory(robots),
+            self._trajectory,
             lead.model,
             limits_together([robot.planner.limits for robot in robots]),
             self._build,
@@ -88,8 +97,14 @@ class TeamPlanner:
             lead.look,
             ready_s=max(robot.planner.ready_s for robot in robots),
         )
+        self.waiting: dict[int, int] = {}
+        """Robots whose next move depends on where another's leads, by number, and that other's."""
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""
+
+    def said(self, number: int) -> QueuedMove | None:
+        """A robot's part of the next move; None before its task has said it."""
+        return None if self.offer is None else self.offer.parts.get(number)
 
     def say(self, number: int, part: QueuedMove, sync_id: float) -> Offer:
         r"""Let a task say its part of the next move.
@@ -176,11 +191,12 @@ class TeamPlanner:
         plan = planner.planned()
         assert isinstance(plan.path, TeamPath)
         path = plan.path.part(number)
-        return own.extended(Piece(plan.start_s, path, plan.timing, plan.from_m, path.length))
+        start_s = plan.start_s + self._trajectory.delays_s[number]
+        return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length))
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
-        paths = []
-        for number, robot in enumerate(self.robots):
+        rows = []
+        for number in range(len(self.robots)):
             own = [move.parts[number] for move in moves if isinstance(move, TeamMove)]
             for move, part in zip(moves, own, strict=True):
                 if move.segment.zone is None and part.segment.zone is not None:
@@ -189,11 +205,13 @@ class TeamPlanner:
             segments = [part.segment for part in own]
             if lost_corner is not None:
                 segments[lost_corner] = replace(segments[lost_corner], zone=None)
-            path = build_path(robot.robot, segments, self.planner.model, self.planner.look)
-            if isinstance(path, PathFault):
-                raise MotionError(own[path.segment], path)
-            paths.append(path)
-        joint = team_path(paths)
+            rows.append(segments)
+        arms = [robot.robot for robot in self.robots]
+        joint = build_team(arms, rows, self.planner.model, self.planner.look)
+        if isinstance(joint, TeamFault):
+            blamed = moves[joint.fault.segment]
+            assert isinstance(blamed, TeamMove)
+            raise MotionError(blamed.parts[joint.number], joint.fault)
         for k, (move, segment) in enumerate(zip(moves, joint.segments, strict=True)):
             zone = move.segment.zone if k == lost_corner else segment.zone
             move.segment = replace(segment, index=move.segment.index, zone=zone)

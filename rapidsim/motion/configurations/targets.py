@@ -6,15 +6,19 @@ Below this module everything is in SI units; above it in RAPID's mm and degrees.
     base_from_world @ world_from_tcp @ tcp_from_object @ object_from_user @ user_from_flange
 
 for a tool held by the robot, and for a stationary tool with the work object held by the robot. A
-track moves the base in the world; a positioner moves the user frame.
+track moves the base in the world; a positioner moves the user frame. Where another robot carries
+the work object, its flange (tool0) is the user frame.
 
 Source: Technical reference manual RAPID Overview, "Coordinate systems"; data types tooldata and
-    wobjdata.
+    wobjdata: with `ufprog` FALSE the system defines the user frame. Application manual MultiMove,
+    "Coordinated work objects". That the user frame of a robot is its flange is what programs for
+    such robots rely on, who put the tool of that robot into `oframe`.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -39,9 +43,10 @@ from rapidsim.language.data import (
 from rapidsim.language.single import single
 from rapidsim.motion.configurations import scalar_inverse
 from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.segments import Carrier, Waypoint
+from rapidsim.motion.geometry.segments import Carrier, Leader, Waypoint
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
+from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 MM = 1e-3
@@ -63,6 +68,47 @@ class NotSimulatedFrame:
     reason: str
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Lead:
+    """A robot that carries a work object along, and its way on one move of the team."""
+
+    leader: Leader
+    start: Array
+    """Its joints and external axes (l,) [rad, m] at the start of the move."""
+    end: Array
+
+
+def lead_of(
+    number: int,
+    robot: Robot,
+    base_from_world: Transform,
+    world_from_leader: Transform,
+    way: tuple[Waypoint, Waypoint],
+    own_external: int,
+) -> Lead:
+    """The lead of a robot.
+
+    Args:
+        number: Of the leader in the team.
+        robot: The leader.
+        base_from_world: Of the robot that is led, with all external axes at zero.
+        world_from_leader: The base of the leader, likewise.
+        way: Where the leader's move starts and ends.
+        own_external: How many external axes the robot has that is led.
+    """
+    frame = (base_from_world.rotation, base_from_world.translation)
+    on_track = [i for i, axis in enumerate(robot.external) if axis.carries == "robot"]
+    count = robot.kinematics.joint_count
+    screws = (
+        replace(screw, axis=count + screw.axis)
+        for screw in screws_of(robot.external, on_track, frame)
+    )
+    base_from_leader = base_from_world @ world_from_leader
+    leader = Leader(number, robot.kinematics, base_from_leader, tuple(screws), own_external)
+    start, end = (np.concatenate([at.joints, at.external]) for at in way)
+    return Lead(leader, start, end)
+
+
 @dataclass(frozen=True, eq=False)
 class Placement:
     """How a pair of tool and work object places targets, with all external axes at zero."""
@@ -73,6 +119,9 @@ class Placement:
     """For a stationary tool object_from_flange."""
     carrier: Carrier | None = None
     """None for the plain set-up: tool in the hand, robot and work object standing still."""
+    led: tuple[Array, Array] | None = None
+    """The axes (l,) [rad, m] of the robot that carries the work object along, at the start and at
+    the end of the move; None where none does."""
 
     @cached_property
     def _curve_from_object(self) -> rigid.Rigid:
@@ -90,21 +139,31 @@ class Placement:
         """The flange pose for a TCP pose, with external axes (e,) [m or rad]."""
         if self.carrier is None:
             return curve_from_tcp @ self.tcp_from_flange
-        wide = np.concatenate([np.zeros(kinematics.joint_count), external])[None]
+        wide = self._wide(np.zeros(kinematics.joint_count), external)
         motion = standing(curve_from_tcp, 1)
         return self._arms(kinematics).base_from_flange(motion, _ROW, wide)[0]
 
-    def standing_at(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
-        """curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad]."""
+    def standing_at(
+        self, kinematics: Kinematics, joints: Array, external: Array, *, at_start: bool = False
+    ) -> Transform:
+        """curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad].
+
+        Where another robot carries the work object along, at the end of the move or at its start.
+        """
         if self.carrier is None:
             return scalar_inverse.base_from_tcp(kinematics, joints, self.tcp_from_flange)
-        wide = np.concatenate([joints, external])[None]
+        wide = self._wide(joints, external, at_start=at_start)
         return self._arms(kinematics).curve_from_tcp(wide, _ROW)[0]
 
     def base_from_tcp(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
         """The TCP pose in base for joints (n,) [rad] and external axes (e,) [m or rad]."""
-        wide = np.concatenate([joints, external])[None]
+        wide = self._wide(joints, external)
         return self._arms(kinematics).base_from_tcp(wide, _ROW)[0]
+
+    def _wide(self, joints: Array, external: Array, *, at_start: bool = False) -> Array:
+        led = () if self.led is None else (self.led[0 if at_start else 1],)
+        wide: Array = np.concatenate([joints, external, *led])[None]
+        return wide
 
     def _arms(self, kinematics: Kinematics) -> Arms:
         return Arms(kinematics, _ROW, self.tcp_from_flange[None], (self.carrier,))
@@ -115,6 +174,9 @@ def placement(
     wobj: WobjData,
     base_from_world: Transform,
     external: Sequence[ExternalAxis] = (),
+    *,
+    world_from_user: Transform | None = None,
+    lead: Lead | None = None,
 ) -> Placement | NotSimulatedFrame:
     """The placement of targets for a tool and a work object.
 
@@ -123,6 +185,8 @@ def placement(
         wobj: The work object.
         base_from_world: With all external axes at zero.
         external: The external axes.
+        world_from_user: Where another robot holds the work object's user frame at rest.
+        lead: The robot that carries the work object along.
 
     Returns:
         A reason if nothing moves the tool relative to the work object: the robot must hold one of
@@ -139,6 +203,10 @@ def placement(
         flange_from_object = transform(wobj.uframe) @ transform(wobj.oframe)
         carrier = Carrier(base_from_tool=base_from_tool, base_screws=base_screws)
         return Placement(Transform.identity(), flange_from_object.inverse(), carrier)
+    if lead is not None:
+        carrier = Carrier(base_screws=base_screws, leader=lead.leader)
+        object_frame = transform(wobj.oframe)
+        return Placement(object_frame, tcp_from_flange(tool), carrier, (lead.start, lead.end))
     unit = unit_of(wobj, external)
     on_unit = [i for i, axis in enumerate(external) if axis.unit in unit and axis.carries == "wobj"]
     object_screws = screws_of(external, on_unit, frame)
@@ -146,7 +214,8 @@ def placement(
         world_from_user = external[on_unit[-1]].world_from_user
         base_from_object = base_from_world @ world_from_user @ transform(wobj.oframe)
     else:
-        base_from_object = base_from_world @ transform(wobj.uframe) @ transform(wobj.oframe)
+        world_from_user = world_from_user or transform(wobj.uframe)
+        base_from_object = base_from_world @ world_from_user @ transform(wobj.oframe)
     carried = Carrier(object_screws=object_screws, base_screws=base_screws)
     carrier_or_none = carried if object_screws or base_screws else None
     return Placement(base_from_object, tcp_from_flange(tool), carrier_or_none)
@@ -157,7 +226,8 @@ def standing_at(
 ) -> Sequence[Transform]:
     """curve_from_tcp of each row's tool and work object at the arm's current position."""
     if len(placements) == 1:
-        return [placements[0].standing_at(kinematics, standing[0].joints, standing[0].external)]
+        at = standing[0]
+        return [placements[0].standing_at(kinematics, at.joints, at.external, at_start=True)]
     tcp_from_flange = Transform.stacked([one.tcp_from_flange for one in placements])
     joints, external = ([getattr(at, part) for at in standing] for part in ("joints", "external"))
     carriers = tuple(one.carrier for one in placements)

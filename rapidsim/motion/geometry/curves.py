@@ -355,4 +355,9 @@ def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Arr
     joints = np.array([point.joints for point in points])
     if len(points[0].external):
         joints = np.concatenate([joints, [point.external for point in points]], axis=1)
-    return poses[starts], poses[ends], joints[starts], joints[ends]
+    first, last = joints[starts], joints[ends]
+    led = [segment.led for segment in segments if segment.led is not None]
+    if led:
+        first = np.concatenate([first, [start for start, _ in led]], axis=1)
+        last = np.concatenate([last, [end for _, end in led]], axis=1)
+    return poses[starts], poses[ends], first, last

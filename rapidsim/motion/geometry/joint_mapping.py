@@ -5,11 +5,13 @@ The flange pose follows from the curve through whatever holds or carries tool an
     base_from_flange = base_from_curve @ curve_from_tcp @ tcp_from_flange            tool held
     base_from_flange = base_from_tool @ object_from_tcp^-1 @ object_from_flange     stationary tool
 
-where tracks and positioners move base_from_curve and base_from_tool. With SingArea \Wrist the wrist
+where tracks, positioners and robots that carry a work object move base_from_curve and
+base_from_tool. With SingArea \Wrist the wrist
 axes are interpolated instead, and the first three axes keep the TCP on its curve. With CirPathMode
 \Wrist45 and the like, two wrist axes lead the tool along an arc (`wrist_pair`).
 
-Joint vectors here are wide: the n joints of the arm, then e external axes.
+Joint vectors here are wide: the n joints of the arm, then e external axes. The axes of robots that
+carry a work object (`Leader`) count as external axes.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ import numpy.typing as npt
 from rapidsim.frames.moving_frames import ExternalCourse, Twists, carried
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.geometry.segments import Carrier, Geometry, Segment
+from rapidsim.motion.geometry.segments import Carrier, Geometry, Leader, Segment
 from rapidsim.motion.geometry.wrist_pair import WristPairs, wrist_pairs_of
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 
@@ -201,12 +203,7 @@ class Arms:
         change = np.concatenate([flange.acceleration, flange.turning_change], axis=-1)
         jacobian = self.kinematics.jacobian(joints)
         first = _solve(jacobian, twist)
-        # J' q' as the change of the Jacobian along the motion, over a step of 1e-6 rad: the error
-        # of both the difference and the rounding is far below what timing can see.
-        step = 1e-6 / np.maximum(np.abs(first).max(axis=-1), 1e-9)[:, None]
-        ahead = self.kinematics.jacobian(joints + step * first)
-        drift = np.einsum("kij,kj->ki", (ahead - jacobian) / step[..., None], first)
-        return first, _solve(jacobian, change - drift)
+        return first, _solve(jacobian, change - _drift(self.kinematics, joints, jacobian, first))
 
     def _rates_with_wrist(self, joints: Array, flange: Twists, row: Index) -> tuple[Array, Array]:
         """Joint rates and their change (k, n) where the TCP and the turn of the wrist are given."""
@@ -297,7 +294,44 @@ def _base_from_curve(carrier: Carrier, course: ExternalCourse) -> Twists:
     frame = carried(carrier.base_screws, course).inverse()
     if carrier.base_from_tool is not None:
         return frame.before(carrier.base_from_tool)
+    if carrier.leader is not None:
+        return frame @ _base_from_flange_of(carrier.leader, course)
     return frame @ carried(carrier.object_screws, course)
+
+
+def _base_from_flange_of(leader: Leader, course: ExternalCourse) -> Twists:
+    """The flange of a robot that carries a work object, along a course (k, e) with its axes."""
+    own = ExternalCourse(*(values[:, leader.column :] for values in course))
+    kinematics = leader.kinematics
+    joints, first, second = (values[:, : kinematics.joint_count] for values in own)
+    flange = kinematics.forward(joints)
+    twist, change = np.zeros((2, len(joints), 6))
+    if first.any() or second.any():
+        jacobian = kinematics.jacobian(joints)
+        twist = np.einsum("kij,kj->ki", jacobian, first)
+        change = np.einsum("kij,kj->ki", jacobian, second)
+        change += _drift(kinematics, joints, jacobian, first)
+    moved = Twists(
+        flange.translation,
+        flange.rotation,
+        twist[:, :3],
+        twist[:, 3:],
+        change[:, :3],
+        change[:, 3:],
+    )
+    return carried(leader.base_screws, own).before(leader.base_from_leader) @ moved
+
+
+def _drift(kinematics: Kinematics, joints: Array, jacobian: Array, first: Array) -> Array:
+    """J' q' (k, 6) as the change of the Jacobian along the motion.
+
+    Over a step of 1e-6 rad: the error of both the difference and the rounding is far below what
+    timing can see.
+    """
+    step = 1e-6 / np.maximum(np.abs(first).max(axis=-1), 1e-9)[:, None]
+    ahead = kinematics.jacobian(joints + step * first)
+    drift: Array = np.einsum("kij,kj->ki", (ahead - jacobian) / step[..., None], first)
+    return drift
 
 
 def _still(external: Array) -> ExternalCourse:

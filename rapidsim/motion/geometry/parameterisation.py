@@ -7,7 +7,7 @@ Derivatives jump at breakpoints, so points are always given together with their 
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -37,6 +37,14 @@ class Sides(NamedTuple):
     after: tuple[Array, Array, Array]
 
 
+class Led(Protocol):
+    """The axes of robots that carry work objects, along the path of a robot that works on them."""
+
+    def course(self, s: Array, inside: Array) -> ExternalCourse:
+        """Those axes (k, l) at s (k,) [m], as on the piece that contains places (k,)."""
+        ...
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Layout:
     """Pieces of a path of m curves; -1 means no corner."""
@@ -53,6 +61,8 @@ class Layout:
     position_corner: Index
     orientation_corner: Index
     joint_corner: Index
+    led: Led | None = None
+    """The last of the external axes; None where no other robot carries a work object."""
 
     @property
     def shape(self) -> int:
@@ -122,6 +132,25 @@ class Layout:
         if not count:
             nothing = np.zeros((len(s), 0))
             return ExternalCourse(nothing, nothing, nothing)
+        course = self._own_course(s, piece, row, count)
+        self.put_led(s, piece, *course)
+        return course
+
+    def put_led(self, s: Array, piece: Index, *columns: Array) -> None:
+        """Put the axes of leaders, and their derivatives, in the last columns of arrays (k, ...).
+
+        Args:
+            s: Places (k,) [m].
+            piece: Their pieces (k,).
+            columns: Joints, and their first and second derivative, or the first of these alone.
+        """
+        if self.led is not None:
+            inside = 0.5 * (self.bounds[piece] + self.bounds[piece + 1])
+            for values, led in zip(columns, self.led.course(s, inside), strict=False):
+                values[:, values.shape[1] - led.shape[1] :] = led
+
+    def _own_course(self, s: Array, piece: Index, row: Index, count: int) -> ExternalCourse:
+        """External axes (k, e) that move evenly, and turn in corners with the tool."""
         start = self.curves.start_joints[:, -count:]
         rate = self.curves.joint_travel[:, -count:] / np.maximum(self.curves.length, 1e-9)[:, None]
         x = np.clip(s - self.places[row], 0.0, self.curves.length[row])[:, None]
@@ -187,8 +216,22 @@ def _straight_on(curves: Curves) -> Mask:
     return straight
 
 
-def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Layout:
-    """Divide a sequence of curves and their corners into pieces."""
+def layout_of(
+    curves: Curves,
+    corners: Corners,
+    corner_shape: BlendShape,
+    led: Led | None = None,
+    further: Array | None = None,
+) -> Layout:
+    """Divide a sequence of curves and their corners into pieces.
+
+    Args:
+        curves: The curves.
+        corners: Their corners.
+        corner_shape: See `MotionModel`.
+        led: The axes of robots that carry work objects.
+        further: More s [m] at which pieces end.
+    """
     count = len(curves.length)
     places = np.concatenate([[0.0], np.cumsum(curves.length)])
     middles = places[1:-1]
@@ -203,6 +246,8 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Lay
         bent = ~_straight_on(curves)
         inner = (1.0 - 2.0 * KNEE) * corners.radius[bent]
         edges += [middles[bent] - inner, middles[bent] + inner]
+    if further is not None:
+        edges.append(further)
     bounds = np.unique(np.clip(np.concatenate(edges), 0.0, places[-1]))
     # Zones that meet leave slivers of rounding between them.
     keep = np.concatenate([[True], np.diff(bounds) > _SLIVER * max(1.0, places[-1])])
@@ -238,4 +283,5 @@ def layout_of(curves: Curves, corners: Corners, corner_shape: BlendShape) -> Lay
         position_corner=within(corners.radius, cartesian),
         orientation_corner=within(corners.orientation_radius, cartesian),
         joint_corner=within(corners.radius, corners.in_joints),
+        led=led,
     )

@@ -6,7 +6,7 @@ Segments are the input of path and time planning. All units are SI.
 from __future__ import annotations
 
 import math
-from dataclasses import field
+from dataclasses import field, replace
 from enum import Enum
 from types import MappingProxyType
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.values import dataclass
 
 
@@ -43,6 +44,9 @@ class CircleMode(Enum):
     WRIST_56 = "axes 5 and 6"
 
 
+_LED_SPEED = 1.0
+"""What the axes of leaders count as [rad/s] where nothing else moves: it only sets the scale."""
+
 TURNS_WITH_PATH = (CircleMode.PATH_FRAME, CircleMode.CIRCLE_POINT)
 WRIST_PAIRS = MappingProxyType(
     {CircleMode.WRIST_45: (3, 4), CircleMode.WRIST_46: (3, 5), CircleMode.WRIST_56: (4, 5)}
@@ -70,6 +74,24 @@ class Waypoint:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Leader:
+    """Another robot of the team, which carries the work object on its flange.
+
+    Its axes follow the external axes in joint vectors: those of the arm, then its external axes.
+    """
+
+    number: int
+    """Of the robot in the team."""
+    kinematics: Kinematics
+    base_from_leader: Transform
+    """Its base in the base of the robot, with all external axes at zero."""
+    base_screws: tuple[Screw, ...] = ()
+    """The axes that carry it, in the base of the robot; they count its axes."""
+    column: int = 0
+    """Where its axes begin in joint vectors, counted from the first external axis."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Carrier:
     """Anything besides the arm that moves or holds tool or work object.
 
@@ -84,6 +106,8 @@ class Carrier:
     """The axes that carry the work object."""
     base_screws: tuple[Screw, ...] = ()
     """The axes that carry the robot."""
+    leader: Leader | None = None
+    """The robot that carries the work object; curves are then given in its flange."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,8 +183,22 @@ class Segment:
     """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
     load: float = 0.0
     """What hangs on the wrist and adds to the arm's inertia, in shares of the rated payload."""
+    led: tuple[Array, Array] | None = None
+    """Start and end (l,) [rad, m] of the axes of leaders, which follow the external axes in joint
+    vectors; None where nobody leads."""
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:
         """Positions of the two joints that lead an arc while the others rest; None elsewhere."""
         return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None
+
+
+def led_segment(segment: Segment, start: Array, end: Array) -> Segment:
+    """A segment with the axes (l,) [rad, m] of the robots that carry work objects."""
+    own, more = len(segment.start.external), len(start)
+    return replace(
+        segment,
+        led=(start, end),
+        external_linear=(*segment.external_linear[:own], *(False,) * more),
+        external_speeds=(*segment.external_speeds[:own], *(_LED_SPEED,) * more),
+    )

@@ -118,6 +118,8 @@ def limit_fault(
 ) -> PathFault | None:
     """The first of some points (k,) whose joints (k, n + e) are outside the limits."""
     lower, upper = axes.lower, axes.upper
+    # Behind them are axes of other robots, which look after their own limits.
+    joints = joints[:, : len(lower)]
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
     if not len(bad) or not (over > axes.tolerances).any():
@@ -234,6 +236,9 @@ def _missed_waypoint(
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
     cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
+    if layout.led is not None:
+        # There the programmed point is where it is when the leader is at its own.
+        cut = cut | (layout.joint_corner >= 0)
     start = layout.curves.start_joints[rows]
     end = start + layout.curves.joint_travel[rows]
     arm = len(segments[0].start.joints)

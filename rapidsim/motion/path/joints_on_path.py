@@ -5,6 +5,8 @@ They equal those of `Path.evaluate`; without derivatives and poses they cost a t
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from rapidsim.frames.moving_frames import Twists
@@ -58,6 +60,34 @@ def in_joint_space(layout: Layout, s: Array, piece: Index) -> InJointSpace:
     )
 
 
+def meetings(
+    layout: Layout, corner: Index, s: Array, on_curve: Callable[[Index, Array], Array]
+) -> tuple[Array, Array | float, Array | float]:
+    """Joints where both curves meet of corners (k,) in joint space, and derivatives, at s (k,).
+
+    Where another robot carries the work object and cuts its own corner, the curve before ends
+    elsewhere than the one behind begins; the joints pass over from this to that.
+
+    Args:
+        layout: The path.
+        corner: The corners.
+        s: Places in them [m].
+        on_curve: Joints at places of curves.
+    """
+    if layout.led is None:
+        return layout.curves.start_joints[corner + 1], 0.0, 0.0
+    own, at = np.unique(corner, return_inverse=True)
+    rows = np.concatenate([own, own + 1])
+    ends = np.concatenate([layout.curves.length[own], np.zeros(len(own))])
+    end, begin = np.split(on_curve(rows, ends), 2)
+    width = 2.0 * layout.corners.radius[corner]
+    share = np.clip(0.5 + (s - layout.places[corner + 1]) / width, 0.0, 1.0)
+    passed = share**2 * (3.0 - 2.0 * share)
+    rate, bend = 6.0 * share * (1.0 - share) / width, (6.0 - 12.0 * share) / width**2
+    way = (end - begin)[at]
+    return begin[at] + way * passed[:, None], way * rate[:, None], way * bend[:, None]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class JointsOnPath:
     """The inverse kinematics of a path."""
@@ -108,7 +138,8 @@ class JointsOnPath:
         own, into, out = places.split(self._on_curve(places.row, places.x))
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         joints[places.whole] = own
-        joints[places.cut] = into + out - self.layout.curves.start_joints[places.corner + 1]
+        meet, _, _ = meetings(self.layout, places.corner, s[places.cut], self._on_curve)
+        joints[places.cut] = into + out - meet
         return joints
 
     def _on_curve(self, row: Index, x: Array) -> Array:
@@ -120,6 +151,8 @@ class JointsOnPath:
         if len(line):
             row, x = row[line], x[line]
             s = self.layout.places[row] + x
-            near = self.near(s, joints[line, self.arms.kinematics.joint_count :])
+            external = joints[line, self.arms.kinematics.joint_count :]
+            self.layout.put_led(s, self.layout.piece_at(s), external)
+            near = self.near(s, external)
             joints[line] = self.arms.joints(curves.at(row, x), row, near)[0]
         return joints

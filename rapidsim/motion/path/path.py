@@ -9,7 +9,6 @@ from __future__ import annotations
 import copy
 import dataclasses
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,30 +19,23 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import (
     Corner,
     Limit,
-    corners_of,
     describe,
     describe_stop,
-    without_skipped,
 )
-from rapidsim.motion.geometry.curves import Index, circle_fault, curves_of, unsupported
-from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
-from rapidsim.motion.geometry.parameterisation import Layout, layout_of
-from rapidsim.motion.geometry.segments import Geometry, Segment
-from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.geometry.curves import STANDSTILL, Index
+from rapidsim.motion.geometry.joint_mapping import Arms
+from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
-from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space
-from rapidsim.motion.path.line_derivatives import Lines, lines_of
+from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, meetings
+from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
-from rapidsim.motion.robot.external_axes import Axes
-from rapidsim.motion.robot.robot import Robot
 
 _KINK = 1e-6
-_CORNER_CHECKS = 8
 _WHILE_WIDENING = 0.9
 """Share of the accelerations that leaves room for what a widening window adds; measured on random
 programs."""
@@ -80,6 +72,12 @@ class Path:
     def axis_count(self) -> int:
         """The number of joints of the arm and external axes."""
         return int(self.layout.curves.start_joints.shape[1])
+
+    @property
+    def own_axis_count(self) -> int:
+        """The same without the axes of robots that carry work objects."""
+        led = self.segments[0].led
+        return self.axis_count - (0 if led is None else len(led[0]))
 
     @property
     def length(self) -> float:
@@ -122,7 +120,10 @@ class Path:
         sharp = np.flatnonzero(corners.radius == 0.0)
         kinked = np.ones(len(sharp), dtype=bool)
         may_pass = np.flatnonzero(
-            (corners.limit[sharp] != Limit.STOP_POINT) & (corners.limit[sharp] != Limit.TURN_ONLY)
+            (corners.limit[sharp] != Limit.STOP_POINT)
+            & (corners.limit[sharp] != Limit.TURN_ONLY)
+            # How far others are is worked out before anybody knows whether the arm could pass.
+            & (self.layout.led is None)
         )
         if len(may_pass):
             place = places[sharp[may_pass]]
@@ -166,7 +167,7 @@ class Path:
                 if bridges and not stops:
                     # A change of tool, work object or kind of move.
                     reason = "; ".join(filter(None, (reason, "made in joint space")))
-                if turns_only and not stops:
+                if turns_only and not stops and turn > STANDSTILL:
                     # There the path parameter is no length of anything.
                     reason = f"within {math.degrees(turn):.3g} deg of the end"
                 found[i] = Corner(0.0 if turns_only else radius, in_joints, stops, reason)
@@ -264,17 +265,26 @@ class Path:
         pose = Transform(rotation, position)
         return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
-    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+    def beside(
+        self, s: Array, joints: Array, rates: Array, speed: Array
+    ) -> tuple[Transform, Index, Array]:
         """The arm with joints and rates (k, n + e) close to, but not equal to, those at s (k,).
+
+        Args:
+            s: Places [m].
+            joints: Joints and external axes.
+            rates: Their derivatives by time.
+            speed: How fast s changes (k,) [m/s].
 
         Returns:
             base_from_tcp, position in `segments`, and the speed of the TCP relative to the work
             object.
         """
+        del speed
         row = self._row_at(s)
         velocity = self.arms.curve_motion(joints, rates, row).velocity
-        speed: Array = np.linalg.norm(velocity, axis=-1)
-        return self.arms.base_from_tcp(joints, row), self.active[row], speed
+        tcp_speed: Array = np.linalg.norm(velocity, axis=-1)
+        return self.arms.base_from_tcp(joints, row), self.active[row], tcp_speed
 
     def segment_at(self, s: Array) -> Index:
         """Position in `segments` at s (k,)."""
@@ -375,12 +385,17 @@ class Path:
         own, into, out = zip(*(places.split(part) for part in on_curves), strict=True)
         joints, first, second = np.empty((3, len(s), self.axis_count))
         joints[whole], first[whole], second[whole] = own
-        joints[cut] = into[0] + out[0] - self.layout.curves.start_joints[places.corner + 1]
+        meet, passing, bending = meetings(
+            self.layout, places.corner, s[cut], lambda row, x: self._on_curve(row, x)[0]
+        )
+        joints[cut] = into[0] + out[0] - meet
         (before, before2), (after, after2) = (
             (rate[:, None], change[:, None]) for rate, change in places.rates
         )
-        first[cut] = into[1] * before + out[1] * after
+        first[cut] = into[1] * before + out[1] * after - passing
         second[cut] = into[2] * before**2 + into[1] * before2 + out[2] * after**2 + out[1] * after2
+        second[cut] -= bending
+        self.layout.put_led(s, piece, joints, first, second)
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
@@ -394,6 +409,8 @@ class Path:
         if len(line):
             n = self.kinematics.joint_count
             course = ExternalCourse(joints[line, n:], first[line, n:], second[line, n:])
+            s = self.layout.places[row[line]] + x[line]
+            self.layout.put_led(s, self.layout.piece_at(s), *course)
             joints[line], first[line], second[line] = self._on_tcp_curve(row[line], x[line], course)
         return joints, first, second
 
@@ -422,64 +439,3 @@ class Path:
         """Velocity and angular velocity (k, 3) of the TCP against its curve per unit of s."""
         motion = self.arms.curve_motion(joints, first, row)
         return motion.velocity, motion.turning
-
-
-def build_path(
-    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
-) -> Path | PathFault:
-    """Join segments to a path.
-
-    Args:
-        robot: The arm with its joint limits.
-        segments: At least one; each starts with the joints at the end of the previous one, and has
-            speeds above zero.
-        model: Shape of corners.
-        look: Called now and then.
-
-    Returns:
-        The path, or the first point where the arm cannot follow it.
-    """
-    kinematics, axes = robot.kinematics, robot.axes
-    for i, segment in enumerate(segments):
-        if segment.geometry is Geometry.JOINT:
-            continue
-        reason = circle_fault(segment) or unsupported(kinematics)
-        if reason is not None:
-            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
-    curves = curves_of(segments, kinematics)
-    active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
-    if not len(active):
-        active = np.zeros(1, dtype=np.int64)
-    moving = [segments[int(i)] for i in active]
-    if len(active) < len(segments):
-        curves = curves_of(moving, kinematics)
-    look()
-    arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
-    corners = without_skipped(corners_of(moving, curves, arms, model), active)
-    layout = layout_of(curves, corners, model.corner)
-    lines = lines_of(layout, arms)
-    nodes = follow(layout, arms, lines, moving, axes, look)
-    if isinstance(nodes, PathFault):
-        return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
-    path = Path(tuple(segments), kinematics, layout, arms, active, nodes, model, lines)
-    look()
-    fault = _joint_space_fault(path, axes)
-    if fault is not None:
-        return dataclasses.replace(fault, segment=int(active[fault.segment]))
-    return path
-
-
-def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
-    """Where a joint move or a corner made in joint space leaves the limits."""
-    layout = path.layout
-    pieces = np.flatnonzero(
-        layout.curves.in_joints[layout.row] | (layout.joint_corner >= 0)
-    ).astype(np.int64)
-    if not len(pieces):
-        return None
-    share = np.linspace(0.0, 1.0, _CORNER_CHECKS + 1)
-    width = np.diff(layout.bounds)[pieces]
-    s = (layout.bounds[pieces][:, None] + width[:, None] * share).ravel()
-    piece = np.repeat(pieces, len(share))
-    joints, _, _ = path._in_joint_space(s, piece)
-    return limit_fault(layout, s, layout.row[piece], joints, axes)

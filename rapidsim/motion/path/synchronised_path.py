@@ -1,9 +1,6 @@
 """Paths of several robots travelled in sync, as one path with one parameter.
 
-Segment k of all paths begins and ends at the same time. In between, the robots' positions are
-functions of the common parameter s: proportional within a segment, with a smooth transition around
-fly-by points, where the ratio of their speeds may change. The common length of a segment is the
-longest of the robots' own.
+How far each robot is at a value of the parameter, `team_progress` says.
 
 Timing sees one path whose axes are those of all robots: at every point the slowest decides.
 """
@@ -20,9 +17,9 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.parameterisation import Layout
-from rapidsim.motion.geometry.segments import Segment, Speed, Zone
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
+from rapidsim.motion.path.team_progress import Progress, TeamProgress, team_progress
 from rapidsim.values import dataclass
 
 _SLIVER = 1e-9
@@ -31,53 +28,33 @@ _SLIVER = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class MemberPath:
-    """The position of one robot on its own path as a function of the common parameter.
-
-    On each common piece it is `start + slope u + bend u2 / 2`, with u counted from the piece's
-    start.
-    """
+    """The path of one robot, and how far it is on it."""
 
     path: Path
-    bounds: Array
-    """Shape (p + 1,): the common parameter [m] at the ends of the common pieces."""
-    start: Array
-    """Shape (p,) [m]."""
-    slope: Array
-    """Shape (p,)."""
-    bend: Array
-    """Shape (p,) [1/m]."""
+    progress: Progress
 
     @cached_property
     def piece(self) -> Index:
         """The piece (p,) of the robot's own path on each common piece."""
-        middle = np.diff(self.bounds) / 2.0
-        s = self.start + middle * (self.slope + 0.5 * middle * self.bend)
-        return self.path.layout.piece_at(s)
+        return self.path.layout.piece_at(self.progress.middles)
 
     def place(self, s: Array, piece: Index) -> Array:
         """Positions (k,) [m] on the robot's own path."""
-        u = s - self.bounds[piece]
-        own: Array = self.start[piece] + u * (self.slope[piece] + 0.5 * u * self.bend[piece])
-        return np.clip(own, 0.0, self.path.length)
+        return self.progress.place(s, piece)
 
     def rate(self, s: Array, piece: Index) -> Array:
         """The derivative (k,) [m/m] of the position on the robot's own path."""
-        rate: Array = self.slope[piece] + (s - self.bounds[piece]) * self.bend[piece]
-        return rate
-
-    @property
-    def fastest_rate(self) -> Array:
-        """The maximum derivative (p,) [m/m] on each common piece."""
-        after: Array = self.slope + np.diff(self.bounds) * self.bend
-        return np.maximum(self.slope, after)
+        return self.progress.rate(s, piece)
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives with respect to the common parameter."""
         own = self.path.rates(self.place(s, piece), self.piece[piece])
-        rate, bend = self.rate(s, piece)[:, None], self.bend[piece][:, None]
+        rate, bend = self.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
+        axes = slice(self.path.own_axis_count)
+        first, second = own.first[:, axes], own.second[:, axes]
         return PathRates(
-            own.first * rate,
-            own.second * rate**2 + own.first * bend,
+            first * rate,
+            second * rate**2 + first * bend,
             own.tcp_rate * rate[:, 0],
             own.turn_rate * rate[:, 0],
             own.stance,
@@ -112,6 +89,11 @@ class PartPath(SharedPath):
 
     course: MemberPath
 
+    @property
+    def axis_count(self) -> int:
+        """The number of joints of the arm and its external axes."""
+        return self.course.path.own_axis_count
+
     @cached_property
     def stops(self) -> Array:
         """Where the team comes to rest between the ends."""
@@ -131,7 +113,8 @@ class PartPath(SharedPath):
 
     def joints_at(self, s: Array) -> Array:
         """Joints at values of the common parameter; see `Path.joints_at`."""
-        return self.course.path.joints_at(self.course.place(*self._pieces(s)))
+        joints = self.course.path.joints_at(self.course.place(*self._pieces(s)))
+        return joints[:, : self.axis_count]
 
     def evaluate(self, s: Array) -> PathPoints:
         """The arm at places s (k,) [m] of the common parameter."""
@@ -139,15 +122,27 @@ class PartPath(SharedPath):
         points = self.course.path.evaluate(self.course.place(s, piece))
         return replace(
             points,
+            external=points.external[:, : self.axis_count - self.kinematics.joint_count],
             segment=self.segment_of(piece),
             tcp_rate=points.tcp_rate * self.course.rate(s, piece),
         )
 
-    def beside(self, s: Array, joints: Array, rates: Array) -> tuple[Transform, Index, Array]:
+    def beside(
+        self, s: Array, joints: Array, rates: Array, speed: Array
+    ) -> tuple[Transform, Index, Array]:
         """The arm with other joints; see `Path.beside`."""
         s, piece = self._pieces(s)
-        pose, _, speed = self.course.path.beside(self.course.place(s, piece), joints, rates)
-        return pose, self.segment_of(piece), speed
+        path, place = self.course.path, self.course.place(s, piece)
+        own_speed = self.course.rate(s, piece) * speed
+        more = path.axis_count - self.axis_count
+        if more:
+            # Leaders are where their command has them: next to where they are, as this robot is.
+            led, first = np.zeros((2, len(s), more))
+            path.layout.put_led(place, self.course.piece[piece], led, first)
+            joints = np.concatenate([joints, led], axis=1)
+            rates = np.concatenate([rates, first * own_speed[:, None]], axis=1)
+        pose, _, tcp_speed = path.beside(place, joints, rates, own_speed)
+        return pose, self.segment_of(piece), tcp_speed
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Derivatives with respect to the common parameter."""
@@ -157,7 +152,7 @@ class PartPath(SharedPath):
         """Both derivatives (k, 3) of the TCP's position."""
         own = self.course
         first, second = own.path.tcp_derivatives(own.place(s, piece), own.piece[piece])
-        rate, bend = own.rate(s, piece)[:, None], own.bend[piece][:, None]
+        rate, bend = own.rate(s, piece)[:, None], own.progress.bend[piece][:, None]
         return first * rate, second * rate**2 + first * bend
 
     def travelled(self, s: Array) -> Array:
@@ -208,7 +203,8 @@ class TeamPath(SharedPath):
         """Radius (p,) [m] of the smallest zone that any robot is in; 0 if none is in one."""
         radii = np.array(
             [
-                course.path.zone_radius[course.piece] / np.maximum(course.fastest_rate, 1e-12)
+                course.path.zone_radius[course.piece]
+                / np.maximum(course.progress.fastest_rate, 1e-12)
                 for course in self.courses
             ]
         )
@@ -219,7 +215,7 @@ class TeamPath(SharedPath):
     def zone_speed(self) -> Array:
         """Maximum speed (p,) [m/s] of the command: the smallest of the robots'."""
         speeds = [
-            course.path.zone_speed[course.piece] / np.maximum(course.fastest_rate, 1e-12)
+            course.path.zone_speed[course.piece] / np.maximum(course.progress.fastest_rate, 1e-12)
             for course in self.courses
         ]
         fastest: Array = np.min(speeds, axis=0)
@@ -263,37 +259,30 @@ class TeamPath(SharedPath):
 
 def team_path(paths: Sequence[Path]) -> TeamPath:
     """Join the paths of several robots, which have equally many segments."""
-    own_ends = [path.segment_bounds for path in paths]
-    lengths = np.array([np.diff(one) for one in own_ends])
-    longest: Array = lengths.max(axis=0)
-    slopes = lengths / np.where(longest > 0.0, longest, 1.0)
-    segments = tuple(
-        _common_segment([path.segments[k] for path in paths], slopes[:, k])
-        for k in range(len(longest))
-    )
+    own = [path.segment_bounds for path in paths]
     stops = np.any([[corner.stops for corner in path.corners[:-1]] for path in paths], axis=0)
-    passages = _passages(segments, longest, slopes, stops)
-    short = passages.before - passages.half
-    common = longest - np.append(short, 0.0) - np.append(0.0, short)
-    ends = np.concatenate([[0.0], np.cumsum(common)])
-    rough = [
-        _course(path, ends, own, slope, passages)
-        for path, own, slope in zip(paths, own_ends, slopes, strict=True)
-    ]
-    places = _merged(
-        ends, np.concatenate([one.bounds for one in rough] + [_breakpoints(one) for one in rough])
-    )
+    return joined(paths, team_progress([path.segments for path in paths], own, stops))
+
+
+def joined(paths: Sequence[Path], team: TeamProgress) -> TeamPath:
+    """The paths of several robots, whose progress is known, as one."""
+    ends = team.ends
+    inner = [one.bounds for one in team.members]
+    inner += [_breakpoints(*pair) for pair in zip(paths, team.members, strict=True)]
+    places = _merged(ends, np.concatenate(inner))
     middles = 0.5 * (places[1:] + places[:-1])
-    row = np.clip(np.searchsorted(ends, middles, side="right") - 1, 0, len(common) - 1)
-    courses = tuple(_refined(one, places) for one in rough)
+    row = np.clip(np.searchsorted(ends, middles, side="right") - 1, 0, len(ends) - 2)
+    courses = tuple(
+        MemberPath(path, one.refined(places)) for path, one in zip(paths, team.members, strict=True)
+    )
     corner = np.max([_corner(one) for one in courses], axis=0)
     lead = paths[0]
     return TeamPath(
-        segments,
+        team.segments,
         lead.kinematics,
         _layout(lead.layout, places, row, corner),
         lead.arms,
-        np.arange(len(segments)),
+        np.arange(len(team.segments)),
         lead.nodes,
         lead.model,
         None,
@@ -302,100 +291,10 @@ def team_path(paths: Sequence[Path]) -> TeamPath:
     )
 
 
-def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
-    """What timing and the path queue must know of one segment of all robots."""
-    moving = [(one, rate) for one, rate in zip(segments, slopes, strict=True) if rate > 0.0]
-    durations = [one.duration for one in segments if one.duration is not None]
-    zones = [one.zone.position / rate for one, rate in moving if one.zone]
-    stops = any(one.zone is None for one in segments)
-    first = segments[0]
-    return replace(
-        first,
-        speed=Speed(
-            max((one.speed.tcp / rate for one, rate in moving), default=first.speed.tcp),
-            first.speed.reorientation,
-        ),
-        zone=None if stops else Zone(max(zones, default=0.0), max(zones, default=0.0), 0.0),
-        duration=max(durations, default=None),
-        acceleration_share=min(one.acceleration_share for one in segments),
-        load=max(one.load for one in segments),
-        tcp_acceleration=np.inf,
-        tcp_deceleration=np.inf,
-        world_acceleration=np.inf,
-    )
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Passages:
-    """How the rates of the robots pass over at each inner end of a segment.
-
-    From a rate a before to b after, each robot first goes to a rate c in between, both evenly. With
-    c = (a + b) / M, M the largest a + b of all robots, the fastest of them is always near rate 1:
-    the common parameter stays a length that all of them can be driven along at even speed.
-    """
-
-    before: Array
-    """Shape (segments - 1,) [m]: so far before and after the end, as if rates did not change."""
-    half: Array
-    """Half the length [m] of the passage in the common parameter."""
-    largest: Array
-    """M."""
-
-
-def _passages(
-    segments: Sequence[Segment], longest: Array, slopes: Array, stops: Array
-) -> _Passages:
-    zones = np.array([one.zone.position if one.zone else 0.0 for one in segments[:-1]])
-    before = np.where(stops, 0.0, np.minimum(zones, 0.5 * np.minimum(longest[:-1], longest[1:])))
-    largest = np.maximum((slopes[:, :-1] + slopes[:, 1:]).max(axis=0), 1e-12)
-    # Each robot goes as far as it would at its rates before and after:
-    # half (a + 2 c + b) / 2 = before (a + b).
-    return _Passages(before, 2.0 * before * largest / (largest + 2.0), largest)
-
-
-def _course(path: Path, ends: Array, own: Array, slope: Array, passages: _Passages) -> MemberPath:
-    """One robot's place: straight pieces, and between them two parabolas around each end."""
-    before, half = passages.before, passages.half
-    into, out = slope[:-1], slope[1:]
-    between = (into + out) / passages.largest
-    inner, at = ends[1:-1], own[1:-1]
-    steep = np.where(half > 0.0, half, 1.0)
-    straight = (
-        np.append(0.0, inner + half),
-        np.append(own[0], at + out * before),
-        slope,
-        np.zeros(len(slope)),
-    )
-    first = (inner - half, at - into * before, into, (between - into) / steep)
-    second = (
-        inner,
-        at - into * before + 0.5 * half * (into + between),
-        between,
-        (out - between) / steep,
-    )
-    bounds, start, rate, bend = (
-        np.insert(s, np.repeat(np.arange(1, len(s)), 2), np.column_stack([one, other]).ravel())
-        for s, one, other in zip(straight, first, second, strict=True)
-    )
-    bounds = np.append(bounds, ends[-1])
-    kept = np.diff(bounds) > 0.0
-    # Where nobody moves at all there is one piece without length.
-    kept[0] |= not kept.any()
-    return MemberPath(
-        path, np.append(bounds[:-1][kept], bounds[-1]), start[kept], rate[kept], bend[kept]
-    )
-
-
-def _breakpoints(course: MemberPath) -> Array:
+def _breakpoints(path: Path, progress: Progress) -> Array:
     """The common parameter at the breakpoints of a robot's own path."""
-    places = course.path.breakpoints[1:-1]
-    index = np.clip(np.searchsorted(course.start, places, side="right") - 1, 0, None)
-    index = np.minimum(index, len(course.start) - 1)
-    way = places - course.start[index]
-    slope, bend = course.slope[index], course.bend[index]
-    rate = slope + np.sqrt(np.maximum(slope**2 + 2.0 * bend * way, 0.0))
-    found: Array = (course.bounds[index] + 2.0 * way / np.maximum(rate, 1e-300))[rate > 0.0]
-    return np.clip(found, 0.0, course.bounds[-1])
+    found, piece = progress.at_own(path.breakpoints[1:-1])
+    return found[(progress.rate(found, piece) > 0.0) | (progress.slope[piece] > 0.0)]
 
 
 def _merged(ends: Array, inner: Array) -> Array:
@@ -408,16 +307,6 @@ def _merged(ends: Array, inner: Array) -> Array:
     others = np.sort(inner[nearest > _SLIVER])
     apart = np.diff(others, prepend=-np.inf) > _SLIVER
     return np.sort(np.concatenate([ends, others[apart]]))
-
-
-def _refined(course: MemberPath, bounds: Array) -> MemberPath:
-    """The same course on more pieces."""
-    index = np.searchsorted(course.bounds, 0.5 * (bounds[1:] + bounds[:-1]), side="right") - 1
-    index = np.clip(index, 0, len(course.start) - 1)
-    u = bounds[:-1] - course.bounds[index]
-    slope, bend = course.slope[index], course.bend[index]
-    start = course.start[index] + u * (slope + 0.5 * u * bend)
-    return MemberPath(course.path, bounds, start, slope + u * bend, bend)
 
 
 def _corner(course: MemberPath) -> Index:

@@ -281,7 +281,7 @@ class Trajectory:
         # Before the first piece the arm stands where it begins, with the tool it begins with.
         for path, s, at in self._command.on_paths(row, way):
             if by_axes:
-                tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at])
+                tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at], speed[at])
             else:
                 points = path.evaluate(s)
                 joints[at] = np.concatenate([points.joints, points.external], axis=1)

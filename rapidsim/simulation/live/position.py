@@ -57,7 +57,11 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
     resolver = task.run.controller.others.resolver
     carried = _value(task, tool, ToolData)
     held = _value(task, wobj, WobjData) if frame is Coordinates.WOBJ else WOBJ0
-    found = resolver.target(arm, external, carried, held, task.place)
+    clock = task.run.controller.clock
+    # Another robot may hold the work object: where it is now, and not when its program asks.
+    found = clock.aside(
+        task.turns.now_s, lambda: resolver.target(arm, external, carried, held, task.place)
+    )
     if frame is not Coordinates.BASE:
         return found
     world_from_tcp = targets.transform(Pose(found.trans, found.rot))
@@ -86,9 +90,10 @@ def glance(task: LiveTask) -> Glance:
     tool, wobj = motion.active_tool(), motion.active_wobj()
     moves = task.unit.own.moves
     moves_on = now_s < path.duration and task.unit.own.guided is None
+    clock = task.run.controller.clock
     return Glance(
         resolver.joint_target(arm, external),
-        resolver.target(arm, external, tool, wobj, task.place),
+        clock.aside(now_s, lambda: resolver.target(arm, external, tool, wobj, task.place)),
         moves[move].place if moves_on and move < len(moves) else None,
     )
 

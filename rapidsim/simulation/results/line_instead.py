@@ -23,9 +23,9 @@ from rapidsim.motion.geometry.curves import curves_of
 from rapidsim.motion.geometry.joint_mapping import arms_of
 from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Waypoint
 from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_feasibility import survey_ways
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.path import build_path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.results.simulation import RobotRun
 from rapidsim.values import dataclass

@@ -1,0 +1,128 @@
+"""From segments to a path: its curves and corners first, then the joints along them."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.blends import Corners, corners_of, without_skipped
+from rapidsim.motion.geometry.curves import Curves, Index, circle_fault, curves_of, unsupported
+from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.parameterisation import Led, layout_of
+from rapidsim.motion.geometry.segments import Geometry, Segment
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
+from rapidsim.motion.path.line_derivatives import lines_of
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.robot.external_axes import Axes
+from rapidsim.motion.robot.robot import Robot
+
+_CORNER_CHECKS = 8
+
+
+def build_path(
+    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+) -> Path | PathFault:
+    """Join segments to a path.
+
+    Args:
+        robot: The arm with its joint limits.
+        segments: At least one; each starts with the joints at the end of the previous one, and has
+            speeds above zero.
+        model: Shape of corners.
+        look: Called now and then.
+
+    Returns:
+        The path, or the first point where the arm cannot follow it.
+    """
+    outline = outline_of(robot, segments, model, look)
+    return outline if isinstance(outline, PathFault) else path_along(outline, look)
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """What is known of a path before the arm has followed it: its curves and its corners."""
+
+    robot: Robot
+    segments: tuple[Segment, ...]
+    model: MotionModel
+    active: Index
+    """Shape (m,): as `Path.active`."""
+    curves: Curves
+    arms: Arms
+    corners: Corners
+
+    @property
+    def segment_bounds(self) -> Array:
+        """As `Path.segment_bounds`."""
+        lengths = np.zeros(len(self.segments))
+        lengths[self.active] = self.curves.length
+        return np.concatenate([[0.0], np.cumsum(lengths)])
+
+
+def outline_of(
+    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+) -> Outline | PathFault:
+    """The curves and corners of segments; see `build_path`."""
+    kinematics = robot.kinematics
+    for i, segment in enumerate(segments):
+        if segment.geometry is Geometry.JOINT:
+            continue
+        reason = circle_fault(segment) or unsupported(kinematics)
+        if reason is not None:
+            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
+    curves = curves_of(segments, kinematics)
+    active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
+    if not len(active):
+        active = np.zeros(1, dtype=np.int64)
+    moving = [segments[int(i)] for i in active]
+    if len(active) < len(segments):
+        curves = curves_of(moving, kinematics)
+    look()
+    arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
+    corners = without_skipped(corners_of(moving, curves, arms, model), active)
+    return Outline(robot, tuple(segments), model, active, curves, arms, corners)
+
+
+def path_along(
+    outline: Outline,
+    look: Look = undisturbed,
+    led: Led | None = None,
+    further: Array | None = None,
+) -> Path | PathFault:
+    """Let the arm follow an outline; see `build_path` and `layout_of`."""
+    segments, active, arms, model = outline.segments, outline.active, outline.arms, outline.model
+    kinematics, axes = outline.robot.kinematics, outline.robot.axes
+    moving = [segments[int(i)] for i in active]
+    layout = layout_of(outline.curves, outline.corners, model.corner, led, further)
+    lines = lines_of(layout, arms)
+    nodes = follow(layout, arms, lines, moving, axes, look)
+    if isinstance(nodes, PathFault):
+        return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
+    path = Path(segments, kinematics, layout, arms, active, nodes, model, lines)
+    look()
+    fault = _joint_space_fault(path, axes)
+    if fault is not None:
+        return dataclasses.replace(fault, segment=int(active[fault.segment]))
+    return path
+
+
+def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
+    """Where a joint move or a corner made in joint space leaves the limits."""
+    layout = path.layout
+    pieces = np.flatnonzero(
+        layout.curves.in_joints[layout.row] | (layout.joint_corner >= 0)
+    ).astype(np.int64)
+    if not len(pieces):
+        return None
+    share = np.linspace(0.0, 1.0, _CORNER_CHECKS + 1)
+    width = np.diff(layout.bounds)[pieces]
+    s = (layout.bounds[pieces][:, None] + width[:, None] * share).ravel()
+    piece = np.repeat(pieces, len(share))
+    joints, _, _ = path._in_joint_space(s, piece)
+    return limit_fault(layout, s, layout.row[piece], joints, axes)

@@ -1,0 +1,230 @@
+"""From the segments of several robots to their path as one, also where one carries another's work.
+
+The path of a robot whose work object another carries (`Leader`) depends on where that one is, which
+is known from its path. Paths are therefore built in that order; how far each robot is at a value of
+the common parameter follows from lengths and stops alone, and is known before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from rapidsim.frames.moving_frames import ExternalCourse
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segments import Segment, led_segment
+from rapidsim.motion.interruption import Look, undisturbed
+from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import Outline, build_path, outline_of, path_along
+from rapidsim.motion.path.curve_following import FaultKind, PathFault
+from rapidsim.motion.path.path import Path
+from rapidsim.motion.path.synchronised_path import TeamPath, joined, team_path
+from rapidsim.motion.path.team_progress import Progress, team_progress
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class TeamFault:
+    """Where the path of a team cannot be driven."""
+
+    number: int
+    """Of the robot in the team."""
+    fault: PathFault
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LedAxes:
+    """Implements `parameterisation.Led`: the axes of leaders, from their paths."""
+
+    own: Progress
+    """Of the robot that is led."""
+    leaders: tuple[tuple[Path, Progress], ...]
+
+    def course(self, s: Array, inside: Array) -> ExternalCourse:
+        """The axes of all leaders (k, l) and their derivatives by the led robot's s (k,)."""
+        piece = self.own.at_own(inside)[1]
+        common, middle = self.own.in_piece(s, piece), self.own.in_piece(inside, piece)
+        own_rate, own_bend = self.own.rate(common, piece), self.own.bend[piece]
+        columns = []
+        for path, progress in self.leaders:
+            on = progress.piece_at(middle)
+            place = progress.place(common, on)
+            rates = path.rates(place, path.layout.piece_at(progress.place(middle, on)))
+            rate = progress.rate(common, on) / own_rate
+            bend = (progress.bend[on] - rate * own_bend) / own_rate**2
+            axes = slice(path.own_axis_count)
+            first, second = rates.first[:, axes], rates.second[:, axes]
+            columns.append(
+                (
+                    path.joints_at(place)[:, axes],
+                    first * rate[:, None],
+                    second * rate[:, None] ** 2 + first * bend[:, None],
+                )
+            )
+        return ExternalCourse(*(np.concatenate(one, axis=1) for one in zip(*columns, strict=True)))
+
+    @property
+    def breakpoints(self) -> Array:
+        """Where on its path [m] the led robot is when the motion of a leader is not smooth."""
+        common = [self.own.bounds]
+        for path, progress in self.leaders:
+            common += [progress.bounds, progress.at_own(path.breakpoints)[0]]
+        places = np.concatenate(common)
+        return self.own.place(places, self.own.piece_at(places))
+
+
+def build_team(
+    robots: Sequence[Robot],
+    rows: Sequence[Sequence[Segment]],
+    model: MotionModel,
+    look: Look = undisturbed,
+) -> TeamPath | TeamFault:
+    """Join the segments of several robots, equally many each, to a path.
+
+    Args:
+        robots: The arms.
+        rows: The segments of each; `Leader.number` counts these.
+        model: Shape of corners.
+        look: Called now and then.
+
+    Returns:
+        The path, or the first point where one of the arms cannot follow it.
+    """
+    leaders = [_leaders(row) for row in rows]
+    order = _order(leaders)
+    if isinstance(order, TeamFault):
+        return order
+    stopping = _stopping(robots, rows, leaders, model, look) if order else rows
+    if isinstance(stopping, TeamFault):
+        return stopping
+    rows = stopping
+    paths: dict[int, Path] = {}
+    outlines: dict[int, Outline] = {}
+    for number, (robot, row) in enumerate(zip(robots, rows, strict=True)):
+        found: Path | Outline | PathFault
+        if leaders[number]:
+            found = outline_of(robot, _wide(row, leaders[number], rows), model, look)
+        else:
+            found = build_path(robot, row, model, look)
+        if isinstance(found, PathFault):
+            return TeamFault(number, found)
+        if isinstance(found, Path):
+            paths[number] = found
+        else:
+            outlines[number] = found
+    if not outlines:
+        return team_path(list(paths.values()))
+    stops = [_stops(path) for path in paths.values()] + [*map(_led_stops, outlines.values())]
+    all_of_them = [paths.get(number) or outlines[number] for number in range(len(rows))]
+    team = team_progress(
+        [one.segments for one in all_of_them],
+        [one.segment_bounds for one in all_of_them],
+        np.any(stops, axis=0),
+    )
+    for number in order:
+        pairs = ((paths[leader], team.members[leader]) for leader in leaders[number])
+        led = LedAxes(team.members[number], tuple(pairs))
+        path = path_along(outlines[number], look, led, led.breakpoints)
+        if isinstance(path, PathFault):
+            return TeamFault(number, path)
+        paths[number] = path
+    return joined([paths[number] for number in range(len(rows))], team)
+
+
+def _leaders(row: Sequence[Segment]) -> tuple[int, ...]:
+    """The robots that carry work objects of some segments."""
+    carriers = (segment.carrier for segment in row if segment.carrier is not None)
+    return tuple(sorted({one.leader.number for one in carriers if one.leader is not None}))
+
+
+def _order(leaders: Sequence[Sequence[int]]) -> list[int] | TeamFault:
+    """The robots that are led, each after those that lead it."""
+    order: list[int] = []
+    waiting = [number for number, one in enumerate(leaders) if one]
+    while waiting:
+        ready = [n for n in waiting if not set(leaders[n]) & set(waiting)]
+        if not ready:
+            fault = PathFault(0, 0.0, 0.0, 0.0, _IN_A_CIRCLE, FaultKind.SET_UP)
+            return TeamFault(waiting[0], fault)
+        order += ready
+        waiting = [number for number in waiting if number not in ready]
+    return order
+
+
+_IN_A_CIRCLE = (
+    "robots that carry each other's work objects on one path are not simulated; a stop point "
+    "between the moves parts the path"
+)
+
+
+def _wide(
+    row: Sequence[Segment], leaders: Sequence[int], rows: Sequence[Sequence[Segment]]
+) -> Sequence[Segment]:
+    """Segments with the axes of all robots that lead any of them."""
+    if not leaders:
+        return row
+    columns, count = {}, len(row[0].start.external)
+    for number in leaders:
+        columns[number] = count
+        count += len(rows[number][0].start.joints) + len(rows[number][0].start.external)
+    wide = []
+    for k, segment in enumerate(row):
+        ends = (
+            np.concatenate([part for at in points for part in (at.joints, at.external)])
+            for points in (
+                [rows[number][k].start for number in leaders],
+                [rows[number][k].end for number in leaders],
+            )
+        )
+        carrier = segment.carrier
+        if carrier is not None and carrier.leader is not None:
+            leader = replace(carrier.leader, column=columns[carrier.leader.number])
+            segment = replace(segment, carrier=replace(carrier, leader=leader))
+        start, end = ends
+        wide.append(led_segment(segment, start, end))
+    return wide
+
+
+def _stopping(
+    robots: Sequence[Robot],
+    rows: Sequence[Sequence[Segment]],
+    leaders: Sequence[Sequence[int]],
+    model: MotionModel,
+    look: Look,
+) -> Sequence[Sequence[Segment]] | TeamFault:
+    """The segments, with a stop point of all others where a robot that is led has to stop.
+
+    It stops where its programmed point is when the leaders are at theirs, and not beside them.
+    """
+    own = np.zeros((len(rows), len(rows[0]) - 1), dtype=bool)
+    for number, row in enumerate(rows):
+        if leaders[number]:
+            found = outline_of(robots[number], _wide(row, leaders[number], rows), model, look)
+            if isinstance(found, PathFault):
+                return TeamFault(number, found)
+            own[number] = _led_stops(found)
+    others = own.any(axis=0) & ~own
+    return [
+        [*map(_stopped, row, stops), row[-1]]
+        for row, stops in zip(rows, others.tolist(), strict=True)
+    ]
+
+
+def _stopped(segment: Segment, stops: bool) -> Segment:
+    return replace(segment, zone=None) if stops else segment
+
+
+def _stops(path: Path) -> Mask:
+    """Where (segments - 1,) a robot stops that follows a path."""
+    return np.array([corner.stops for corner in path.corners[:-1]], dtype=bool)
+
+
+def _led_stops(outline: Outline) -> Mask:
+    """Where (segments - 1,) a robot that is led stops; see `Path.stops`."""
+    stops = np.ones(len(outline.segments) - 1, dtype=bool)
+    stops[outline.active[:-1]] = outline.corners.radius == 0.0
+    return stops
