@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from rapidsim.api.run import Run
     from rapidsim.api.schemas import json_schema
     from rapidsim.files import InputError
-    from rapidsim.jobs.check_files import CheckResult, check
+    from rapidsim.jobs.check_files import check
+    from rapidsim.jobs.check_result import CheckResult
     from rapidsim.jobs.routine_call import CallError
     from rapidsim.jobs.run_files import ProgramRejectedError, simulate
     from rapidsim.motion.robot.catalogue import RobotError
@@ -45,7 +46,7 @@ __all__ = [
 _HOMES = {
     "CallError": "rapidsim.jobs.routine_call",
     "Cell": "rapidsim.api.cell",
-    "CheckResult": "rapidsim.jobs.check_files",
+    "CheckResult": "rapidsim.jobs.check_result",
     "InputError": "rapidsim.files",
     "ProgramRejectedError": "rapidsim.jobs.run_files",
     "RobotError": "rapidsim.motion.robot.catalogue",

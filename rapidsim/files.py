@@ -33,6 +33,8 @@ _BYTE_ORDER_MARKS = (
 _ENCODINGS = ("utf-8", "cp1252")
 _LAST_RESORT = "latin-1"
 
+DESCRIPTIONS = (".urdf", ".xml", ".xacro")
+"""How the name of a file ends that describes an arm; any other name is one of the catalogue."""
 MOST_BYTES = 200_000_000
 """No file that is read is larger: a million moves with their targets have 140 MB."""
 

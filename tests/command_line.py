@@ -54,6 +54,7 @@ def call(
         **{name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ},
         "COLUMNS": str(columns),
         "PYTHONIOENCODING": "utf-8",
+        "RAPIDSIM_NO_CACHE": "1",
         **(environment or {}),
     }
     if os.environ.get(SWITCH) == PROCESS and not terminal:

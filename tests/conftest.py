@@ -25,6 +25,10 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # too, in all tests that follow. The tests of compiled loops compare them with these, on purpose.
 os.environ.setdefault("RAPIDSIM_NUMBA", "0")
 
+# What a test finds must not come from an earlier run; the tests of results that are kept use
+# folders of their own.
+os.environ.setdefault("RAPIDSIM_NO_CACHE", "1")
+
 # A test makes garbage by the hundred thousand, nearly all of it without circles.
 gc.set_threshold(10_000, 20, 20)
 

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from rapidsim.jobs.answers import answers_in_order, answers_of_file
 from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.check_files import CheckResult, check_job
+from rapidsim.jobs.check_files import check_job
+from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import job
 
 if TYPE_CHECKING:

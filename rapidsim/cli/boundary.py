@@ -7,12 +7,10 @@ import os
 import signal
 import sys
 import threading
-import traceback
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
-from pathlib import Path
 from types import FrameType
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
@@ -24,6 +22,9 @@ from rapidsim.cli.group import commands
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.syntax.collection import seldom_collected
+
+if TYPE_CHECKING:
+    from rapidsim.jobs.processes import DefectError
 
 _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
@@ -90,9 +91,12 @@ def _code_of(arguments: Sequence[str]) -> int:
             _give_up_output()
             _say(f"the output cannot be written: {error.strerror}", None)
             return ExitCode.USAGE
+        from rapidsim.jobs.processes import defect_of
+
+        defect = defect_of(error)
         if terminal.verbose:
-            say(traceback.format_exc(), err=True)
-        say(_defect(error), err=True)
+            say(defect.told, err=True)
+        say(_told(defect), err=True)
         return ExitCode.DEFECT
 
 
@@ -165,13 +169,10 @@ def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
             return message[:1].lower() + message[1:], shown
 
 
-def _defect(error: BaseException) -> str:
+def _told(defect: DefectError) -> str:
     """One line that says what failed, where, and how to report it."""
-    frames: list[FrameType] = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
-    lines = [line for _, line in traceback.walk_tb(error.__traceback__)]
-    place = f"{Path(frames[-1].f_code.co_filename).name}:{lines[-1]}" if frames else "?"
-    what = f"{type(error).__name__}: {error}".splitlines()[0]
     return (
-        f"error: rapidsim {__version__} has a defect ({what}, at {place}); please report this line "
-        f"with the program and the command, and with the output of the same command with -v"
+        f"error: rapidsim {__version__} has a defect ({defect.what}, at {defect.place}); please "
+        f"report this line with the program and the command, and with the output of the same "
+        f"command with -v"
     )

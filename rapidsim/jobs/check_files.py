@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import field, replace
+from dataclasses import replace
 from functools import partial
 from os import PathLike
 from typing import TYPE_CHECKING, TypeAlias
@@ -16,25 +15,24 @@ from rapidsim.analysis.program import Program
 from rapidsim.analysis.program_parts import ENTRY
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.findings.runs import FAMILY_OF_RUNS, EndlessWait, is_of_runs
-from rapidsim.jobs.baseline import Key, read_baseline, told_apart
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.findings.runs import EndlessWait, is_of_runs
+from rapidsim.jobs.baseline import read_baseline
+from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.checked_program import Loaded, load_task
 from rapidsim.jobs.faultless_part import faultless_part
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
-from rapidsim.jobs.selection import choose_selection
+from rapidsim.jobs.selection import Selection, choose_selection
 from rapidsim.jobs.standing_rows import stand_for_all
 from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
-from rapidsim.syntax import tree
 from rapidsim.syntax.collection import seldom_collected
-from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
@@ -44,51 +42,14 @@ CheckTogether: TypeAlias = Callable[
     [Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None
 ]
 """Gives the errors of a run of all tasks, or None where that tells nothing."""
-_FAMILIES_OF_MOVES = "DKM"
+TaskMoves: TypeAlias = Callable[[TaskFiles, Loaded, Callable[[], ReachReport]], ReachReport]
+"""Gives the report on the moves of a task, which is loaded: what it is given makes it, but it may
+be known."""
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
-class CheckResult:
-    """The findings, and what was not checked."""
-
-    files: tuple[str, ...]
-    """The files that were read."""
-    diagnostics: tuple[Diagnostic, ...]
-    """Findings in order of file and place, but for those that a baseline knows."""
-    trees: tuple[tree.File, ...]
-    """The files as they were parsed, with their comments."""
-    coverage: Coverage = field(default_factory=Coverage)
-    """How many moves were checked for reach, limits and path, and why others were not."""
-    known: tuple[Diagnostic, ...] = ()
-    """Findings that a baseline knows."""
-
-    @property
-    def accepted(self) -> bool:
-        """Whether the program could run: no finding, known or new, is an error."""
-        return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
-
-    def against(self, known: Counter[Key]) -> CheckResult:
-        """The same result with the findings of a baseline marked as known."""
-        new, old = told_apart(self.diagnostics, known)
-        return replace(self, diagnostics=new, known=old)
-
-    def __repr__(self) -> str:
-        """One line."""
-        count = len(self.diagnostics)
-        verdict = "accepted" if self.accepted else "rejected"
-        return f"<check: {verdict}, files: {len(self.files)}, diagnostics: {count}>"
-
-    def looked_for(self, selector: str) -> bool:
-        """Whether everything that a selector covers was checked.
-
-        Args:
-            selector: A code, the prefix of a code, or the name of a rule. Rules about moves count
-                only if all moves were checked.
-        """
-        if selector[:1].upper() == FAMILY_OF_RUNS:
-            return False
-        may_be_of_moves = selector[:1].upper() in _FAMILIES_OF_MOVES or "-" in selector
-        return not (may_be_of_moves and self.coverage.unchecked)
+def made_now(_task: TaskFiles, _loaded: Loaded, make: Callable[[], ReachReport]) -> ReachReport:
+    """The report on the moves of a task, of which nothing is known."""
+    return make()
 
 
 def check(
@@ -118,10 +79,9 @@ def check(
 
 
 @seldom_collected()
-def check_job(job: Job) -> CheckResult:
+def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     """Check a job with the requested rules and those of the settings."""
-    asked, station = job.asked, job.station
-    selection = choose_selection(station.check, asked.select, asked.extend_select, asked.ignore)
+    station, selection = job.station, _selection(job)
     result = check_tasks(
         job.tasks,
         detectors_of(selection.wants),
@@ -129,6 +89,7 @@ def check_job(job: Job) -> CheckResult:
         even_without_moves=station.check.cycle_budget_s is not None,
         cell=job.cell,
         together=_together(job),
+        moves_of=moves_of,
     )
     undriven = find_never_driven(result.trees, station.io)
     if selection.is_looked_for(EndlessWait.rule.code):
@@ -139,6 +100,18 @@ def check_job(job: Job) -> CheckResult:
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )
     return replace(result, diagnostics=selection.kept(unsuppressed))
+
+
+def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:
+    """The report on the moves of one task of a job, as `check_job` makes it."""
+    rules = detectors_of(_selection(job).wants)
+    has_budget = job.station.check.cycle_budget_s is not None
+    return _checked(task, rules, choose_move_check(job), has_budget, job.cell, made_now)[1]
+
+
+def _selection(job: Job) -> Selection:
+    asked = job.asked
+    return choose_selection(job.station.check, asked.select, asked.extend_select, asked.ignore)
 
 
 def _together(job: Job) -> CheckTogether | None:
@@ -157,6 +130,7 @@ def check_tasks(
     even_without_moves: bool = False,
     cell: CellNames = NO_CELL,
     together: CheckTogether | None = None,
+    moves_of: TaskMoves = made_now,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own, and then all of them.
 
@@ -168,9 +142,12 @@ def check_tasks(
             cycle time.
         cell: What the configuration declares besides the modules.
         together: Runs all tasks together; None runs none.
+        moves_of: Whether reports on the moves of tasks are known.
     """
     wanted = detectors_of() if rules is None else rules
-    checked = [(task, *_checked(task, wanted, moves, even_without_moves, cell)) for task in tasks]
+    checked = [
+        (task, *_checked(task, wanted, moves, even_without_moves, cell, moves_of)) for task in tasks
+    ]
     loaded = [(task, one) for task, one, _ in checked]
     disagreements = _disagreements([one for _, one in loaded])
     of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
@@ -193,8 +170,8 @@ def check_tasks(
 def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:
     """The findings of tasks without those of runs of one alone; a run of all tasks is surer."""
     kept = [one for one in alone if not is_of_runs(one)]
-    told = {(one.code, one.span) for one in kept}
-    return [*kept, *(one for one in of_all if (one.code, one.span) not in told)]
+    told = {(one.code, one.order) for one in kept}
+    return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
 
 
 def _checked(
@@ -203,6 +180,7 @@ def _checked(
     moves: CheckMoves | None,
     even_without_moves: bool,
     cell: CellNames,
+    moves_of: TaskMoves,
 ) -> tuple[Loaded, ReachReport]:
     """One task, and what is found of its moves.
 
@@ -211,15 +189,20 @@ def _checked(
     these.
     """
     name = task.name or DEFAULT_TASK
+
+    def report(loaded: Loaded) -> ReachReport:
+        make = partial(_moves_checked, loaded, name, moves, even_without_moves, cell)
+        return moves_of(task, loaded, make)
+
     if frozenset(rules) <= frozenset(detectors_of()):
         loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
         try:
             if stand_for_all(loaded.files, loaded.diagnostics, cell):
-                return loaded, _moves_checked(loaded, name, moves, even_without_moves, cell)
+                return loaded, report(loaded)
         except RunNotFollowedError:
             pass
     loaded = load_task(task, cell, rules)
-    return loaded, _moves_checked(loaded, name, moves, even_without_moves, cell)
+    return loaded, report(loaded)
 
 
 def _may_end_badly(program: Program) -> bool:

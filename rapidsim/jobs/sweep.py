@@ -8,11 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
 from itertools import starmap
-from multiprocessing import get_context
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -23,6 +21,7 @@ from rapidsim.frames.euler import Convention, euler_from_rotation, rotation_from
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.processes import in_processes
 from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.reach.placements import reach_from
@@ -196,13 +195,10 @@ def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[O
     """Run the job with the robot in places (k,), in their order."""
     each = list(zip(places.rotation, places.translation, strict=True))
     if processes == 1 or len(each) < 2:
-        yield from starmap(partial(_outcome, ready), each)
-        return
-    # A fresh process has no threads or locks of this one, and is the same on every system.
-    with ProcessPoolExecutor(
-        processes, get_context("spawn"), initializer=_prepare, initargs=(ready.job.asked,)
-    ) as pool:
-        yield from pool.map(_outcome_here, each, chunksize=_AT_ONCE)
+        return starmap(partial(_outcome, ready), each)
+    prepare = partial(_prepare, ready.job.asked)
+    at_once = min(_AT_ONCE, -(-len(each) // processes))
+    return in_processes(_outcome_here, each, processes, begin=prepare, at_once=at_once)
 
 
 _here: Callable[[Array, Array], Outcome] | None = None

@@ -10,27 +10,27 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.asked import asked_job, open_quietly
+from rapidsim.cli.options.numbers import PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
+from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
+from rapidsim.cli.tools.known_findings import alike, judged_with
 from rapidsim.cli.tools.repeated import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
 from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.baseline import baseline_text, read_baseline
-from rapidsim.jobs.check_files import CheckResult, check_job
+from rapidsim.jobs.check_many import together
+from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job, read_again
 from rapidsim.jobs.task_files import missing_neighbours
-from rapidsim.output_files import whole_file
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.statistics import statistics
 from rapidsim.report.findings.text import summary_line
 from rapidsim.values import dataclass
-
-_SEVERITIES = tuple(Severity)
 
 
 @click.command(no_args_is_help=False)
@@ -67,6 +67,21 @@ _SEVERITIES = tuple(Severity)
     is_flag=True,
     help="Do not run main to find its errors and the moves that only a run can check.",
 )
+@click.option("--each", is_flag=True, help="Check each PATH as a program of its own.")
+@click.option(
+    "-j",
+    "processes",
+    type=PROCESSES,
+    default=1,
+    show_default=True,
+    help="Number of parallel processes, for programs and tasks; auto is one for each core.",
+)
+@click.option(
+    "--no-cache",
+    is_flag=True,
+    envvar="RAPIDSIM_NO_CACHE",
+    help="Neither use nor keep results of earlier checks.",
+)
 @click.option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
 @click.option(
     "--fail-on",
@@ -91,6 +106,9 @@ def check(
     counted: bool,
     no_reach: bool,
     no_run: bool,
+    each: bool,
+    processes: int,
+    no_cache: bool,
     no_merge: bool,
     fail_on: str | None,
 ) -> int:
@@ -98,7 +116,7 @@ def check(
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
     backup, a RobotStudio Pack&Go station (.rspag), or - for standard input. All PATHs together
-    are checked as one task.
+    are checked as one task; with --each, every one is a program of its own.
 
     A comment `! rapidsim: ignore[K601] reason` after a statement, or on the line
     before it, suppresses findings.
@@ -116,29 +134,26 @@ def check(
         reach=not no_reach,
         trial_run=not no_run,
     )
-    job = asked_job(asked)
-    settings = job.station.check
-    known_file = Path(baseline) if baseline else settings.baseline
+    programs = [(path,) for path in paths] if each else [paths]
+    jobs = [asked_job(replace(asked, paths=one), open_robot=open_quietly) for one in programs]
+    known = [Path(baseline) if baseline else job.station.check.baseline for job in jobs]
     if unsafe_fixes and not (fix or diff):
         raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
-    if update_baseline and known_file is None:
+    if update_baseline and None in known:
         raise click.UsageError("--update-baseline needs --baseline FILE")
-    result = check_job(job)
+    results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
     if diff:
-        chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe_fixes)
-        say(difference(chosen.edits, job.tasks), nl=False)
-        return ExitCode.FINDINGS if chosen.edits else ExitCode.CLEAN
-    mended = _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
-    result, made, outdated = mended.result, None, ""
-    model = job.station.model.version
-    if known_file is not None:
-        # A setting alone writes nothing: the repository that holds it is not trusted.
-        if update_baseline or (baseline is not None and not known_file.exists()):
-            made = known_file
-            _write_baseline(made, result, model)
-        against = read_baseline(known_file)
-        outdated = against.outdated(model, result.diagnostics)
-        result = result.against(against.known)
+        return _show_differences(jobs, results, unsafe=unsafe_fixes)
+    mended = [
+        _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
+        for job, result in zip(jobs, results, strict=True)
+    ]
+    # A setting alone writes nothing: the repository that holds it is not trusted.
+    judged = [
+        judged_with(group, update=update_baseline, create=baseline is not None)
+        for group in alike(jobs, [one.result for one in mended], known)
+    ]
+    result = together([one.result for one in judged])
     spoken = output_format in SPOKEN_FORMATS
     findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
     if counted:
@@ -146,22 +161,20 @@ def check(
     else:
         text = checked_text(output_format, findings, result, terminal)
         say(text, palette=terminal.palette, nl=False)
-    if output_format in SPOKEN_FORMATS and not terminal.quiet:
-        seconds, files, known = time.perf_counter() - started, len(result.files), len(result.known)
-        say(summary_line(findings, files=files, seconds=seconds, known=known))
-        for line in _remarks(paths, result, mended):
+    if spoken and not terminal.quiet:
+        seconds, files = time.perf_counter() - started, len(result.files)
+        say(summary_line(findings, files=files, seconds=seconds, known=len(result.known)))
+        for line in _remarks(programs, result, mended):
             say(line)
-        if made is not None:
-            say(f"Written: {made} (baseline)")
-        if outdated:
-            say(outdated)
-        if settings.cycle_budget_s is not None and (no_run or no_reach):
+        for one in judged:
+            for line in one.remarks:
+                say(line)
+        if (no_run or no_reach) and any(job.station.check.cycle_budget_s for job in jobs):
             say("The cycle budget was not checked, because main was not run.")
-        for line in () if no_reach else coverage_lines(result.coverage, job.robot.text):
+        arms = ", ".join(dict.fromkeys(job.robot.text for job in jobs))
+        for line in () if no_reach else coverage_lines(result.coverage, arms):
             say(line)
-    least = Severity(fail_on) if fail_on else settings.fail_on or Severity.WARNING
-    failing = _SEVERITIES[: _SEVERITIES.index(least) + 1]
-    failed = any(diagnostic.severity in failing for diagnostic in result.diagnostics)
+    failed = any(one.fails(Severity(fail_on) if fail_on else None) for one in judged)
     return ExitCode.FINDINGS if failed else ExitCode.CLEAN
 
 
@@ -181,6 +194,8 @@ class _Mended:
 
 def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
     """Write the fixes into the files and check again."""
+    from rapidsim.jobs.check_files import check_job
+
     cure = cured(
         job.tasks,
         result.diagnostics,
@@ -193,24 +208,31 @@ def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
     return _Mended(result, cure.count, cure.left_out)
 
 
-def _write_baseline(file: Path, found: CheckResult, motion_model: str) -> None:
-    """Make all that was found known; what is not a baseline is not written over."""
-    if file.exists():
-        read_baseline(file)
-    with whole_file(file) as temporary:
-        temporary.write_text(baseline_text(found.diagnostics, motion_model), encoding="utf-8")
+def _show_differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe: bool) -> int:
+    """Show what fixes would change."""
+    would_change = False
+    for job, result in zip(jobs, results, strict=True):
+        chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe)
+        say(difference(chosen.edits, job.tasks), nl=False)
+        would_change |= bool(chosen.edits)
+    return ExitCode.FINDINGS if would_change else ExitCode.CLEAN
 
 
-def _remarks(paths: Sequence[str], result: CheckResult, mended: _Mended) -> Iterator[str]:
+def _remarks(
+    programs: Sequence[Sequence[str]], result: CheckResult, mended: Sequence[_Mended]
+) -> Iterator[str]:
     """What a person wants to know besides the findings, one line each."""
-    found = mended.result.diagnostics
-    if mended.fixed:
-        yield f"Fixed {mended.fixed}."
-    elif "-" not in paths and (curable := sum(bool(one.fix and one.fix.safe) for one in found)):
+    found = [diagnostic for one in mended for diagnostic in one.result.diagnostics]
+    if fixed := sum(one.fixed for one in mended):
+        yield f"Fixed {fixed}."
+    elif ("-",) not in programs and (
+        curable := sum(bool(one.fix and one.fix.safe) for one in found)
+    ):
         yield f"`--fix` can fix {curable} of them."
-    if mended.left_out:
-        yield f"Fixes left out, because they would leave more errors: {mended.left_out}."
+    if left_out := sum(one.left_out for one in mended):
+        yield f"Fixes left out, because they would leave more errors: {left_out}."
     if result.known:
         yield f"{len(result.known)} more are in the baseline."
-    if hint := missing_neighbours(paths, found):
-        yield hint
+    for paths, one in zip(programs, mended, strict=True):
+        if hint := missing_neighbours(paths, one.result.diagnostics):
+            yield hint

@@ -8,7 +8,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job
-from rapidsim.cli.options.numbers import POSITIVE
+from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.run_output import print_rejected
 from rapidsim.cli.tools.sweep_output import swept_text
@@ -46,10 +46,10 @@ def _shard(text: str) -> tuple[int, int]:
 @click.option(
     "-j",
     "processes",
-    type=click.IntRange(1, 256),
+    type=PROCESSES,
     default=1,
     show_default=True,
-    help="Number of parallel processes.",
+    help="Number of parallel processes; auto is one for each core.",
 )
 @click.option(
     "--shard",

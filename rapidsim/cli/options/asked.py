@@ -16,7 +16,7 @@ from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import say
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.job import Job, job
+from rapidsim.jobs.job import Job, OpenRobot, job
 from rapidsim.station.station import Station
 
 if TYPE_CHECKING:
@@ -153,9 +153,14 @@ def _with_all(
     return command
 
 
-def asked_job(asked: Asked) -> Job:
-    """The job that is asked for; what a backup says and is left out is said on stderr."""
-    found = job(asked, open_robot=functools.cache(_open_robot))
+def asked_job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
+    """The job that is asked for; what a backup says and is left out is said on stderr.
+
+    Args:
+        asked: The request.
+        open_robot: Loads an arm; None says on stderr what is special about it.
+    """
+    found = job(asked, open_robot=open_robot or functools.cache(_open_robot))
     say_remarks(found.station)
     return found
 
@@ -170,6 +175,13 @@ def _open_robot(name: str, scale: float | None) -> Robot:
     from rapidsim.cli.options.robot_choice import open_robot
 
     return open_robot(name, scale)
+
+
+def open_quietly(name: str, scale: float | None) -> Robot:
+    """Load an arm; who does so says what is special about it, or another process does."""
+    from rapidsim.cli.options.robot_choice import robot_of
+
+    return robot_of(name, scale)
 
 
 def _network(hosts: Sequence[str]) -> Network:

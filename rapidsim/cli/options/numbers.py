@@ -33,6 +33,22 @@ class _AnyNumber(click.types.FloatParamType):
         return _number(str(value), str(value))
 
 
+class _Processes(click.IntRange):
+    """The type of an option that takes a number of processes."""
+
+    name = "n|auto"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        """Read it; `auto` and 0 are one for each core."""
+        if value in (0, "0", "auto"):
+            # Few commands are given one.
+            from rapidsim.jobs.processes import number_of_cores
+
+            return number_of_cores()
+        return int(super().convert(value, param, ctx))
+
+
+PROCESSES = _Processes(1, 256)
 ANY_NUMBER = _AnyNumber()
 POSITIVE = Number(min=0.0, min_open=True)
 

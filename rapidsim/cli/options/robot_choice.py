@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 from rapidsim.cli.terminal import say
-from rapidsim.files import InputError
+from rapidsim.files import DESCRIPTIONS, InputError
 from rapidsim.motion.robot.catalogue import RobotError
-from rapidsim.motion.robot.robot import DESCRIPTIONS, Robot, load_robot
+from rapidsim.motion.robot.robot import Robot, load_robot
 
 
 def open_robot(name: str, scale: float | None = None) -> Robot:
-    """A robot of the catalogue or of a URDF file; what is special about it is said on stderr.
+    """As `robot_of`; what is special about the robot is said on stderr."""
+    robot = robot_of(name, scale)
+    for notice in robot.notices:
+        say(f"note: {notice}", err=True)
+    return robot
+
+
+def robot_of(name: str, scale: float | None = None) -> Robot:
+    """A robot of the catalogue or of a URDF file.
 
     Args:
         name: As the user named it.
@@ -19,11 +27,8 @@ def open_robot(name: str, scale: float | None = None) -> Robot:
         InputError: If it is unknown, unreadable, or not supported.
     """
     try:
-        robot = load_robot(name, scale=scale)
+        return load_robot(name, scale=scale)
     except RobotError as error:
         is_file = name.lower().endswith(DESCRIPTIONS)
         help = None if is_file else "`rapidsim robots` lists the catalogue"
         raise InputError(str(error), help) from error
-    for notice in robot.notices:
-        say(f"note: {notice}", err=True)
-    return robot

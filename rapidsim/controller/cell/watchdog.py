@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Event, Lock, Thread, get_ident
 from time import monotonic, sleep
-from typing import Final, Protocol
+from typing import ClassVar, Final, Protocol
 
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.controller.pointer_time import NO_TICKS
@@ -48,6 +48,9 @@ class Ticking(Protocol):
 
 class Watchdog:
     """Watches one run."""
+
+    runs_ended: ClassVar[int] = 0
+    """How many runs of this process had no more time: on a faster computer they would go on."""
 
     def __init__(self, limit_s: float | None, noted: Callable[[], int]) -> None:
         """Begin to watch a run.
@@ -125,6 +128,7 @@ class Watchdog:
             if self._rests.wait(min(runs_s, _LOOKS_S)):
                 return
         self._is_over = True
+        Watchdog.runs_ended += 1
         while True:
             for task in self._tasks:
                 task.left = NO_TICKS

@@ -10,6 +10,7 @@ from typing import Final
 import numpy as np
 
 from rapidsim.extras import require
+from rapidsim.files import DESCRIPTIONS
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Branches, Kinematics
 from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry, search_notices
@@ -164,10 +165,6 @@ class Robot:
     def inverse(self, base_from_flange: Transform) -> Branches:
         """All branches of poses (...,), before limits; `confdata.configurations` applies those."""
         return self.kinematics.inverse(base_from_flange)
-
-
-DESCRIPTIONS = (".urdf", ".xml", ".xacro")
-"""How the name of a file ends that describes an arm; any other name is one of the catalogue."""
 
 
 def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:

@@ -1,0 +1,49 @@
+"""Jobs checked with what the command line has: processes, results kept, a word if broken off."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+from rapidsim.cli.broken_off import told_if_broken_off
+from rapidsim.cli.terminal import say
+from rapidsim.jobs.check_many import check_jobs
+from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.job import Job
+from rapidsim.jobs.kept_results import KeptResults
+from rapidsim.jobs.result_store import ResultStore, cache_folder
+
+
+def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> list[CheckResult]:
+    """The results of jobs in their order; what is special about their arms is said on stderr.
+
+    Args:
+        jobs: What is checked.
+        processes: How many at a time.
+        uses_cache: Whether results of earlier checks are used, and these kept.
+    """
+    kept = KeptResults(_store() if uses_cache else None)
+    done = 0
+
+    def so_far() -> str:
+        return f" after {done} of {len(jobs)} programs" if len(jobs) > 1 else ""
+
+    results: list[CheckResult] = []
+    notices: list[str] = []
+    with told_if_broken_off(so_far):
+        for checked in check_jobs(jobs, kept, processes):
+            done += 1
+            results.append(checked.result)
+            notices += checked.notices
+    for notice in dict.fromkeys(notices):
+        say(f"note: {notice}", err=True)
+    kept.tidy()
+    return results
+
+
+def _store() -> ResultStore | None:
+    """Where the results of this user are kept; None for one who has no home."""
+    try:
+        return ResultStore(cache_folder(os.environ))
+    except RuntimeError:
+        return None

@@ -1,0 +1,59 @@
+"""What a check found. Here no analysis is imported: an earlier check may have found it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import field, replace
+
+from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.findings.runs import FAMILY_OF_RUNS
+from rapidsim.jobs.baseline import Key, told_apart
+from rapidsim.reach.checked_moves import Coverage
+from rapidsim.syntax import tree
+from rapidsim.values import dataclass
+
+_FAMILIES_OF_MOVES = "DKM"
+
+
+@dataclass(frozen=True, slots=True, eq=False, repr=False)
+class CheckResult:
+    """The findings, and what was not checked."""
+
+    files: tuple[str, ...]
+    """The files that were read."""
+    diagnostics: tuple[Diagnostic, ...]
+    """Findings in order of file and place, but for those that a baseline knows."""
+    trees: tuple[tree.File, ...]
+    """The files as they were parsed, with their comments."""
+    coverage: Coverage = field(default_factory=Coverage)
+    """How many moves were checked for reach, limits and path, and why others were not."""
+    known: tuple[Diagnostic, ...] = ()
+    """Findings that a baseline knows."""
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the program could run: no finding, known or new, is an error."""
+        return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
+
+    def against(self, known: Counter[Key]) -> CheckResult:
+        """The same result with the findings of a baseline marked as known."""
+        new, old = told_apart(self.diagnostics, known)
+        return replace(self, diagnostics=new, known=old)
+
+    def __repr__(self) -> str:
+        """One line."""
+        count = len(self.diagnostics)
+        verdict = "accepted" if self.accepted else "rejected"
+        return f"<check: {verdict}, files: {len(self.files)}, diagnostics: {count}>"
+
+    def looked_for(self, selector: str) -> bool:
+        """Whether everything that a selector covers was checked.
+
+        Args:
+            selector: A code, the prefix of a code, or the name of a rule. Rules about moves count
+                only if all moves were checked.
+        """
+        if selector[:1].upper() == FAMILY_OF_RUNS:
+            return False
+        may_be_of_moves = selector[:1].upper() in _FAMILIES_OF_MOVES or "-" in selector
+        return not (may_be_of_moves and self.coverage.unchecked)
