@@ -260,7 +260,6 @@ class LiveController:
         """
         self._require_stopped()
         if not name:
-            self.cell.home.close_all()
             self.cell.meetings = Meetings()
         for task in [self.task(name)] if name else self.tasks.values():
             if task.is_normal:
@@ -446,7 +445,8 @@ class LiveController:
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
         """A program cannot go on: all stop; the event log says why."""
         for one in found:
-            self.log.finding(one, self.now_s)
+            entry = self.log.finding(one, self.now_s, task.name)
+            self.cell.error_logged(entry, self.now_s)
         self.log.execution_error(self.now_s, task.name, message)
         for other in self.normal_tasks:
             if other is not task and other.executes:
