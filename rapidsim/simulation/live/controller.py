@@ -50,7 +50,7 @@ LEAST_RATIO = 1
 """A speed ratio of 0 % moves the robot at so many percent: standing still is not modelled."""
 
 
-def _untold(what: LogEntry | Event) -> None:
+def _untold(what: LogEntry | Event | Diagnostic) -> None:
     """Nobody hears of it."""
 
 
@@ -64,6 +64,8 @@ class LiveController:
     """Hears of each entry of the event log."""
     happened: Callable[[Event], None] = _untold
     """Hears of each event of the run, once its time is known."""
+    found: Callable[[Diagnostic], None] = _untold
+    """Hears of what a run would find that goes on, once for each rule and place."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
     cycle: Cycle = Cycle.FOREVER
@@ -99,7 +101,9 @@ class LiveController:
             InputError: If an arm cannot be timed, or no task moves one.
         """
         self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
-        self._journal = Journal(self.setups[0].name, self.keeps_all)
+        self._journal = Journal(
+            self.setups[0].name, self.keeps_all, hears=lambda found: self.found(found)
+        )
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
         self.cell.pendant = self.pendant
