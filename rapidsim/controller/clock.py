@@ -33,7 +33,6 @@ from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
-from rapidsim.language.error_log import LoggedError
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
 
@@ -469,11 +468,6 @@ class TaskClock:
     def _look_aside(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
         self.aside(now_s, lambda: self._table.look(now_s))
-
-    def log(self, entry: LoggedError) -> None:
-        """Add an entry to the event log."""
-        if self._cell.logbook is not None:
-            self._cell.logbook(self._journal.task, entry, self.observe())
 
     def cause(self) -> Cause:
         """The current statement, as the cause of what it changes."""

@@ -51,6 +51,7 @@ class VirtualController:
     execution: TaskExecution
     motion: TaskMotion
     others: TaskOthers
+    files: FileAccess
     sockets: TaskSockets
     guidance: TaskGuidance
     recorder: TaskPathRecorder
@@ -79,10 +80,11 @@ def virtual_controller(
         queue: Its message queue; None if nothing describes it.
     """
     state, table = MotionState(), InterruptTable()
+    cell.error_listeners.append(table)
     marks, world_from_base = PathMarks(unit), resolver.base_from_world.inverse()
     watched = WorldZoneTable(unit, world_from_base, cell.max_time_s, cell.watchdog.look)
     clock = TaskClock(cell, unit, journal, table, place)
-    interrupts = TaskInterrupts(clock, table)
+    interrupts = TaskInterrupts(clock, cell, table)
     execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
@@ -98,6 +100,7 @@ def virtual_controller(
     motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put, reader)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)
+    files = FileAccess(clock, cell)
     recorder = TaskPathRecorder(clock, unit, resolver, state, team.put)
     concerns = Controller(
         clock=clock,
@@ -108,7 +111,7 @@ def virtual_controller(
         searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
-        files=FileAccess(clock, cell),
+        files=files,
         texts=TaskTexts(clock, cell),
         sockets=sockets,
         interrupts=interrupts,
@@ -124,5 +127,5 @@ def virtual_controller(
         guidance=guidance,
     )
     return VirtualController(
-        clock, execution, motion, others, sockets, guidance, recorder, concerns
+        clock, execution, motion, others, files, sockets, guidance, recorder, concerns
     )

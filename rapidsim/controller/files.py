@@ -26,11 +26,15 @@ class FileAccess:
         Raises:
             RapidError: See `HomeFolder.open_file`.
         """
-        file = self.cell.home.open_file(path, mode, self.clock.now())
+        file = self.cell.home.open_file(path, mode, self.clock.now(), owner=self)
         self.clock.event(
             EventKind.FILE, f"opened {path} to {mode.value}", path=path, mode=mode.value
         )
         return file
+
+    def close_all(self) -> None:
+        """Close what the task left open."""
+        self.cell.home.close_all(owner=self)
 
     def read_module(self, path: str, most: int) -> Source:
         """The text of a program file of the home folder.

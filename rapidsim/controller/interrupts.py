@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
+from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import Due, InterruptTable
 from rapidsim.controller.journal.events import EventKind
@@ -24,6 +25,7 @@ class TaskInterrupts:
 
     on_path: ClassVar = False
     clock: TaskClock
+    cell: Cell
     table: InterruptTable
     intno: float = 0.0
     in_trap: bool = False
@@ -82,11 +84,10 @@ class TaskInterrupts:
         self.table.order_logged(interrupt, wanted)
 
     def log_error(self, entry: LoggedError) -> None:
-        """Add an entry to the event log."""
-        self.clock.log(entry)
-        if self.table.hears_errors:
-            now_s = self.clock.observe()
-            self.table.error_logged(entry, now_s)
+        """Add an entry to the event log, which raises the interrupts of tasks that want it."""
+        if self.cell.keeps_log:
+            now_s = self.clock.come_up()
+            self.cell.log(self.clock.cause().journal.task, entry, now_s)
             self.clock.pass_time(now_s)
 
     def trap_cause(self) -> LoggedError | None:

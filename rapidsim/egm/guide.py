@@ -207,8 +207,8 @@ class _Talk:
     def _tell(self) -> Heard | None:
         """Tell what is due of the stream; what the sensor has answered, if that counts."""
         answer, one = None, self.correcting
+        self.socket.hear()
         if one is not None:
-            self.socket.hear()
             answer = self.socket.take()
         if self.stream:
             told = self.stream.pop(0)

@@ -37,13 +37,16 @@ class Ports:
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
 
     def to(self, address: Address) -> SensorSocket:
-        """Start talking to a sensor."""
+        """Start talking to a sensor, with what it said to the previous program forgotten."""
         if address not in self._streams:
             stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             stream.setblocking(False)
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
-        return SensorSocket(address, self._streams[address])
+        fresh = SensorSocket(address, self._streams[address])
+        fresh.hear()
+        fresh.take()
+        return fresh
 
     def close(self) -> None:
         """Close all ports."""
@@ -62,6 +65,7 @@ class SensorSocket:
     """Datagrams that were no message."""
     _number: int = 0
     _answer: SensorAnswer | None = None
+    _has_guided: bool = False
 
     def send(self, feedback: Feedback) -> None:
         """Send the robot's position to the sensor; delivery is not confirmed."""
@@ -93,9 +97,14 @@ class SensorSocket:
         return answer
 
     def begin(self) -> None:
-        """Discard what was received before the guidance."""
+        """A guidance begins: the first with the last answer, for a sensor may say its goal once.
+
+        What came since the guidance before may still be an answer to that one.
+        """
         self.hear()
-        self._answer = None
+        if self._has_guided:
+            self._answer = None
+        self._has_guided = True
 
 
 @dataclass(slots=True, eq=False)
@@ -121,6 +130,10 @@ class PacedSensor(SilentSensor):
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """Send a message and wait for the answer until the next one is due."""
+        self._send(feedback)
+        return self.socket.take()
+
+    def _send(self, feedback: Feedback) -> None:
         self.socket.send(feedback)
         self._due_s = max(self._due_s + self._sample_s, monotonic() - self._sample_s)
         while (left_s := self._due_s - monotonic()) > 0.0:
@@ -128,7 +141,6 @@ class PacedSensor(SilentSensor):
             if ready and self.socket.hear() and not self.waits_full:
                 break
         self.socket.hear()
-        return self.socket.take()
 
     def end(self, feedback: Feedback) -> None:
         """Send a last message."""
@@ -137,7 +149,7 @@ class PacedSensor(SilentSensor):
     def tell(self, stream: Sequence[Feedback]) -> None:
         """Send each message at its wall-clock time."""
         for feedback in stream:
-            self.exchange(feedback)
+            self._send(feedback)
 
 
 @dataclass(slots=True, eq=False)

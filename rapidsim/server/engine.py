@@ -13,6 +13,7 @@ from time import monotonic
 from typing import Final, Protocol
 
 from rapidsim.controller.journal.events import Event
+from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.journal import (
     event_line,
@@ -211,6 +212,7 @@ class Engine:
         self.context = Context(self.live)
         self.subscriptions = Subscriptions(self.context, self.told)
         self.live.told = self._logged
+        self.live.found = self._found
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
         if self.journal is not None:
             self._listen()
@@ -356,6 +358,12 @@ class Engine:
         if entry.type > 1:
             kind = "error" if entry.type == 3 else "warning"
             self.told(Note(f"{kind}: {entry.time_s:.3f} s: {entry.title}: {entry.text}"))
+
+    def _found(self, found: Diagnostic) -> None:
+        if found.severity is not Severity.NOTE:
+            where = f" ({found.file}, line {found.line})" if found.file else ""
+            time = f"{self.live.now_s:.3f} s"
+            self.told(Note(f"warning: {time}: {found.message}{where} [{found.code}]"))
 
     def _tell_lag(self) -> None:
         lag_s = self.pace.lag_s(self.live.now_s)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.journal.journal import Journal, not_simulated_finding
 from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
     PollsForever,
@@ -19,20 +19,17 @@ from rapidsim.controller.moves.move_request import MoveRefusedError
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.findings.runs import (
-    AcceptedWithoutEffect,
     BackwardNotExecuted,
     ConveyorNotFollowed,
     CutOff,
     EndlessWait,
     NotDeclaredHere,
     ProgramStopped,
-    RoutineNotSimulated,
     TrapStorms,
     UncaughtError,
     WorldZoneReached,
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
-from rapidsim.language.controller import ACCEPTED
 from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
@@ -140,14 +137,10 @@ def motion_finding(error: MotionError) -> Diagnostic:
 
 def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
     """One finding for each routine that was met and not simulated, where it was met first."""
-    findings = []
-    for one in journal.not_simulated():
-        place = journal.first_met(one)
-        without_effect = one.treated_as.startswith(ACCEPTED)
-        kind = AcceptedWithoutEffect if without_effect else RoutineNotSimulated
-        violation = kind(one.name, one.treated_as)
-        findings.append(Diagnostic(violation, place.span, routine=place.routine))
-    return tuple(findings)
+    return tuple(
+        not_simulated_finding(one.name, one.treated_as, journal.first_met(one))
+        for one in journal.not_simulated()
+    )
 
 
 def backward_findings(program: Program) -> tuple[Diagnostic, ...]:

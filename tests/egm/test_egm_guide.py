@@ -138,6 +138,29 @@ def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:
     ]
 
 
+def test_what_is_said_during_the_stream_begins_the_first_guidance_only() -> None:
+    # A client may name its goal once, while the program still moves the robot.
+    run, feedback = begun()
+    word = standing_feedback(feedback.frames, 0.0, run.start, (), Guided.NOT_YET, 0.0)
+    answer = encode(SENSOR, {"planned": {"joints": {"joints": GOAL}}})
+    answers = []
+    with guided() as (sensors, sensor):
+        one = sensors.open("dev")
+        for _ in range(2):
+            one.tell([word])
+            _, controller = heard(sensor)
+            sensor.sendto(answer, controller)
+            one.begin(deepcopy(run), Teller(0.1, 1, feedback))
+            answers.append(one.exchange(feedback(run, 0.1)))
+            one.end(word)
+        one.close()
+        other = sensors.open("dev")
+        other.begin(deepcopy(run), Teller(0.1, 1, feedback))
+        answers.append(other.exchange(feedback(run, 0.1)))
+        other.close()
+    assert [answer and answer.joints for answer in answers] == [GOAL, None, None]
+
+
 def correction(y_mm: float) -> bytes:
     told = {"pos": {"x": 0.0, "y": y_mm, "z": 0.0}, "age": 1}
     kind = {"mtype": MessageType.PATH_CORRECTION}

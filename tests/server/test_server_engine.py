@@ -51,8 +51,8 @@ class HandPace:
         return self.wall_s - now_s
 
 
-def engine(folder: Path, pace: Pace) -> tuple[Engine, list[Told]]:
-    (folder / "paced.mod").write_text(PROGRAM)
+def engine(folder: Path, pace: Pace, program: str = PROGRAM) -> tuple[Engine, list[Told]]:
+    (folder / "paced.mod").write_text(program)
     made = ready(Asked(paths=(str(folder / "paced.mod"),), home=str(folder)))
     told: list[Told] = []
     return Engine(LiveController(made.setups, made.options), pace, told.append), told
@@ -107,6 +107,20 @@ def test_at_full_speed_everything_happens_that_can(tmp_path: Path) -> None:
     assert value(served, "rounds") == 3.0
     assert served.wait_s() is None
     assert any(isinstance(one, Note) and one.text.startswith("error: ") for one in told)
+
+
+def test_what_is_not_simulated_is_told_once(tmp_path: Path) -> None:
+    weaves = "MODULE weaves\nPROC main()\nArcRefresh;\nWaitTime 1;\nENDPROC\nENDMODULE\n"
+    pace = HandPace()
+    served, told = engine(tmp_path, pace, weaves)
+    served.reply(START)
+    for wall_s in (1.5, 2.5, 3.5):
+        pace.wall_s = wall_s
+        while served.step():
+            pass
+    (note,) = [one.text for one in told if isinstance(one, Note)]
+    assert note.startswith("warning: 0.000 s: `ArcRefresh`")
+    assert note.endswith("paced.mod, line 3) [R104]")
 
 
 def test_in_lock_step_the_same_requests_give_the_same_replies(tmp_path: Path) -> None:

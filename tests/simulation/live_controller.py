@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind, Status
@@ -28,7 +30,13 @@ SIGNALS = (
 class Live:
     """An IRB 1600 and its programs, a task each; the first one has the robot."""
 
-    def __init__(self, *programs: str, io: CellIo | None = None, background: str = "") -> None:
+    def __init__(
+        self,
+        *programs: str,
+        io: CellIo | None = None,
+        background: str = "",
+        home: Path | None = None,
+    ) -> None:
         robot = load_robot("irb1600")
         setups = [
             TaskSetup(f"T_ROB{number}", _program(text), robot if number == 1 else None)
@@ -37,7 +45,7 @@ class Live:
         if background:
             setups.append(TaskSetup("T_BACK", _program(background), kind=TaskKind.STATIC))
         self.entries: list[LogEntry] = []
-        options = RunOptions(io=io or CellIo(signals=SIGNALS))
+        options = RunOptions(io=io or CellIo(signals=SIGNALS), home=home)
         self.controller = LiveController(tuple(setups), options, self.entries.append)
 
     def value(self, name: str, task: str = "T_ROB1") -> str:

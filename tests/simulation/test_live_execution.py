@@ -1,5 +1,7 @@
 """Programs of a controller that stays on: started, stopped, begun anew, failed."""
 
+from pathlib import Path
+
 import pytest
 from live_controller import Live, module
 
@@ -306,3 +308,55 @@ def test_the_same_acts_at_the_same_times_give_the_same_run_to_the_last_bit() -> 
         return [live.axis_1(), live.value("n"), live.entries]
 
     assert run(0.05) == run(0.35)
+
+
+NOTES = r"""MODULE notes
+  PERS string heard := "";
+  VAR intnum wrong;
+  VAR iodev log;
+  PROC main()
+    CONNECT wrong WITH note;
+    IError COMMON_ERR, TYPE_ERR, wrong;
+    Open "HOME:" \File:="notes.txt", log \Write;
+    WHILE TRUE DO
+      WaitTime 0.1;
+      Write log, "still here";
+    ENDWHILE
+  ENDPROC
+  TRAP note
+    VAR trapdata cause;
+    VAR errdomain domain;
+    VAR num id;
+    VAR errtype kind;
+    VAR string first;
+    GetTrapData cause;
+    ReadErrData cause, domain, id, kind \Str1:=first;
+    heard := heard + NumToStr(10000*domain+id, 0) + " " + first + ";";
+  ENDTRAP
+ENDMODULE
+"""
+
+
+def test_a_task_of_the_background_hears_of_what_stops_another(tmp_path: Path) -> None:
+    # The task itself runs no trap any more.
+    fails = 'ErrWrite "Gripper", "lost"; WaitTime 1; n := 1 / n;'
+    live = Live(module(fails, "PERS num n := 0;"), background=NOTES, home=tmp_path)
+    live.after(0.1)
+    live.controller.start(Cycle.ONCE)
+    live.after(0.5)
+    assert live.value("heard", "T_BACK") == '"80001 lost;"'
+    live.after(1.0)
+    assert not live.controller.executes
+    assert live.value("heard", "T_BACK") == '"80001 lost;40000 T_ROB1;"'
+
+
+def test_the_pointer_to_main_closes_the_files_of_its_task_only(tmp_path: Path) -> None:
+    # A task may have a hundred files open.
+    opens = 'Open "HOME:" \\File:="own.txt", own \\Write; Stop;'
+    live = Live(module(opens, "VAR iodev own;"), background=NOTES, home=tmp_path)
+    for _ in range(101):
+        live.controller.start(Cycle.ONCE)
+        live.after(0.1)
+        live.controller.reset_pointers()
+    assert [one.text for one in live.entries if one.type == 3] == []
+    assert live.controller.task("T_BACK").executes

@@ -150,6 +150,15 @@ def test_a_move_without_correction_comes_back_to_its_path() -> None:
     assert course.places[-1] == pytest.approx((800.0, 100.0, 600.0), abs=0.05)
 
 
+def test_the_quarter_turns_at_the_end_are_those_that_the_path_leads_to() -> None:
+    # A correction may take an axis into another quarter; a path without one is held to its target.
+    turned = "VAR robtarget p; p := p2; p.robconf.cf6 := 1; prepare;"
+    it, _ = corrected(f"{turned}\nEGMMoveL id, p, v50, fine, tool0;", by(0.0))
+    assert it.end == "ended"
+    it, _ = corrected(f"{turned}\nMoveL p, v50, fine, tool0;", by(0.0))
+    assert it.end == "error"
+
+
 def test_silence_is_an_error_of_the_move() -> None:
     # It has said something for half a second; then the robot stops where it is, and another move
     # begins there.

@@ -10,7 +10,7 @@ Passing time goes through `turns`, so that several tasks can share one clock.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Set
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import camera_state
@@ -47,6 +47,19 @@ class Listener(Protocol):
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
         """A signal this listens to has changed."""
+        ...
+
+
+class ErrorListener(Protocol):
+    """Whose interrupts entries of the event log may raise."""
+
+    @property
+    def hears_errors(self) -> bool:
+        """Whether any entry does."""
+        ...
+
+    def error_logged(self, entry: LoggedError, now_s: float) -> None:
+        """An entry has come into the event log."""
         ...
 
 
@@ -176,6 +189,7 @@ class Cell:
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
         """Called with each entry of the event log, its task and its time [s]."""
         self.listeners: list[Listener] = []
+        self.error_listeners: list[ErrorListener] = []
         self.happenings = 0
         """Counts everything that another task may have to react to."""
         self._io = inputs.io
@@ -234,6 +248,29 @@ class Cell:
             self._follow(name, cause, moment)
             self._stimulate(name, moment)
         return True
+
+    @property
+    def keeps_log(self) -> bool:
+        """Whether an entry of the event log matters to anybody."""
+        return self.logbook is not None or any(one.hears_errors for one in self.error_listeners)
+
+    def log(self, task: str, entry: LoggedError, time_s: float) -> None:
+        """Put an entry of a task into the event log."""
+        if self.logbook is not None:
+            self.logbook(task, entry, time_s)
+        self.error_logged(entry, time_s)
+
+    def error_logged(self, entry: LoggedError, time_s: float) -> None:
+        """Raise the interrupts of all tasks that want an entry of the event log."""
+        for one in tuple(self.error_listeners):
+            one.error_logged(entry, time_s)
+        self.tell(Moment(Instant(time_s)))
+
+    def forget(self, listeners: Set[int]) -> None:
+        """Tell some listeners, given by identity, nothing any more."""
+        self.listeners[:] = [one for one in self.listeners if id(one) not in listeners]
+        left = [one for one in self.error_listeners if id(one) not in listeners]
+        self.error_listeners[:] = left
 
     def task_ended(self, task: str, time_s: float, *, failed: bool) -> None:
         """Update the system outputs: a task has stopped executing, and may have failed."""

@@ -83,8 +83,9 @@ class _Disk:
 class HomeFile:
     """One open file of the home folder."""
 
-    def __init__(self, stream: BinaryIO, name: str, disk: _Disk) -> None:
+    def __init__(self, stream: BinaryIO, name: str, disk: _Disk, owner: object) -> None:
         """Take over an open stream; `name` is for messages."""
+        self.owner = owner
         self._stream = stream
         self._disk = disk
         self._name = name
@@ -155,8 +156,10 @@ class HomeFolder:
         """For each program file that was read, when it had been written [s]."""
         self._disk = _Disk()
 
-    def open_file(self, path: str, mode: FileMode, now_s: float = 0.0) -> OpenFile:
-        """Open a file named as RAPID names it.
+    def open_file(
+        self, path: str, mode: FileMode, now_s: float = 0.0, owner: object = None
+    ) -> OpenFile:
+        """Open a file named as RAPID names it, for somebody who may close all of its own.
 
         Raises:
             RapidError: ERR_FILEOPEN, with the reason; ERR_FILEACC where the disk is full.
@@ -180,7 +183,7 @@ class HomeFolder:
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
             self._written[place] = now_s
-        file = HomeFile(stream, path, self._disk)  # type: ignore[arg-type]
+        file = HomeFile(stream, path, self._disk, owner)  # type: ignore[arg-type]
         self._files = [one for one in self._files if not one.is_closed] + [file]
         return file
 
@@ -291,10 +294,11 @@ class HomeFolder:
         place = self._place(path, or_root=True)
         return sum(one.lstat().st_size for one in place.rglob("*") if one.is_file())
 
-    def close_all(self) -> None:
-        """Close what the program left open."""
+    def close_all(self, owner: object = None) -> None:
+        """Close what an owner left open; None means all."""
         for file in self._files:
-            file.close()
+            if owner is None or file.owner is owner:
+                file.close()
 
     def written(self) -> tuple[tuple[str, int], ...]:
         """Path and size [bytes] of each file the program wrote, in order of opening."""

@@ -7,13 +7,15 @@ time until it is; entries refer to it and are dated when the run is over.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import field
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.findings.runs import AcceptedWithoutEffect, RoutineNotSimulated
+from rapidsim.language.controller import ACCEPTED
 from rapidsim.language.moves import Place
 from rapidsim.values import dataclass
 
@@ -75,6 +77,8 @@ class Journal:
     _reported: set[object] = field(default_factory=set)
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
+    hears: Callable[[Diagnostic], None] | None = None
+    """Told at once what is found or not simulated, once for each rule and place."""
     remarks: int = 0
     """How often something was found, has failed or was not simulated."""
 
@@ -83,7 +87,7 @@ class Journal:
 
         So what happens at one instant keeps the order in which it happened.
         """
-        return Journal(task, self.keeps_all, _events=self._events)
+        return Journal(task, self.keeps_all, _events=self._events, hears=self.hears)
 
     @property
     def noted(self) -> int:
@@ -140,11 +144,14 @@ class Journal:
                 return
             self._reported.add(once)
         self.remarks += 1
-        if not self.keeps_all:
+        if not self.keeps_all and self.hears is None:
             return
         span = place.span if place else None
         routine = place.routine if place else None
-        self._diagnostics.append(Diagnostic(violation, span, routine=routine, assumed=assumed))
+        found = Diagnostic(violation, span, routine=routine, assumed=assumed)
+        if self.keeps_all:
+            self._diagnostics.append(found)
+        self._tell(found)
 
     def failed_move(self, failed: FailedMove) -> None:
         """Record a move that could not be made; once, even if a loop tries it again."""
@@ -164,6 +171,13 @@ class Journal:
         key = (name, treated_as)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
         self._first_met.setdefault(key, place)
+        self._tell(not_simulated_finding(name, treated_as, place))
+
+    def _tell(self, found: Diagnostic) -> None:
+        key = (found.code, found.span)
+        if self.hears is not None and key not in self._reported:
+            self._reported.add(key)
+            self.hears(found)
 
     def events(self) -> tuple[Event, ...]:
         """All events of the cell in order of time; at the same time, in the order of recording."""
@@ -202,3 +216,9 @@ class Journal:
     def first_met(self, one: Unsimulated) -> Place:
         """Where a routine that was not simulated was first called."""
         return self._first_met[one.name, one.treated_as]
+
+
+def not_simulated_finding(name: str, treated_as: str, place: Place) -> Diagnostic:
+    """A routine that was met and not simulated, or accepted without effect."""
+    kind = AcceptedWithoutEffect if treated_as.startswith(ACCEPTED) else RoutineNotSimulated
+    return Diagnostic(kind(name, treated_as), place.span, routine=place.routine)

@@ -41,7 +41,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
-from rapidsim.language.moves import Place, SingularArea
+from rapidsim.language.moves import Place, Sensed, SingularArea
 from rapidsim.motion.configurations.confdata import (
     Configuration,
     configuration,
@@ -247,7 +247,12 @@ class Arrivals:
         return bool(stands_as(self.robot.kinematics, chosen.joints, np.array(wanted)))
 
     def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
-        """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names."""
+        """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names.
+
+        Nobody knows beforehand in which quarter turns a path ends that a sensor corrects.
+        """
+        if asked.request.move.sensed is not Sensed.NEVER:
+            return False
         in_joints = segment.geometry is Geometry.JOINT
         monitored = asked.request.settings.conf_j if in_joints else asked.request.settings.conf_l
         return monitored and told_apart(self.robot.kinematics)

@@ -50,7 +50,7 @@ LEAST_RATIO = 1
 """The speed ratio [%] used in place of 0 %: a robot that stands still is not modelled."""
 
 
-def _untold(what: LogEntry | Event) -> None:
+def _untold(what: LogEntry | Event | Diagnostic) -> None:
     """A listener that ignores everything."""
 
 
@@ -64,6 +64,8 @@ class LiveController:
     """Called with each entry of the event log."""
     happened: Callable[[Event], None] = _untold
     """Called with each event of the run, once its time is known."""
+    found: Callable[[Diagnostic], None] = _untold
+    """Called with each finding that does not end a run, once for each rule and place."""
     motors: Motors = Motors.ON
     mode: Mode = Mode.AUTO
     cycle: Cycle = Cycle.FOREVER
@@ -99,7 +101,9 @@ class LiveController:
             InputError: If an arm cannot be timed, or no task moves one.
         """
         self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
-        self._journal = Journal(self.setups[0].name, self.keeps_all)
+        self._journal = Journal(
+            self.setups[0].name, self.keeps_all, hears=lambda found: self.found(found)
+        )
         self.cell = Cell(self.options.cell, self._journal)
         self.cell.outsiders_act = True
         self.cell.pendant = self.pendant
@@ -260,7 +264,6 @@ class LiveController:
         """
         self._require_stopped()
         if not name:
-            self.cell.home.close_all()
             self.cell.meetings = Meetings()
         for task in [self.task(name)] if name else self.tasks.values():
             if task.is_normal:
@@ -446,7 +449,8 @@ class LiveController:
     def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
         """A program cannot continue: all tasks stop, and the event log says why."""
         for one in found:
-            self.log.finding(one, self.now_s)
+            entry = self.log.finding(one, self.now_s, task.name)
+            self.cell.error_logged(entry, self.now_s)
         self.log.execution_error(self.now_s, task.name, message)
         for other in self.normal_tasks:
             if other is not task and other.executes:

@@ -15,6 +15,7 @@ from typing import Final
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
+from rapidsim.library.text import MAX_STRING
 from rapidsim.simulation.live.states import Mode, Motors
 from rapidsim.values import dataclass
 
@@ -93,14 +94,21 @@ class EventLog:
         text = f"The program of {task} has stopped: {message}"
         self._note(1, int(ERROR), EXECUTION_ERROR, time_s, title, text, (task,))
 
-    def finding(self, found: Diagnostic, time_s: float) -> None:
-        """Log what stopped a program, under the controller's number where it has one."""
-        number = _CF.search(found.violation.rule.cf or "")
+    def finding(self, found: Diagnostic, time_s: float, task: str) -> LoggedError:
+        """Log what stopped a program, under the controller's number where it has one.
+
+        Returns:
+            What traps hear of it, in texts as long as a string of RAPID may be.
+        """
+        given = _CF.search(found.violation.rule.cf or "")
         where = f" ({found.file}, line {found.line})" if found.file else ""
         rule = found.violation.rule.name.replace("-", " ")
-        code = int(number[0]) if number else _WITHOUT_NUMBER
+        code = int(given[0]) if given else _WITHOUT_NUMBER
         title = rule[:1].upper() + rule[1:]
-        self._note(code // 10_000, int(ERROR), code, time_s, title, found.message + where, ())
+        domain, number = divmod(code, 10_000)
+        self._note(domain, int(ERROR), code, time_s, title, found.message + where, ())
+        texts = (task, found.message[:MAX_STRING])
+        return LoggedError(float(domain), float(number), ERROR, title, texts)
 
     def written(self, entry: LoggedError, time_s: float) -> None:
         """Log what a program wrote, or what happened to its motion."""

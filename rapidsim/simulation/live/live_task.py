@@ -185,13 +185,14 @@ class LiveTask:
             return
         clock = self.run.controller.clock
         self.turns.remove(clock)
+        self.run.controller.files.close_all()
         self.run.controller.sockets.close_all(now_s)
         self.unit.own.end_guidance()
         self.run.controller.guidance.forget_all()
         self.cell.watchdog.forget(clock)
         # By identity: two tables without interrupts are equal.
         own, self._own = {id(one) for one in self._own}, ()
-        self.cell.listeners[:] = [one for one in self.cell.listeners if id(one) not in own]
+        self.cell.forget(own)
         self.unit.part()
         queue = self.unit.own
         with suppress(MotionError):
