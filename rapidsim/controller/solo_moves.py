@@ -79,9 +79,7 @@ class SoloMoves:
             )
         if queue.corrected is not None and move.sensed is Sensed.NEVER:
             queue.corrected.end()
-        queued = self.resolver.resolve(
-            move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
-        )
+        queued = self.resolver.resolve(move, self.clock.place, queue.end, self.state.settings)
         if self.clock.thinks_long() or not queue.is_open:
             self.clock.observe()
         moment = self.clock.moment()

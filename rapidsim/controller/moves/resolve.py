@@ -84,8 +84,6 @@ class Resolver:
         place: Place,
         start: Waypoint,
         settings: MotionSettings,
-        *,
-        index: int = 0,
     ) -> QueuedMove:
         """Work out where a move goes.
 
@@ -94,13 +92,12 @@ class Resolver:
             place: Where it stands in the program.
             start: Where it starts.
             settings: Of the task.
-            index: Its number on the path, as far as that is known.
 
         Raises:
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
         if not place.is_lasting:
-            return self._resolved(move, place, start, settings, index)
+            return self._resolved(move, place, start, settings)
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
         key = (id(place), move, settings, *stands)
@@ -108,7 +105,7 @@ class Resolver:
         if known is not None and known.place is place:
             return known.again()
         remarks = self.journal.remarks
-        queued = self._resolved(move, place, start, settings, index)
+        queued = self._resolved(move, place, start, settings)
         if self.journal.remarks == remarks:
             if len(self._repeats) == _MOST_REPEATS:
                 self._repeats.clear()
@@ -116,7 +113,7 @@ class Resolver:
         return queued
 
     def _resolved(
-        self, move: Move, place: Place, start: Waypoint, settings: MotionSettings, index: int
+        self, move: Move, place: Place, start: Waypoint, settings: MotionSettings
     ) -> QueuedMove:
         to = move.to
         request = MoveRequest(move, settings, self._placement_of(move, place))
@@ -130,7 +127,6 @@ class Resolver:
             (end,),
             self.robot,
             payload_acceleration=self.payload_acceleration,
-            first=index,
         )
         if isinstance(to, RobTarget):
             segment, arrival = self._arrivals.of(asked, to.robconf, segment, is_short=is_short)

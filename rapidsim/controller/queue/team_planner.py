@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of
 from rapidsim.controller.queue import stopping
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
@@ -44,18 +45,21 @@ class Offer:
 class _TeamTrajectory(Trajectory):
     """The motion over the common parameter; it gives each robot its own."""
 
-    def __init__(self, robots: Sequence[SoloQueue]) -> None:
+    def __init__(self, robots: Sequence[SoloQueue], moves: GivenMoves) -> None:
         own = robots[0]
         model = own.planner.model
         super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
-        self._robots = robots
+        self._robots, self._moves = robots, moves
 
     def append(self, piece: Piece) -> float:
         """Add a piece to the motion of each robot too."""
         path = piece.path
         assert isinstance(path, TeamPath)
+        lead = self._moves[piece.first]
+        assert isinstance(lead, TeamMove)
         for number, robot in enumerate(self._robots):
-            robot.trajectory.append(replace(piece, path=path.part(number)))
+            first = lead.parts[number].number
+            robot.trajectory.append(replace(piece, path=path.part(number), first=first))
         return super().append(piece)
 
     def cut(self, time_s: float) -> None:
@@ -75,18 +79,19 @@ class TeamPlanner:
             tasks: Names of their tasks.
             robots: Their own queues, in the order of the tasks.
         """
-        lead = robots[0].planner
+        lead, moves = robots[0].planner, GivenMoves()
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
         self.offer: Offer | None = None
         self.planner = BlockPlanner(
-            _TeamTrajectory(robots),
+            _TeamTrajectory(robots, moves),
             lead.model,
             limits_together([robot.planner.limits for robot in robots]),
             self._build,
             self._pass_on,
             lead.look,
             ready_s=max(robot.planner.ready_s for robot in robots),
+            moves=moves,
         )
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""
@@ -149,7 +154,6 @@ class TeamPlanner:
             zone = None if stops else part.segment.zone
             part.segment = replace(
                 part.segment,
-                index=len(robot.moves),
                 zone=zone,
                 ramp=move.segment.ramp,
                 stop_ramp=stop_ramp,
@@ -176,7 +180,11 @@ class TeamPlanner:
         plan = planner.planned()
         assert isinstance(plan.path, TeamPath)
         path = plan.path.part(number)
-        return own.extended(Piece(plan.start_s, path, plan.timing, plan.from_m, path.length))
+        lead = planner.block.moves[plan.first]
+        assert isinstance(lead, TeamMove)
+        first = lead.parts[number].number
+        rest = Piece(plan.start_s, path, plan.timing, plan.from_m, path.length, first)
+        return own.extended(rest)
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
         paths = []
@@ -196,7 +204,7 @@ class TeamPlanner:
         joint = team_path(paths)
         for k, (move, segment) in enumerate(zip(moves, joint.segments, strict=True)):
             zone = move.segment.zone if k == lost_corner else segment.zone
-            move.segment = replace(segment, index=move.segment.index, zone=zone)
+            move.segment = replace(segment, zone=zone)
         return joint
 
     def _pass_on(self, moves: Sequence[QueuedMove], path: Path | None) -> None:
