@@ -37,7 +37,6 @@ _NOTHING_SPECIAL = MappingProxyType(
 
 
 def plain_segment(
-    index: int,
     geometry: Geometry,
     start: Waypoint,
     end: Waypoint,
@@ -49,4 +48,4 @@ def plain_segment(
 ) -> Segment:
     """A segment as of a program without settings, but for the fields in `others`."""
     fields: dict[str, Any] = {**_NOTHING_SPECIAL, **others}
-    return Segment(index, geometry, start, end, tcp_from_flange, branch, speed, zone, **fields)
+    return Segment(geometry, start, end, tcp_from_flange, branch, speed, zone, **fields)

@@ -118,7 +118,6 @@ def print_moves(robot: Robot, count: int, speed_m_s: float) -> list[Segment]:
     speed = Speed(speed_m_s, np.radians(500.0))
     return [
         plain_segment(
-            index=i,
             geometry=Geometry.LINE,
             start=points_and_joints[i],
             end=points_and_joints[i + 1],
@@ -147,7 +146,6 @@ def pick_moves(robot: Robot, count: int, moves_a_block: int) -> list[Segment]:
     zone, speed = Zone(0.01, 0.015, np.radians(1.0)), Speed(0.5, np.radians(500.0))
     return [
         plain_segment(
-            index=i,
             geometry=Geometry.JOINT if i % 2 else Geometry.LINE,
             start=ends[i],
             end=ends[i + 1],

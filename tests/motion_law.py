@@ -100,14 +100,14 @@ def _of_moves(pieces: tuple[Piece, ...]) -> tuple[Array, Array, Array]:
     Moves with a time of their own have no speed, and on arcs that two wrist axes lead it is not the
     TCP's; in the middle of a corner speeds change.
     """
-    count = 1 + max(segment.index for piece in pieces for segment in piece.path.segments)
+    count = max(piece.first + len(piece.path.segments) for piece in pieces)
     share, speed, load = np.ones(count), np.full(count, np.inf), np.zeros(count)
     for piece in pieces:
-        for segment in piece.path.segments:
-            share[segment.index] = segment.acceleration_share
-            load[segment.index] = segment.load
+        for number, segment in piece.numbered:
+            share[number] = segment.acceleration_share
+            load[number] = segment.load
             of_tcp = segment.duration is None and segment.wrist_pair is None
-            speed[segment.index] = segment.speed.tcp if of_tcp else np.inf
+            speed[number] = segment.speed.tcp if of_tcp else np.inf
     return share, speed, load
 
 

@@ -80,7 +80,7 @@ class SoloMoves:
         if queue.corrected is not None and move.sensed is Sensed.NEVER:
             queue.corrected.end()
         queued = self.resolver.resolve(
-            move, self.clock.place, queue.end, self.state.settings, index=len(queue.moves)
+            move, self.clock.place, queue.end, self.state.settings, is_first=not len(queue.moves)
         )
         if self.clock.thinks_long() or not queue.is_open:
             self.clock.observe()

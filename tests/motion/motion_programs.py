@@ -135,7 +135,6 @@ class Programmer:
         options: dict[str, object],
     ) -> None:
         segment = plain_segment(
-            index=len(self.segments),
             geometry=geometry,
             start=Waypoint(self.joints, self.pose),
             end=end,

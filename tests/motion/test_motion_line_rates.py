@@ -279,7 +279,7 @@ def test_arms_with_rods_and_other_signs_and_all_branches(name: str, branch: int)
     )
     segments = [
         plain_segment(
-            i, Geometry.LINE, points[i], points[i + 1], Transform.identity(), branch, V500, z
+            Geometry.LINE, points[i], points[i + 1], Transform.identity(), branch, V500, z
         )
         for i, z in enumerate((zone(5), None))
     ]

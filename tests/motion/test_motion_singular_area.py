@@ -31,7 +31,6 @@ def across(*ends: Array, wrist: bool = True) -> list[Segment]:
         begin, finish = (Waypoint(q, ROBOT.forward(q) @ TOOL) for q in (start, end))
         segments.append(
             plain_segment(
-                index=index,
                 geometry=Geometry.LINE,
                 start=begin,
                 end=finish,

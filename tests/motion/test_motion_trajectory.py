@@ -191,9 +191,10 @@ def test_moves_are_counted_by_the_middle_of_their_corners() -> None:
 def test_standing_between_two_blocks_the_last_move_counts() -> None:
     second = Programmer(joints=PROGRAM.joints).line((0.1, 0, 0)).segments[0]
     later = Waypoint(second.start.joints, second.start.base_from_tcp)
-    path = path_of([replace(second, index=4, start=later)])
+    path = path_of([replace(second, start=later)])
     trajectory = run(0.0)
-    trajectory.append(whole(trajectory.command_end + 1.0, path, plan(path, LIMITS)))
+    later_piece = whole(trajectory.command_end + 1.0, path, plan(path, LIMITS))
+    trajectory.append(replace(later_piece, first=4))
     still = trajectory.command_end - plan(path, LIMITS).duration - 0.5
     samples = trajectory.at(np.array([still, trajectory.duration]))
     assert samples.move.tolist() == [3, 4]

@@ -124,7 +124,7 @@ def test_a_window_never_reaches_over_a_stop_with_another_width() -> None:
         block = Programmer(joints=joints).line((0.0, 0.2 * (-1.0) ** number, 0.0))
         joints = block.joints
         (segment,) = block.segments
-        path = path_of([replace(segment, index=number, ramp=ramp)], MODEL)
+        path = path_of([replace(segment, ramp=ramp)], MODEL)
         together = together or Trajectory(segment.start, FILTER)
         start = together.seen_s(together.command_end) + 0.025
         piece = Piece(start, path, plan(path, LIMITS), 0.0, path.length)

@@ -58,7 +58,6 @@ def half(
     start = robot.forward(joints) @ tool
     x, y, _ = (start.rotation @ rotation_from_vector(np.array([0.0, lean, 0.0]))).T
     segment = plain_segment(
-        0,
         Geometry.ARC,
         Waypoint(joints, start),
         Waypoint(joints, Transform(start.rotation, start.translation + 2.0 * radius * x)),
@@ -88,7 +87,6 @@ def hole(robot: Robot, mode: CircleMode, radius: float, z: Zone | None = None) -
     start = start_on_circle(robot.forward(end.joints) @ tool, end.aim)
     second = replace(
         first,
-        index=1,
         start=Waypoint(end.joints, start),
         end=Waypoint(end.joints, begun),
         zone=None,

@@ -193,9 +193,9 @@ class Arrivals:
     def _tell_switch(
         self, asked: AskedMove, segment: Segment, before: Configuration, chosen: Configuration
     ) -> None:
-        """Tell if a joint move switches the main axes; nobody knows where the first one starts."""
+        """Tell if a joint move switches the main axes."""
         key = ("main axes", asked.written)
-        is_told = segment.geometry is Geometry.JOINT and segment.index > 0
+        is_told = segment.geometry is Geometry.JOINT and not asked.is_first
         is_told &= told_apart(self.robot.kinematics) and is_switch(before, chosen)
         if not is_told or self.journal.has_found(key):
             return

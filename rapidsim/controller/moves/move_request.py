@@ -35,6 +35,8 @@ class AskedMove:
 
     request: MoveRequest
     place: Place
+    is_first: bool = False
+    """Nobody knows where the first move of a run starts."""
 
     @property
     def name(self) -> str:

@@ -33,6 +33,8 @@ class QueuedMove:
     """At the programmed end, wherever tracks and positioners are then."""
     tcp_from_flange: Transform
     """At the programmed end: of a stationary tool it changes on the way."""
+    number: int = 0
+    """Among all moves that the robot was ever given."""
     level: int = 0
     """How many paths were stored when the robot was given the move."""
     corner_reason: str = ""

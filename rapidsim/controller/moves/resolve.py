@@ -93,7 +93,7 @@ class Resolver:
         start: Waypoint,
         settings: MotionSettings,
         *,
-        index: int = 0,
+        is_first: bool = False,
         lead: targets.Lead | None = None,
     ) -> QueuedMove:
         """Work out where a move goes.
@@ -103,15 +103,16 @@ class Resolver:
             place: Where it stands in the program.
             start: Where it starts.
             settings: Of the task.
-            index: Its number on the path, as far as that is known.
+            is_first: Whether it is the first move of the run.
             lead: The robot of the team that carries the work object along.
 
         Raises:
             MoveImpossible: When its work object moves, and not with the team.
             RapidError: When the end cannot be reached, or the set-up is not simulated.
         """
-        if not place.is_lasting or lead is not None or self.may_be_held(move.wobj):
-            return self._resolved(move, place, start, settings, index, lead)
+        is_made_anew = is_first or lead is not None or self.may_be_held(move.wobj)
+        if is_made_anew or not place.is_lasting:
+            return self._resolved(move, place, start, settings, lead, is_first=is_first)
         aim = None if start.aim is None else start.aim.tobytes()
         stands = (start.joints.tobytes(), start.external.tobytes(), aim)
         key = (id(place), move, settings, *stands)
@@ -119,7 +120,7 @@ class Resolver:
         if known is not None and known.place is place:
             return known.again()
         remarks = self.journal.remarks
-        queued = self._resolved(move, place, start, settings, index)
+        queued = self._resolved(move, place, start, settings)
         if self.journal.remarks == remarks:
             if len(self._repeats) == _MOST_REPEATS:
                 self._repeats.clear()
@@ -132,12 +133,13 @@ class Resolver:
         place: Place,
         start: Waypoint,
         settings: MotionSettings,
-        index: int,
         lead: targets.Lead | None = None,
+        *,
+        is_first: bool = False,
     ) -> QueuedMove:
         to = move.to
         request = MoveRequest(move, settings, self._placement_of(move, place, lead))
-        asked, placed = AskedMove(request, place), request.placed
+        asked, placed = AskedMove(request, place, is_first), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
         self._tell_what_is_not_simulated(asked)
@@ -147,7 +149,6 @@ class Resolver:
             (end,),
             self.robot,
             payload_acceleration=self.payload_acceleration,
-            first=index,
         )
         if isinstance(to, RobTarget):
             segment, arrival = self._arrivals.of(asked, to.robconf, segment, is_short=is_short)

@@ -43,7 +43,6 @@ def segments(
     robot: Robot,
     *,
     payload_acceleration: float | None,
-    first: int = 0,
 ) -> tuple[Segment, ...]:
     """Segments of moves.
 
@@ -54,7 +53,6 @@ def segments(
         ends: Where each ends.
         robot: The arm.
         payload_acceleration: See `MotionModel`.
-        first: Number of the first of them on the path.
     """
     if not requests:
         return ()
@@ -67,7 +65,7 @@ def segments(
     of_robot = (robot, payload_acceleration)
     asked = _all_asked(requests, *of_robot)
     rows = zip(requests, asked, starts, begins, ends, branches, strict=True)
-    return tuple(_segment(first + row, *one) for row, one in enumerate(rows))
+    return tuple(_segment(*one) for one in rows)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,7 +114,6 @@ def _asked(request: MoveRequest, robot: Robot, payload_acceleration: float | Non
 
 
 def _segment(
-    index: int,
     request: MoveRequest,
     asked: _Asked,
     start: Waypoint,
@@ -129,7 +126,6 @@ def _segment(
         begin = start_on_circle(begin, start.aim)
     via = move.circle_point
     segment = Segment(
-        index=index,
         geometry=GEOMETRY[move.interpolation],
         start=Waypoint(start.joints, begin, start.external),
         end=end,

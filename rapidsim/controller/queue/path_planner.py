@@ -130,8 +130,7 @@ class BlockPlanner:
             if queued.segment.ramp > last.segment.ramp:
                 # The window of the smoothing becomes narrower only where it is empty.
                 queued.segment = replace(queued.segment, ramp=last.segment.ramp)
-        if queued.segment.index != len(self.moves):
-            queued.segment = replace(queued.segment, index=len(self.moves))
+        queued.number = len(self.moves)
         self.block.moves.append(queued)
         self.moves.append(queued)
         self.block.plan = None
@@ -187,7 +186,7 @@ class BlockPlanner:
         if self._reckoned is not None and self._reckoned[0] is before:
             _, last, start_s = self._reckoned
             self._reckoned = (self.block.commit, last - gone, start_s)
-        needed = self.block.moves[0].segment.index if self.block.moves else len(self.moves)
+        needed = self.block.moves[0].number if self.block.moves else len(self.moves)
         self.moves.forget(before_s, needed if keep_from is None else min(needed, keep_from))
 
     def preview(self) -> Trajectory:
@@ -200,14 +199,15 @@ class BlockPlanner:
             return self.trajectory
         if self._preview is None or self._preview[0] != self.version:
             plan = self.planned()
-            rest = Piece(plan.start_s, plan.path, plan.timing, plan.from_m, plan.path.length)
+            first = self.block.moves[plan.first].number
+            rest = Piece(plan.start_s, plan.path, plan.timing, plan.from_m, plan.path.length, first)
             self._preview = (self.version, self.trajectory.extended(rest))
         return self._preview[1]
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
         """Where a move of the current block starts and ends [m] on the preview; None for others."""
         moves = self.block.moves
-        index = queued.segment.index - moves[0].segment.index if moves else -1
+        index = queued.number - moves[0].number if moves else -1
         if not 0 <= index < len(moves) or moves[index] is not queued:
             return None
         plan = self.planned() if self.is_open and not self.block.is_halted else None
@@ -404,7 +404,8 @@ class BlockPlanner:
             late = self.block.moves[tentative.lost_corner]
             late.segment = replace(late.segment, zone=None)
             late.corner = CornerKind.STOP_CORNER_PATH_FAILURE
-        piece = Piece(tentative.start_s, path, timing, tentative.from_m, to_m)
+        first = self.block.moves[tentative.first].number
+        piece = Piece(tentative.start_s, path, timing, tentative.from_m, to_m, first)
         offset_m = self.trajectory.append(piece) - tentative.from_m
         self.block.driven.append(tentative)
         self.version += 1

@@ -1,7 +1,7 @@
 """Blocks that a robot travels again and again, planned once.
 
-A cycle that repeats to the last bit gives the same path with the same timing: only the numbers of
-its moves and the time at which it begins are new.
+A cycle that repeats to the last bit gives the same path with the same timing: only the time at
+which it begins is new.
 """
 
 from __future__ import annotations
@@ -47,8 +47,7 @@ class Repeats:
         if known is not None:
             # Behind the others: what was asked for last is forgotten last.
             self._plans[key] = known
-            path, timing = known
-            return path.renumbered(tuple(segments)), timing
+            return known
         path, timing = make()
         if all(map(operator.is_, path.segments, segments)):
             # Else a move gave way to what can be made: that is found out, and told, each time.
@@ -58,13 +57,12 @@ class Repeats:
         return path, timing
 
 
-_DECISIVE = tuple(one.name for one in fields(Segment) if one.name != "index")
-"""All that a plan may take from a segment: everything but its number."""
+_NAMES = tuple(one.name for one in fields(Segment))
 
 
 def _values(segment: Segment) -> Hashable:
-    """All of a segment that decides a plan, to be compared."""
-    return tuple(_value(getattr(segment, name)) for name in _DECISIVE)
+    """All of a segment, to be compared."""
+    return tuple(_value(getattr(segment, name)) for name in _NAMES)
 
 
 def _value(value: object) -> Hashable:

@@ -142,6 +142,7 @@ class SoloQueue:
 
     def take(self, queued: QueuedMove) -> None:
         """Note a move that the robot makes with others, who plan it."""
+        queued.number = len(self.moves)
         self.moves.append(queued)
         self.end = queued.segment.end
 

@@ -64,7 +64,8 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
     braking = stop_at(under_way.path, planner.limits, under_way.timing, since_s, in_s)
     s, to_m = float(braking.s[0]), float(braking.s[-1])
     if to_m > s:
-        planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m))
+        first = block.moves[under_way.first].number
+        planner.trajectory.append(Piece(now_s, under_way.path, braking, s, to_m, first))
         block.driven.append(BlockPlan(under_way.path, braking, under_way.first, s, now_s))
     starts = under_way.path.segment_starts
     index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
@@ -116,7 +117,7 @@ def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: fl
     path = planner.build([replace(moves[index], segment=segment)], None)
     timing = plan(path, planner.limits, look=planner.look)
     start_s = max(now_s, planner.ready_s)
-    planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length))
+    planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length, moves[index].number))
     return start_s + timing.duration + planner.model.dwell_after(timing.braking_s)
 
 

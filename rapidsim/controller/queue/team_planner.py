@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, replace
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of
 from rapidsim.controller.queue import stopping
+from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
@@ -48,11 +49,11 @@ class _TeamTrajectory(Trajectory):
     is the same: the command of a quicker one is later by half of the difference.
     """
 
-    def __init__(self, robots: Sequence[SoloQueue]) -> None:
+    def __init__(self, robots: Sequence[SoloQueue], moves: GivenMoves) -> None:
         own = robots[0]
         model = own.planner.model
         super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
-        self._robots = robots
+        self._robots, self._moves = robots, moves
         widths_s = [robot.planner.model.window for robot in robots]
         self.delays_s = tuple(0.5 * (max(widths_s) - width_s) for width_s in widths_s)
 
@@ -60,9 +61,11 @@ class _TeamTrajectory(Trajectory):
         """Add a piece to the motion of each robot too."""
         path = piece.path
         assert isinstance(path, TeamPath)
+        lead = self._moves[piece.first]
+        assert isinstance(lead, TeamMove)
         for number, (robot, delay_s) in enumerate(zip(self._robots, self.delays_s, strict=True)):
-            later_s = piece.start_time + delay_s
-            own = replace(piece, path=path.part(number), start_time=later_s)
+            first, later_s = lead.parts[number].number, piece.start_time + delay_s
+            own = replace(piece, path=path.part(number), start_time=later_s, first=first)
             robot.trajectory.append(own)
         return super().append(piece)
 
@@ -83,11 +86,11 @@ class TeamPlanner:
             tasks: Names of their tasks.
             robots: Their own queues, in the order of the tasks.
         """
-        lead = robots[0].planner
+        lead, moves = robots[0].planner, GivenMoves()
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
         self.offer: Offer | None = None
-        self._trajectory = _TeamTrajectory(robots)
+        self._trajectory = _TeamTrajectory(robots, moves)
         self.planner = BlockPlanner(
             self._trajectory,
             lead.model,
@@ -96,6 +99,7 @@ class TeamPlanner:
             self._pass_on,
             lead.look,
             ready_s=max(robot.planner.ready_s for robot in robots),
+            moves=moves,
         )
         self.waiting: dict[int, int] = {}
         """Robots whose next move depends on where another's leads, by number, and that other's."""
@@ -164,7 +168,6 @@ class TeamPlanner:
             zone = None if stops else part.segment.zone
             part.segment = replace(
                 part.segment,
-                index=len(robot.moves),
                 zone=zone,
                 ramp=move.segment.ramp,
                 stop_ramp=stop_ramp,
@@ -192,7 +195,10 @@ class TeamPlanner:
         assert isinstance(plan.path, TeamPath)
         path = plan.path.part(number)
         start_s = plan.start_s + self._trajectory.delays_s[number]
-        return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length))
+        lead = planner.block.moves[plan.first]
+        assert isinstance(lead, TeamMove)
+        first = lead.parts[number].number
+        return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length, first))
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
         rows = []
@@ -214,7 +220,7 @@ class TeamPlanner:
             raise MotionError(blamed.parts[joint.number], joint.fault)
         for k, (move, segment) in enumerate(zip(moves, joint.segments, strict=True)):
             zone = move.segment.zone if k == lost_corner else segment.zone
-            move.segment = replace(segment, index=move.segment.index, zone=zone)
+            move.segment = replace(segment, zone=zone)
         return joint
 
     def _pass_on(self, moves: Sequence[QueuedMove], path: Path | None) -> None:

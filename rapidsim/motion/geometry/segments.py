@@ -140,8 +140,6 @@ class Speed:
 class Segment:
     """One move from the end of the previous one to its own end."""
 
-    index: int
-    """Number of the move in the run; segments of one path are consecutive."""
     geometry: Geometry
     start: Waypoint
     end: Waypoint

@@ -37,6 +37,8 @@ class JoinedPaths:
     """Shape (k,): the one of `paths` that holds each."""
     starts: Array
     """Shape (k,): where each begins on it [m]."""
+    before: Index
+    """Shape (k,): how many segments are before those of each."""
 
 
 def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
@@ -59,6 +61,7 @@ def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
         tuple(_joined(row, at) for row, at in zip(rows, starts, strict=True)),
         np.repeat(np.arange(len(rows)), [len(row) for row in rows]),
         np.concatenate(starts),
+        np.concatenate([_segments_before(row) for row in rows]),
     )
 
 
@@ -68,11 +71,16 @@ def _starts(paths: Sequence[Path]) -> Array:
     return starts
 
 
+def _segments_before(paths: Sequence[Path]) -> Index:
+    counts = np.array([len(path.segments) for path in paths])
+    before: Index = np.cumsum(counts) - counts
+    return before
+
+
 def _joined(paths: Sequence[Path], starts: Array) -> Path:
     if len(paths) == 1:
         return paths[0]
-    counts = [len(path.segments) for path in paths]
-    before = np.cumsum(counts) - counts
+    before = _segments_before(paths)
     nodes = [
         dataclasses.replace(path.nodes, place=path.nodes.place + start)
         for path, start in zip(paths, starts, strict=True)

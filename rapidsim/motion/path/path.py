@@ -6,7 +6,6 @@ other [m] (see `curves`); the middle of a corner path has the s of the programme
 
 from __future__ import annotations
 
-import copy
 import dataclasses
 import math
 from dataclasses import dataclass
@@ -57,16 +56,6 @@ class Path:
     model: MotionModel
     lines: Lines | None
     """The lines, for which joints and derivatives have closed forms; None where there are none."""
-
-    def renumbered(self, segments: tuple[Segment, ...]) -> Path:
-        """The same path for segments that differ from its own only in their numbers.
-
-        Values computed lazily are shared by all paths made in this way.
-        """
-        path = copy.copy(self)
-        path.__dict__["_piece_travel"] = self._piece_travel
-        object.__setattr__(path, "segments", segments)
-        return path
 
     @property
     def axis_count(self) -> int:

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
@@ -41,6 +42,13 @@ class Piece:
     """Place [m] on the path where the piece starts."""
     to_s: float
     """Place [m] where it ends; the next piece may go on from there on another path."""
+    first: int = 0
+    """The number, among all moves of the robot, of the first segment of the path."""
+
+    @property
+    def numbered(self) -> Iterator[tuple[int, Segment]]:
+        """The segments of its path with the numbers of their moves."""
+        return enumerate(self.path.segments, self.first)
 
 
 class MotionCommand:
@@ -178,13 +186,14 @@ class MotionCommand:
         numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
         return numbers
 
-    def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index]]:
+    def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index, Index]]:
         """The paths and positions for distances (k,) [m] since the start of rows (k,).
 
         Before the first piece the arm is at its start.
 
         Yields:
-            A path, positions s on it [m], and which of the k they are.
+            A path, positions s on it [m], which of the k they are, and what is added to the places
+            of their segments on it to get the numbers of their moves.
         """
         if not len(row):
             return
@@ -198,8 +207,9 @@ class MotionCommand:
             joined = self._paths_of(some)
             own = np.searchsorted(joined.numbers, numbers[here])
             on, start = joined.paths.on[own], joined.paths.starts[own]
+            number = joined.first[own]
             for each, at in groups(on):
-                yield joined.paths.paths[each], s[here[at]] + start[at], here[at]
+                yield joined.paths.paths[each], s[here[at]] + start[at], here[at], number[at]
 
     def starts(self, row: Index) -> tuple[Array, Array]:
         """The start times of rows (k,) [s], and their positions S [m]."""
@@ -339,7 +349,7 @@ class MotionCommand:
         """Joints of the arm, followed by external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)
         joints = np.empty((len(times), self.piece(1).path.axis_count))
-        for path, s, at in self.on_paths(row, self.state(row, times)[0]):
+        for path, s, at, _ in self.on_paths(row, self.state(row, times)[0]):
             joints[at] = path.joints_at(s)
         return joints
 
@@ -384,8 +394,10 @@ class MotionCommand:
         """The paths of some pieces, numbers increasing; kept as the timings are."""
         joined = self._joined_paths
         if joined is None or not np.isin(numbers, joined.numbers).all():
-            paths = joined_paths([self._pieces[number - 1].path for number in numbers.tolist()])
-            joined = self._joined_paths = _JoinedPaths(numbers, paths)
+            pieces = [self._pieces[number - 1] for number in numbers.tolist()]
+            paths = joined_paths([piece.path for piece in pieces])
+            first = np.array([piece.first for piece in pieces]) - paths.before
+            joined = self._joined_paths = _JoinedPaths(numbers, paths, first)
         return joined
 
 
@@ -395,6 +407,8 @@ class _JoinedPaths:
 
     numbers: Index
     paths: JoinedPaths
+    first: Index
+    """What is added to the place of a segment of each on its joined path to get its number."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -222,7 +222,7 @@ class Trajectory:
     def _travelled(self, row: Index, way: Array) -> Array:
         """TCP travel (k,) [m] on the paths of rows (k,), as far as ways (k,) [m] in them."""
         travel = np.empty(len(row))
-        for path, s, at in self._command.on_paths(row, way):
+        for path, s, at, _ in self._command.on_paths(row, way):
             travel[at] = path.travelled(s)
         return travel
 
@@ -250,8 +250,8 @@ class Trajectory:
         row, way, _ = self._visible(times)
         joints, _ = mean_joints(self._command, self._windows, times, coarse=True)
         move = np.empty(len(times), dtype=np.int64)
-        for path, s, at in self._command.on_paths(row, way):
-            move[at] = np.array([one.index for one in path.segments])[path.segment_at(s)]
+        for path, s, at, first in self._command.on_paths(row, way):
+            move[at] = first + path.segment_at(s)
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         for stretch, held in self._held(times):
             arm[held], external[held] = stretch.joints_at(times[held]), stretch.external
@@ -279,7 +279,7 @@ class Trajectory:
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
         # Before the first piece the arm stands where it begins, with the tool it begins with.
-        for path, s, at in self._command.on_paths(row, way):
+        for path, s, at, first in self._command.on_paths(row, way):
             if by_axes:
                 tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at], speed[at])
             else:
@@ -288,8 +288,7 @@ class Trajectory:
                 tcp, segment = points.base_from_tcp, points.segment
                 tcp_speed[at] = points.tcp_rate * speed[at]
             pose.rotation[at], pose.translation[at] = tcp.rotation, tcp.translation
-            indices = np.array([one.index for one in path.segments])
-            move[at] = indices[segment]
+            move[at] = first + segment
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
         return Samples(times, move, arm, pose, tcp_speed, external)
 
@@ -302,7 +301,7 @@ class Trajectory:
         if not self._command.last_row:
             return ways
         row, way, _ = self._visible(times)
-        for path, s, at in self._command.on_paths(row, way):
+        for path, s, at, _ in self._command.on_paths(row, way):
             ways[at] = path.tcp_derivatives(s, path.layout.piece_at(s))[0]
         length = np.linalg.norm(ways, axis=1, keepdims=True)
         unit: Array = np.divide(ways, length, out=np.zeros_like(ways), where=length > _NO_WAY)
@@ -318,7 +317,7 @@ class Trajectory:
         if self._smoothing == "path" or not self._command.last_row:
             return off
         row, way, _ = self._visible(samples.times)
-        for path, s, at in self._command.on_paths(row, way):
+        for path, s, at, _ in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
         for _, held in self._held(samples.times):

@@ -59,9 +59,9 @@ def segments_of(one: RobotRun) -> Mapping[int, Segment]:
     """The segments of a robot's moves as they were driven, by the number of the move."""
     # Where a path was planned again from within a move, the first has the whole of it.
     return {
-        segment.index: segment
+        number: segment
         for piece in reversed(one.trajectory.pieces)
-        for segment in piece.path.segments
+        for number, segment in piece.numbered
     }
 
 

@@ -81,9 +81,9 @@ class SampledRun:
     def _loads(self) -> Array:
         """What hangs on the wrist (k,), in shares of the rated payload."""
         of_move = {
-            segment.index: segment.load
+            number: segment.load
             for piece in self.one.trajectory.pieces
-            for segment in piece.path.segments
+            for number, segment in piece.numbered
         }
         return np.array([of_move.get(move, 0.0) for move in self.samples.move.tolist()])
 

@@ -69,9 +69,9 @@ def _too_fast(
     path = piece.path
     middles = path.segment_bounds[1:]
     passed = [
-        (k, corners[segment.index])
-        for k, segment in enumerate(path.segments)
-        if segment.index in corners and piece.from_s < middles[k] < piece.to_s
+        (k, corners[piece.first + k])
+        for k in range(len(path.segments))
+        if piece.first + k in corners and piece.from_s < middles[k] < piece.to_s
     ]
     if not passed:
         return
