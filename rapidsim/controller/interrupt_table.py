@@ -13,7 +13,7 @@ from dataclasses import field
 
 from rapidsim.controller.journal.stop_reasons import TrapStorm
 from rapidsim.language.error_log import LoggedError
-from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_UNKINO, rapid_error
+from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_INOMAX, ERR_UNKINO, rapid_error
 from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
@@ -23,6 +23,8 @@ MIN_TIMER_PERIOD_S = 0.1
 """The shortest period that ITimer accepts if it repeats."""
 MIN_TIMER_SINGLE_S = 0.01
 """The shortest time that ITimer accepts if it fires once."""
+MOST_CONNECTED = 100
+"""The most interrupts that a task may define at one time."""
 LONGEST_QUEUE = 1000
 """The most interrupts that may wait for their traps."""
 MOST_AT_ONCE = 10_000
@@ -95,7 +97,15 @@ class InterruptTable:
     _at_once: int = 0
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
-        """Assign the next number to a trap."""
+        """Assign the next number to a trap.
+
+        Raises:
+            RapidError: If no more can be defined.
+        """
+        if len(self._connections) >= MOST_CONNECTED:
+            raise rapid_error(
+                ERR_INOMAX, f"{MOST_CONNECTED} interrupts are defined, and no task has more"
+            )
         self._last_number += 1
         self._connections[float(self._last_number)] = _Connection(trap, trap_name)
         return float(self._last_number)

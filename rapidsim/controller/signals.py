@@ -72,6 +72,10 @@ class TaskSignals:
         if heard:
             self.clock.pass_time(now_s)
 
+    def require_within(self, name: str, value: float) -> None:
+        """Refuse a value outside the limits of an analog signal or a group."""
+        self.cell.signals.require_within(name, value)
+
     def wait_for_signal(
         self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
     ) -> bool:

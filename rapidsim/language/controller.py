@@ -379,6 +379,10 @@ class Signals(Protocol):
         """Set an output now or after a delay, without waiting for it."""
         ...
 
+    def require_within(self, name: str, value: float) -> None:
+        """Refuse a value outside the limits of an analog signal or a group."""
+        ...
+
     def wait_for_signal(
         self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
     ) -> bool:

@@ -251,6 +251,8 @@ NUMBERS: Mapping[str, float] = MappingProxyType(
 )
 """Number by name, for the names that programs use."""
 
+_NAMES = {number: name for name, number in NUMBERS.items()}
+
 EVENTS: Mapping[float, int] = MappingProxyType(
     {
         ERR_ALRDYCNT: 40191,
@@ -305,3 +307,9 @@ def rapid_error(errno: float, message: str) -> RapidError:
     """
     event = EVENTS.get(errno)
     return RapidError(errno, message, cf=None if event is None else f"ABB {event}")
+
+
+def named(error: RapidError) -> str:
+    """What an error says, and the name by which an ERROR clause knows it: `... (ERR_DIVZERO)`."""
+    name = _NAMES.get(error.errno)
+    return error.message if name is None or name in error.message else f"{error.message} ({name})"

@@ -127,6 +127,8 @@ def i_signal_ai(
     if condition not in _RANGES:
         raise rapid_error(ERR_ARGVALERR, f"{condition:g} is not a condition of type aiotrigg")
     in_range = _RANGES[condition]
+    for limit in (high_value, low_value):
+        controller.signals.require_within(connected(signal), limit)
     last = controller.signals.read_signal(connected(signal))
 
     def matches(value: float) -> bool:

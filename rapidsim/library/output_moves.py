@@ -67,6 +67,7 @@ def _analog(name: str, way: Interpolation) -> Callable[..., None]:
         value: Num,
         **options: Unpack[MoveOptions],
     ) -> None:
+        controller.signals.require_within(connected(signal), value)
         at_end = Trigger(SetOutput(connected(signal), value))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
         controller.motion.move(move, (at_end,))
@@ -89,6 +90,7 @@ def _group(name: str, way: Interpolation) -> Callable[..., None]:
             value = options.get("d_value")
         if value is None:
             raise rapid_error(ERR_ARGVALERR, r"one of \Value and \DValue is needed")
+        controller.signals.require_within(connected(signal), value)
         at_end = Trigger(SetOutput(connected(signal), value))
         move = asked(controller, name, way, to_point, speed, zone, tool, options)
         controller.motion.move(move, (at_end,))

@@ -36,10 +36,13 @@ ERRSTR_TASK: Final = "ERRSTR_TASK"
 ERRSTR_CONTEXT: Final = "ERRSTR_CONTEXT"
 """What the texts of errors have their task, and the place in the program, written for."""
 
-SET_BY_INSTRUCTIONS: Final[Mapping[str, str]] = MappingProxyType(
-    {"C_MOTSET": "motsetdata", "C_PROGDISP": "progdisp"}
+SET_BY_CONTROLLER: Final[Mapping[str, str]] = MappingProxyType(
+    {"ERRNO": "errnum", "INTNO": "intnum", "C_MOTSET": "motsetdata", "C_PROGDISP": "progdisp"}
 )
-"""Variables that programs read and only instructions such as VelSet change; their types."""
+"""Variables that programs only read: errors, traps and instructions such as VelSet change them.
+
+They may stand in expressions, nowhere else. Their types; `codegen.data_access` finds the values.
+"""
 
 _ALIASES = {
     types.NUM: (
@@ -161,10 +164,7 @@ def _all_data() -> Iterator[PredefinedData]:
             yield PredefinedData(name, TYPES[type_name], float(first + offset))
     for name, number in error_numbers.NUMBERS.items():
         yield PredefinedData(name, TYPES["errnum"], number)
-    # The controller keeps the values of these; see `codegen.data_access`.
-    yield PredefinedData("ERRNO", TYPES["errnum"], 0.0, constant=False)
-    yield PredefinedData("INTNO", TYPES["intnum"], 0.0, constant=False)
-    for name, of in SET_BY_INSTRUCTIONS.items():
+    for name, of in SET_BY_CONTROLLER.items():
         yield PredefinedData(name, TYPES[of], initial_value(TYPES[of]), constant=False)
     yield PredefinedData("tool0", TYPES["tooldata"], TOOL0, constant=False, persistent=True)
     yield PredefinedData("wobj0", TYPES["wobjdata"], WOBJ0, constant=False, persistent=True)

@@ -76,7 +76,7 @@ def wait_ai(
 ) -> None:
     """Wait until an analog input equals a value, is below it, or above it."""
     no_window(controller.honesty, "WaitAI", window)
-    condition = _relation(value, lt=lt, gt=gt)
+    condition = _within(controller.signals, signal, value, lt=lt, gt=gt)
     _wait_value(controller.signals, "WaitAI", signal, condition, max_time, value_at_timeout)
 
 
@@ -93,7 +93,7 @@ def wait_ao(
 ) -> None:
     """Wait until an analog output equals a value, is below it, or above it."""
     no_window(controller.honesty, "WaitAO", window)
-    condition = _relation(value, lt=lt, gt=gt)
+    condition = _within(controller.signals, signal, value, lt=lt, gt=gt)
     _wait_value(controller.signals, "WaitAO", signal, condition, max_time, value_at_timeout)
 
 
@@ -112,7 +112,7 @@ def wait_gi(
 ) -> None:
     """Wait until a group of inputs stands in a relation to a value."""
     no_window(controller.honesty, "WaitGI", window)
-    condition = _relation(value, lt=lt, gt=gt, noteq=noteq)
+    condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller.signals, "WaitGI", signal, condition, max_time, at_timeout)
 
@@ -132,9 +132,23 @@ def wait_go(
 ) -> None:
     """Wait until a group of outputs stands in a relation to a value."""
     no_window(controller.honesty, "WaitGO", window)
-    condition = _relation(value, lt=lt, gt=gt, noteq=noteq)
+    condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller.signals, "WaitGO", signal, condition, max_time, at_timeout)
+
+
+def _within(
+    controller: Signals,
+    signal: Reference[Signal],
+    value: float,
+    *,
+    lt: bool,
+    gt: bool,
+    noteq: bool = False,
+) -> Callable[[float], bool]:
+    """What is waited for; a value that the signal never has is refused."""
+    controller.require_within(connected(signal), value)
+    return _relation(value, lt=lt, gt=gt, noteq=noteq)
 
 
 def _relation(value: float, *, lt: bool, gt: bool, noteq: bool = False) -> Callable[[float], bool]:

@@ -30,7 +30,7 @@ from rapidsim.language.annotations import (
     TriggMode,
     Var,
 )
-from rapidsim.language.controller import Honesty
+from rapidsim.language.controller import Controller, Honesty, Signals
 from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import (
@@ -56,7 +56,7 @@ class Inhibition(TypedDict, total=False):
 
 
 def trigg_io(
-    controller: Honesty,
+    controller: Controller,
     trigg_data: Var[TriggData],
     distance: Num,
     set_value: Num | Dnum,
@@ -72,15 +72,21 @@ def trigg_io(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Set an output at a place: a distance before the end or after the start, or a time before."""
-    ignored(controller, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
-    output = _output(d_op or g_op or a_op, set_value, d_o_delay or 0.0, digital=d_op is not None)
+    ignored(controller.honesty, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
+    output = _output(
+        controller.signals,
+        d_op or g_op or a_op,
+        set_value,
+        d_o_delay or 0.0,
+        digital=d_op is not None,
+    )
     trigg_data.value = Trigger(
         output, distance, from_start=start, by_time=time, **_inhibited(inhibition)
     )
 
 
 def trigg_equip(
-    controller: Honesty,
+    controller: Controller,
     trigg_data: Var[TriggData],
     distance: Num,
     equip_lag: Num,
@@ -95,8 +101,10 @@ def trigg_equip(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Set an output at a place, earlier by the lag of the equipment."""
-    ignored(controller, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
-    output = _output(d_op or g_op or a_op, set_value, 0.0, digital=d_op is not None)
+    ignored(controller.honesty, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
+    output = _output(
+        controller.signals, d_op or g_op or a_op, set_value, 0.0, digital=d_op is not None
+    )
     trigg_data.value = Trigger(
         output, distance, from_start=start, lag_s=equip_lag, **_inhibited(inhibition)
     )
@@ -151,7 +159,7 @@ def trigg_check_io(
 
 
 def trigg_ramp_ao(
-    controller: Honesty,
+    controller: Controller,
     trigg_data: Var[TriggData],
     distance: Num,
     equip_lag: Num,
@@ -165,7 +173,8 @@ def trigg_ramp_ao(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     r"""Ramp an analog output from a place on, over a distance, or with \Time over a time."""
-    ignored(controller, "TriggRampAO", {r"\Next": next_})
+    ignored(controller.honesty, "TriggRampAO", {r"\Next": next_})
+    controller.signals.require_within(connected(a_output), set_value)
     action = RampOutput(connected(a_output), set_value, ramp_length, by_time=time)
     trigg_data.value = Trigger(
         action, distance, from_start=start, lag_s=equip_lag, **_inhibited(inhibition)
@@ -173,7 +182,7 @@ def trigg_ramp_ao(
 
 
 def trigg_speed(
-    controller: Honesty,
+    controller: Controller,
     trigg_data: Var[TriggData],
     distance: Num,
     scale_lag: Num,
@@ -186,7 +195,7 @@ def trigg_speed(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Make an analog output follow the TCP speed from a place on."""
-    ignored(controller, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do})
+    ignored(controller.honesty, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do})
     action = FollowSpeed(connected(a_op), scale_value, scale_lag)
     trigg_data.value = Trigger(
         action, distance, from_start=start, lag_s=scale_lag, **_inhibited(inhibition)
@@ -209,11 +218,17 @@ def trigg_data_valid(trigg_data: Var[TriggData]) -> Bool:
 
 
 def _output(
-    signal: Reference[Signal] | None, value: float, delay_s: float, *, digital: bool
+    controller: Signals,
+    signal: Reference[Signal] | None,
+    value: float,
+    delay_s: float,
+    *,
+    digital: bool,
 ) -> SetOutput:
     if signal is None:
         raise rapid_error(ERR_ARGVALERR, r"one of \DOp, \GOp and \AOp is needed")
     set_to = float(value != 0.0) if digital else value
+    controller.require_within(connected(signal), set_to)
     return SetOutput(connected(signal), set_to, delay_s)
 
 

@@ -30,6 +30,7 @@ from rapidsim.findings.runs import (
     WorldZoneReached,
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.language.error_numbers import named
 from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
@@ -50,7 +51,8 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
     violation = error.violation if isinstance(error, MoveRefusedError) else None
     if span.line == place.span.line and span.file == place.span.file:
         span = place.span
-    return Diagnostic(violation or UncaughtError(error.message), span, callers, routine=routine)
+    told = violation or UncaughtError(named(error))
+    return Diagnostic(told, span, callers, routine=routine)
 
 
 def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:

@@ -167,7 +167,7 @@ def test_a_run_that_fails_is_a_result(tmp_path: Path) -> None:
     run = rapidsim.load(program).run(home=tmp_path)
     assert (run.end, run.ok) == ("error", False)
     assert run.error is not None
-    assert (run.error.line, run.error.message) == (4, "division by zero")
+    assert (run.error.line, run.error.message) == (4, "division by zero (ERR_DIVZERO)")
 
 
 def test_a_program_with_errors_is_refused(tmp_path: Path) -> None:
@@ -205,7 +205,7 @@ def test_all_of_it_can_be_pickled(run: Run, geometry: rapidsim.Cell) -> None:
     assert [str(one.message) for one in found] == [one.message for one in checked.diagnostics]
     with pytest.raises(rapidsim.CallError) as raised:
         geometry.call("fails")
-    assert str(pickle.loads(pickle.dumps(raised.value))) == "division by zero"
+    assert str(pickle.loads(pickle.dumps(raised.value))) == "division by zero (ERR_DIVZERO)"
 
 
 def test_nothing_is_shown_in_more_than_a_line(run: Run, geometry: rapidsim.Cell) -> None:

@@ -430,6 +430,9 @@ class RecordingController(NoSockets, Undisturbed):
         if not delay_s:
             self.signals[name.lower()] = value
 
+    def require_within(self, name: str, value: float) -> None:
+        """All signals take any value."""
+
     def wait_for_signal(
         self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
     ) -> bool:

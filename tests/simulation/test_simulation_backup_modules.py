@@ -247,7 +247,7 @@ def test_an_error_at_data_that_nothing_declares_says_so(backup: Backup) -> None:
     )
     run = simulate([folder])
     told = [one for one in run.diagnostics if one.severity.value == "error"]
-    assert [one.message for one in told] == ["no data are named `nowhere`"]
+    assert [one.message for one in told] == ["no data are named `nowhere` (ERR_REFUNKDAT)"]
     assert run.end == "error"
 
 
@@ -270,7 +270,7 @@ def test_a_routine_that_nothing_declares_is_an_error_of_the_run_there(backup: Ba
     assert [one.message for one in run.events if one.kind.value == "text"] == ["first"]
     assert run.end == "error"
     assert [one.message for one in run.diagnostics if one.violation.code == "R101"] == [
-        "no procedure is named `gone`"
+        "no procedure is named `gone` (ERR_REFUNKPRC)"
     ]
 
 

@@ -48,7 +48,7 @@ def test_uncaught_it_names_the_calls_that_led_there() -> None:
     assert it.end == "error"
     assert it.texts == ["start"]
     found = it.only("R101")
-    assert found.violation.message == "division by zero"
+    assert found.violation.message == "division by zero (ERR_DIVZERO)"
     assert found.span is not None
     assert (found.routine, found.span.line, found.span.text) == ("share", 23, "6 / zero")
     assert calls(found) == [
@@ -117,7 +117,8 @@ def test_the_retry_limit_is_an_error_of_its_own() -> None:
     it = ran(program(share='TPWrite "try"; RETRY;'))
     assert it.end == "error"
     assert it.texts == ["start", *["try"] * 5]
-    assert it.only("R101").violation.message == "4 retries did not help: division by zero"
+    told = it.only("R101").violation.message
+    assert told == "4 retries did not help: division by zero (ERR_EXCRTYMAX)"
     seam = 'TPWrite "seam " + ValToStr(ERRNO = ERR_EXCRTYMAX); TRYNEXT;'
     caught = ran(program(share="RETRY;", seam=seam))
     assert (caught.end, caught.texts) == ("ended", ["start", "seam TRUE", *AFTER_SEAM])

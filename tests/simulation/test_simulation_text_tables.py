@@ -80,7 +80,7 @@ def test_another_format_is_refused_with_its_line(text: str, problem: str, tmp_pa
     (tmp_path / "cell.eng").write_text(text)
     program = 'MODULE m\n  PROC main()\n    TextTabInstall "cell.eng";\n  ENDPROC\nENDMODULE\n'
     it = ran(program, home=tmp_path)
-    assert [found.violation.message for found in it.run.diagnostics] == [problem]
+    assert [found.violation.message for found in it.run.diagnostics] == [f"{problem} (ERR_FILEACC)"]
 
 
 def test_a_table_that_one_task_installs_is_there_for_the_others(tmp_path: Path) -> None:

@@ -37,7 +37,7 @@ from rapidsim.analysis.suggestions import closest, reserved_words
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
-from rapidsim.library.predefined import SET_BY_INSTRUCTIONS
+from rapidsim.library.predefined import SET_BY_CONTROLLER
 from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
 
@@ -169,8 +169,8 @@ def kind_of(symbol: Symbol) -> str:
             return "a constant"
         case DataSymbol(storage=Storage.PERS):
             return "a persistent"
-        case DataSymbol(module=None, name=name) if name in SET_BY_INSTRUCTIONS:
-            return "a variable that only instructions set"
+        case DataSymbol(module=None, name=name) if name in SET_BY_CONTROLLER:
+            return "a variable that only the controller sets"
         case DataSymbol():
             return "a variable"
         case ParameterSymbol(mode=Mode.PERS):

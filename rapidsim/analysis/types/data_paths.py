@@ -26,7 +26,7 @@ from rapidsim.analysis.types.type_violations import (
 )
 from rapidsim.language import types
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
-from rapidsim.library.predefined import SET_BY_INSTRUCTIONS
+from rapidsim.library.predefined import SET_BY_CONTROLLER
 from rapidsim.syntax import tree
 
 
@@ -62,7 +62,7 @@ def is_read_only(symbol: Symbol | None) -> bool:
         case CounterSymbol() | DataSymbol(storage=Storage.CONST):
             return True
         case DataSymbol(module=None, name=name):
-            return name in SET_BY_INSTRUCTIONS
+            return name in SET_BY_CONTROLLER
         case _:
             return False
 

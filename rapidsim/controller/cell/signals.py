@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.language.error_numbers import ERR_AO_LIM, ERR_GO_LIM, ERR_SIG_NAME, rapid_error
 
+_ANALOG = (SignalKind.AI, SignalKind.AO)
 _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
@@ -41,9 +42,20 @@ class SignalTable:
             raise rapid_error(
                 ERR_SIG_NAME, f"`{signal.name}` is an input ({signal.kind}), and is written"
             )
+        self.require_within(name, value)
+
+    def require_within(self, name: str, value: float) -> None:
+        """Refuse a value that a signal never has.
+
+        Raises:
+            RapidError: ERR_GO_LIM or ERR_AO_LIM outside the limits, also those of an input.
+        """
+        signal = self._declared.get(name.lower())
+        if signal is None:
+            return
         low, high = signal.lowest, signal.highest
         if (low is not None and value < low) or (high is not None and value > high):
-            number = ERR_AO_LIM if signal.kind is SignalKind.AO else ERR_GO_LIM
+            number = ERR_AO_LIM if signal.kind in _ANALOG else ERR_GO_LIM
             least = "" if low is None else f"{low:g}"
             most = "" if high is None else f"{high:.10g}"
             raise rapid_error(

@@ -52,6 +52,9 @@ class Recorder:
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
         """Nothing; outputs do not affect the moves."""
 
+    def require_within(self, name: str, value: float) -> None:
+        """Nothing; whether an output can have the value is told when it runs."""
+
     def __getattr__(self, name: str) -> NoReturn:
         """Refuse all else."""
         raise NeedsRunError(name)

@@ -12,7 +12,7 @@ MODULE error_in_handler
   PROC inner()
     RAISE 1;
   ERROR
-    zero:=1/zero;                       ! stops: division by zero
+    zero:=1/zero;                       ! stops: division by zero (ERR_DIVZERO)
     TRYNEXT;
   ENDPROC
 ENDMODULE

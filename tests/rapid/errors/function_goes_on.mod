@@ -18,5 +18,5 @@ MODULE function_goes_on
     RETURN a/b;
   ERROR
     TRYNEXT;
-  ENDFUNC                                 ! stops: the function forgets ended without RETURN
+  ENDFUNC                                 ! stops: the function forgets ended without RETURN (ERR_FNCNORET)
 ENDMODULE

@@ -2,7 +2,7 @@
 MODULE raise_illegal_number
   PROC main()
     RAISE 500;
-    RAISE 0;                            ! stops: RAISE 0: allowed are 1 to 90, booked numbers and ERR_ names
+    RAISE 0;                            ! stops: RAISE 0: allowed are 1 to 90, booked numbers and ERR_ names (ERR_ILLRAISE)
   ERROR
     IF ERRNO=ERR_ILLRAISE THEN
       IF handled() RAISE;

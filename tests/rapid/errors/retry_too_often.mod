@@ -4,7 +4,7 @@ MODULE retry_too_often
   VAR num tries;
 
   PROC main()
-    tries:=1/zero;                      ! stops: 4 retries did not help: division by zero
+    tries:=1/zero;                      ! stops: 4 retries did not help: division by zero (ERR_EXCRTYMAX)
   ERROR
     tries:=tries+1;
     TPWrite "try "\Num:=tries;

@@ -7,7 +7,7 @@ MODULE uncaught_passed_on
   ENDPROC
 
   PROC compute()
-    zero:=1/zero;                       ! stops: division by zero
+    zero:=1/zero;                       ! stops: division by zero (ERR_DIVZERO)
   ERROR
     TPWrite "passed on";                ! -> passed on
     RAISE;

@@ -5,7 +5,7 @@ MODULE division_by_zero
 
   PROC main()
     n:=1;
-    n:=5/zero;                            ! stops: division by zero
+    n:=5/zero;                            ! stops: division by zero (ERR_DIVZERO)
     TPWrite "never";
   ENDPROC
 ENDMODULE

@@ -4,6 +4,6 @@ MODULE index_constant
 
   PROC main()
     TPWrite "running";                  ! -> running
-    arr{4}:=1;                          ! warning: T306 ! stops: index 4 is outside the array, which has 1 to 3
+    arr{4}:=1;                          ! warning: T306 ! stops: index 4 is outside the array, which has 1 to 3 (ERR_OUTOFBND)
   ENDPROC
 ENDMODULE

@@ -4,6 +4,6 @@ MODULE index_not_whole
   VAR num half:=1.5;
 
   PROC main()
-    arr{half}:=1;                       ! stops: an index must be an integer, not 1.5
+    arr{half}:=1;                       ! stops: an index must be an integer, not 1.5 (ERR_NOTINTVAL)
   ENDPROC
 ENDMODULE

@@ -6,6 +6,6 @@ MODULE index_out_of_bounds
   PROC main()
     arr{i}:=30;
     i:=i+1;
-    arr{i}:=40;                         ! stops: index 4 is outside the array, which has 1 to 3
+    arr{i}:=40;                         ! stops: index 4 is outside the array, which has 1 to 3 (ERR_OUTOFBND)
   ENDPROC
 ENDMODULE

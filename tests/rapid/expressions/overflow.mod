@@ -4,6 +4,6 @@ MODULE overflow
 
   PROC main()
     TPWrite ValToStr(large);              ! -> 3E+38
-    large:=large*10;                      ! stops: the result 3E+39 is too large
+    large:=large*10;                      ! stops: the result 3E+39 is too large (ERR_OVERFLOW)
   ENDPROC
 ENDMODULE

@@ -5,6 +5,6 @@ MODULE string_too_long
   PROC main()
     s:=s+s;
     TPWrite ValToStr(StrLen(s));          ! -> 80
-    s:=s+"1";                             ! stops: the string has 81 characters, 80 are allowed
+    s:=s+"1";                             ! stops: the string has 81 characters, 80 are allowed (ERR_STRTOOLNG)
   ENDPROC
 ENDMODULE

@@ -15,7 +15,7 @@ MODULE error_in_trap
 
   TRAP on_tick
     IF zero=0 first;
-    zero:=1/zero;                       ! stops: division by zero
+    zero:=1/zero;                       ! stops: division by zero (ERR_DIVZERO)
   ENDTRAP
 
   PROC first()

@@ -9,7 +9,7 @@ MODULE late_connect
     ITimer\Single,1,tick;
     ITimer\Single,2,ticks{1};
     WaitTime 3;
-    CONNECT tick WITH %"on_nothing"%;   ! stops: no trap routine is named "on_nothing"
+    CONNECT tick WITH %"on_nothing"%;   ! stops: no trap routine is named "on_nothing" (ERR_REFUNKTRP)
   ENDPROC
 
   TRAP on_tick()

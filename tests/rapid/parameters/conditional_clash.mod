@@ -6,7 +6,7 @@ MODULE conditional_clash
   ENDPROC
 
   PROC outer(\switch a\switch b)
-    inner\left?a\right?b;                 ! stops: two optional arguments that exclude each other are given
+    inner\left?a\right?b;                 ! stops: two optional arguments that exclude each other are given (ERR_ARGDUPCND)
     TPWrite "one";                        ! -> one
   ENDPROC
 

@@ -6,6 +6,6 @@ MODULE optional_absent
   ENDPROC
 
   FUNC num half(num n\num by)
-    RETURN n/by;                          ! stops: the optional argument by is used but was not given
+    RETURN n/by;                          ! stops: the optional argument by is used but was not given (ERR_NOTPRES)
   ENDFUNC
 ENDMODULE

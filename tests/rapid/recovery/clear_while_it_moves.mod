@@ -6,6 +6,6 @@ MODULE clear_while_it_moves
   PROC main()
     MoveJ p1,v500,fine,tool0;
     MoveL p2,v100,z10,tool0;
-    ClearPath;                          ! stops: ClearPath while the robot moves; StopMove first
+    ClearPath;                          ! stops: ClearPath while the robot moves; StopMove first (ERR_PATH)
   ENDPROC
 ENDMODULE

@@ -8,7 +8,7 @@ MODULE call_by_variable
     CallByVar "job",n/2;
     CallByVar "job",-1;
     CallByVar "job",3;
-    CallByVar "job",4;                      ! stops: no procedure is named ":job4"
+    CallByVar "job",4;                      ! stops: no procedure is named ":job4" (ERR_REFUNKPRC)
   ERROR
     IF ERRNO=ERR_ARGVALERR THEN
       TPWrite "no such number";

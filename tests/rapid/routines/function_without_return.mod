@@ -7,5 +7,5 @@ MODULE function_without_return
 
   FUNC num positive(num n)
     IF n>0 RETURN n;
-  ENDFUNC                                 ! warning: F404 ! stops: the function positive ended without RETURN
+  ENDFUNC                                 ! warning: F404 ! stops: the function positive ended without RETURN (ERR_FNCNORET)
 ENDMODULE

@@ -2,7 +2,7 @@
 MODULE late_binding_unknown
   PROC main()
     try_job;
-    %"nothing"+"_here"%;                  ! stops: no procedure is named "nothing_here"
+    %"nothing"+"_here"%;                  ! stops: no procedure is named "nothing_here" (ERR_REFUNKPRC)
   ENDPROC
 
   PROC try_job()

@@ -4,7 +4,7 @@ MODULE late_binding_wrong_call
     VAR string name:="one";
     attempt "half";
     attempt "one";
-    %name% "text";                        ! stops: "one" cannot be called like this: n takes num, not string
+    %name% "text";                        ! stops: "one" cannot be called like this: n takes num, not string (ERR_CALLPROC)
   ENDPROC
 
   PROC attempt(string name)

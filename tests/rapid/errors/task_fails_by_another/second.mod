@@ -6,6 +6,6 @@ MODULE second
   PROC main()
     TPWrite ValToStr(10/parts);         ! -> 10
     WaitUntil parts<>1;
-    each:=10/parts;                     ! stops: division by zero
+    each:=10/parts;                     ! stops: division by zero (ERR_DIVZERO)
   ENDPROC
 ENDMODULE

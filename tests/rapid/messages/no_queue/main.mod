@@ -2,6 +2,6 @@
 MODULE no_queue
   VAR rmqslot here;
   PROC main()
-    RMQFindSlot here,"RMQ_T_ROB1";  ! stops: there is no message queue RMQ_T_ROB1
+    RMQFindSlot here,"RMQ_T_ROB1";  ! stops: there is no message queue RMQ_T_ROB1 (ERR_RMQ_NAME)
   ENDPROC
 ENDMODULE

@@ -7,6 +7,6 @@ MODULE first
   PROC main()
     WaitSyncTask here,both\TimeOut:=5;
     TPWrite "together";                 ! -> together
-    WaitSyncTask there,both\TimeOut:=1; ! stops: WaitSyncTask there: the others did not come within 1 s
+    WaitSyncTask there,both\TimeOut:=1; ! stops: WaitSyncTask there: the others did not come within 1 s (ERR_WAITSYNCTASK)
   ENDPROC
 ENDMODULE
