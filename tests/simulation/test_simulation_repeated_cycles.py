@@ -65,9 +65,7 @@ def test_a_run_that_keeps_plans_is_the_run_that_makes_each(
     monkeypatch.setattr(
         Resolver,
         "resolve",
-        lambda self, move, place, start, settings, index=0: self._resolved(
-            move, place, start, settings, index
-        ),
+        lambda self, *asked, **options: self._resolved(*asked, **options),
     )
     made = ran(tmp_path)
     assert kept.end is made.end
