@@ -23,6 +23,10 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 
+_NO_WAY_M = 1e-6
+"""A robot that goes no farther than this stays where it is, or is carried along."""
+
+
 @dataclass(slots=True, eq=False)
 class TeamMove(QueuedMove):
     """One move of all robots."""
@@ -215,7 +219,7 @@ class TeamPlanner:
             if index >= 0:
                 assert isinstance(plan.path, TeamPath)
                 length_m = float(plan.path.courses[number].path.lengths[index])
-        return (places[1] - places[0]) / length_m if length_m > 0.0 else 1.0
+        return (places[1] - places[0]) / length_m if length_m > _NO_WAY_M else 1.0
 
     def _whole(self, number: int, part: QueuedMove) -> TeamMove | None:
         """The move of the current block that has a part."""
