@@ -386,7 +386,7 @@ def test_of_three_robots_each_may_work_on_what_the_one_before_carries() -> None:
 @pytest.mark.parametrize("zone", ["fine", "z20"])
 def test_a_trigger_on_a_move_that_rests_on_the_object_acts_as_it_begins(zone: str) -> None:
     first = f"WaitSyncTask there,both;\nMoveJ {START},v500,fine,tool0\\WObj:=held;"
-    trigger = "TriggEquip begun,0.001,0\\Start\\DOp:=doBegun,1;"
+    trigger = "TriggEquip begun,0.001\\Start,0\\DOp:=doBegun,1;"
     carried = moves(AT_REST, zone, r"\WObj:=held").replace("MoveL", "TriggL")
     text = body(f"{first}\n{trigger}", carried.replace(",v200,", ",v200,begun,"))
     holder = body(

@@ -22,7 +22,6 @@ from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
-
 _NO_WAY_M = 1e-6
 """A robot that goes no farther than this stays where it is, or is carried along."""
 
