@@ -37,7 +37,6 @@ from rapidsim.motion.configurations.targets import Lead, lead_of
 _IN_A_CIRCLE = "{}, which holds the work object, waits for this robot in turn, which holds its own"
 _NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
 _ONE_RAMP = "the lowest ramp since the last stop point counts for all"
-_NO_TRIGGERS = "moved without them: robots that move together have no triggers yet"
 
 
 @dataclass(slots=True, eq=False)
@@ -150,11 +149,6 @@ class TaskTeam:
             )
         queued = self._in_step(seat, move, move.sync_id)
         before(queued)
-        if self.marks.is_pending:
-            self.marks.clear()
-            self.journal.unsimulated(
-                f"{move.instruction} \\ID with triggers", _NO_TRIGGERS, self.clock.place
-            )
         self._say_what_a_team_ignores(move, queued)
         self.state.use(move, self.clock.place.arguments)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
@@ -162,7 +156,8 @@ class TaskTeam:
             self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
             return
         self.clock.follow(queued.started)
-        if self.table.armed or self.zones.is_watching or self.cell.outsiders_act:
+        looks = self.table.armed or self.zones.is_watching or self.marks.may_interrupt
+        if looks or self.cell.outsiders_act:
             self.solo.keep_up()
 
     def _say_what_a_team_ignores(self, move: Move, queued: QueuedMove) -> None:
@@ -187,7 +182,8 @@ class TaskTeam:
         queued = self.resolver.resolve(
             move, self.clock.place, seat.end, self.state.settings, lead=lead
         )
-        if self.clock.thinks_long() or not seat.is_open or self.table.armed:
+        passes = self.table.armed or self.marks.is_pending
+        if self.clock.thinks_long() or not seat.is_open or passes:
             self.clock.come_up()
         offer = seat.team.say(seat.number, queued, sync_id)
         if len(offer.parts) < len(seat.team.robots):

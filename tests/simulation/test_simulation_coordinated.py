@@ -381,3 +381,18 @@ def test_of_three_robots_each_may_work_on_what_the_one_before_carries() -> None:
     assert 1e3 * seen.translation == pytest.approx(
         np.broadcast_to((0.0, 50.0, -100.0), (40, 3)), abs=1e-6
     )
+
+
+@pytest.mark.parametrize("zone", ["fine", "z20"])
+def test_a_trigger_on_a_move_that_rests_on_the_object_acts_as_it_begins(zone: str) -> None:
+    first = f"WaitSyncTask there,both;\nMoveJ {START},v500,fine,tool0\\WObj:=held;"
+    trigger = "TriggEquip begun,0.001\\Start,0\\DOp:=doBegun,1;"
+    carried = moves(AT_REST, zone, r"\WObj:=held").replace("MoveL", "TriggL")
+    text = body(f"{first}\n{trigger}", carried.replace(",v200,", ",v200,begun,"))
+    holder = body(
+        f"MoveJ {FIRST},v500,fine,tool0;\nWaitSyncTask there,both;", moves(HOLDER, zone, "")
+    )
+    one = ran({"T_ROB1": holder, "T_ROB2": text + "VAR triggdata begun;"}, model=MODELS["1"])
+    begun = one.moves("T_ROB2")[1].start_s
+    assert one.end == "ended"
+    assert [time_s for time_s, _, _ in one.events] == pytest.approx([begun], abs=0.03)

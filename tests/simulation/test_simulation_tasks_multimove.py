@@ -7,6 +7,7 @@ import pytest
 import simulation_tasks
 from simulation_tasks import JOINTS, Ran
 
+from rapidsim.controller.journal.events import EventKind
 from rapidsim.motion.model import MODELS
 from rapidsim.motion.timing.axis_limits import limits_of
 
@@ -224,15 +225,55 @@ def test_moves_that_do_not_belong_together_are_errors(left: str, right: str, mes
     assert any(message in d.violation.message for d in it.run.diagnostics)
 
 
-def test_moves_with_triggers_are_made_together_too() -> None:
-    left = program(LEFT).replace("VAR syncident on;", "VAR syncident on;\nVAR triggdata half;")
-    left = left.replace("SyncMoveOn on", "TriggEquip half,0,0\\DOp:=doHalf,1;\nSyncMoveOn on")
-    left = left.replace("MoveL", "TriggL").replace(",v200,", ",v200,half,")
+@pytest.mark.parametrize(
+    ("trigger", "task", "before_mm"),
+    [
+        ("TriggEquip half,40,0\\DOp:=doHalf,1;", "T_ROB1", 40.0),
+        ("TriggEquip half,40,0\\DOp:=doHalf,1;", "T_ROB2", 40.0),
+        ("TriggIO half,30\\Start\\DOp:=doHalf,1;", "T_ROB2", -30.0),
+        ("TriggIO half,0\\DOp:=doHalf,1;", "T_ROB2", 0.0),
+    ],
+)
+def test_outputs_on_moves_made_together_are_set_where_the_robot_is(
+    trigger: str, task: str, before_mm: float
+) -> None:
+    data = "VAR syncident on;\nVAR triggdata half;"
+
+    def with_trigger(text: str) -> str:
+        text = text.replace("VAR syncident on;", data).replace(
+            "SyncMoveOn on", f"{trigger} SyncMoveOn on"
+        )
+        return text.replace("MoveL", "TriggL").replace(",v200,", ",v200,half,")
+
+    programs = {"T_ROB1": program(LEFT, zone="fine"), "T_ROB2": program(RIGHT, zone="fine")}
+    plain = ran(programs)
+    triggered = ran({**programs, task: with_trigger(programs[task])})
+    assert triggered.end == "ended"
+    assert triggered.run.unsimulated == ()
+    (robot,) = [one for one in triggered.run.robots if one.task == task]
+    (first, *_) = [event for event in triggered.run.events if event.kind is EventKind.SIGNAL]
+    start, end = (LEFT if task == "T_ROB1" else RIGHT)[:2]
+    here = robot.trajectory.at(np.array([first.time_s])).base_from_tcp.translation[0] * 1000.0
+    # Nearer than by a millisecond at 200 mm/s.
+    wanted = (end, before_mm) if before_mm >= 0.0 else (start, -before_mm)
+    assert np.linalg.norm(here - wanted[0]) == pytest.approx(wanted[1], abs=0.2)
+    for one in ("T_ROB1", "T_ROB2"):
+        ends = [move.end_s for move in triggered.moves(one)]
+        assert ends == pytest.approx([move.end_s for move in plain.moves(one)], abs=1e-6)
+
+
+def test_a_trap_at_a_place_of_a_move_made_together_runs_there() -> None:
+    data = "VAR syncident on;\nVAR triggdata begun;\nVAR intnum number;"
+    left = program(LEFT).replace("VAR syncident on;", data)
+    connect = "CONNECT number WITH told; TriggInt begun,0.001\\Start,number;"
+    left = left.replace("SyncMoveOn on", f"{connect} SyncMoveOn on")
+    left = left.replace("MoveL", "TriggL").replace(",v200,", ",v200,begun,")
+    left += '\nTRAP told\n  TPWrite "begun";\nENDTRAP\n'
     it = ran({"T_ROB1": left, "T_ROB2": program(RIGHT)})
     assert it.end == "ended"
-    starts = [[m.start_s for m in it.moves(task)[1:]] for task in ("T_ROB1", "T_ROB2")]
-    assert starts[0] == starts[1]
-    assert [one.name for one in it.run.unsimulated] == ["TriggL \\ID with triggers"]
+    starts = [move.start_s for move in it.moves("T_ROB1")[1:]]
+    begun = [time_s for time_s, text in it.texts if text == "begun"]
+    assert begun == pytest.approx(starts, abs=0.02)
 
 
 def test_a_move_nobody_makes_with_it_ends_the_run() -> None:

@@ -83,6 +83,10 @@ class MotionQueue(Protocol):
         """Where a move of the current block starts and ends [m] on the preview; None for others."""
         ...
 
+    def stretch_of(self, queued: QueuedMove) -> float:
+        """How far [m] the run's place goes on for a metre of the TCP's way on such a move."""
+        ...
+
     def seen(self, now_s: float, times: Array) -> Samples:
         """The arm at times (k,) [s] in order, those to come if nothing more is said.
 

@@ -110,6 +110,9 @@ class PathMarks:
         if places is None:
             return math.inf
         start_m, end_m = places
+        distance_m = mark.distance_m
+        if distance_m:
+            distance_m *= self.unit.queue.stretch_of(mark.move)
         if mark.from_start:
-            return min(start_m + mark.distance_m, end_m)
-        return max(end_m - mark.distance_m, start_m)
+            return min(start_m + distance_m, end_m)
+        return max(end_m - distance_m, start_m)

@@ -170,6 +170,11 @@ class SoloQueue:
         """Where a move of the current block starts and ends [m] on the preview."""
         return self.planner.places_of(queued)
 
+    def stretch_of(self, queued: QueuedMove) -> float:
+        """Alone, the place is the way."""
+        del queued
+        return 1.0
+
     def seen(self, now_s: float, times: Array) -> Samples:
         """The arm at times (k,) [s] around now; see `MotionQueue.seen`."""
         self.planner.end_if_late(now_s)

@@ -23,6 +23,9 @@ from rapidsim.motion.timing.axis_limits import limits_together
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
+_NO_WAY_M = 1e-6
+"""A robot that goes no farther than this stays where it is, or is carried along."""
+
 
 @dataclass(slots=True, eq=False)
 class TeamMove(QueuedMove):
@@ -199,6 +202,34 @@ class TeamPlanner:
         assert isinstance(lead, TeamMove)
         first = lead.parts[number].number
         return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length, first))
+
+    def places_of(self, number: int, part: QueuedMove) -> tuple[float, float] | None:
+        """Where a robot's move of the current block starts and ends [m] on its preview."""
+        move = self._whole(number, part)
+        places = None if move is None else self.planner.places_of(move)
+        if places is None:
+            return None
+        offset = self._offsets[number]
+        return offset + places[0], offset + places[1]
+
+    def stretch_of(self, number: int, part: QueuedMove) -> float:
+        """How far [m] the common parameter goes on for a metre of a robot's way on its move."""
+        move, places = self._whole(number, part), self.places_of(number, part)
+        if move is None or places is None:
+            return 1.0
+        length_m = part.length_m
+        if self.planner.is_open and not self.planner.is_halted:
+            plan = self.planner.planned()
+            index = move.segment.index - self.planner.block.moves[plan.first].segment.index
+            if index >= 0:
+                assert isinstance(plan.path, TeamPath)
+                length_m = float(plan.path.courses[number].path.lengths[index])
+        return (places[1] - places[0]) / length_m if length_m > _NO_WAY_M else 1.0
+
+    def _whole(self, number: int, part: QueuedMove) -> TeamMove | None:
+        """The move of the current block that has a part."""
+        moves = (one for one in self.planner.block.moves if isinstance(one, TeamMove))
+        return next((one for one in moves if one.parts[number] is part), None)
 
     def _build(self, moves: Sequence[QueuedMove], lost_corner: int | None) -> Path:
         rows = []

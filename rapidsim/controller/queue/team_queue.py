@@ -85,9 +85,12 @@ class TeamQueue:
         return self.team.preview(self.number)
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """None: triggers on moves of a team are not modelled, and the run says so."""
-        del queued
-        return None
+        """Where a move of the robot starts and ends [m] on its preview; None for others."""
+        return self.team.places_of(self.number, queued)
+
+    def stretch_of(self, queued: QueuedMove) -> float:
+        """In a team the robot with the longest way counts."""
+        return self.team.stretch_of(self.number, queued)
 
     def seen(self, now_s: float, times: Array) -> Samples:
         """The robot at times (k,) [s] around now; see `MotionQueue.seen`."""
