@@ -41,8 +41,8 @@ ENDMODULE
 def test_the_note_stands_in_the_loop_that_does_not_end(
     body: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The program never waits: this decides how far it gets before the clock does. Tests of
-    # interruption and of the limits of long programs have as many as users.
+    # The program never waits: this decides how far it gets before the clock does. How a block is
+    # cut where it gets too long is looked at in the tests of queues and windows.
     monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 100)
     source = Source("endless.mod", TEXT.format(body=body))
     program = check((parse(source).file,)).program
