@@ -220,7 +220,7 @@ class TeamPlanner:
         length_m = part.length_m
         if self.planner.is_open and not self.planner.is_halted:
             plan = self.planner.planned()
-            index = move.segment.index - self.planner.block.moves[plan.first].segment.index
+            index = move.number - self.planner.block.moves[plan.first].number
             if index >= 0:
                 assert isinstance(plan.path, TeamPath)
                 length_m = float(plan.path.courses[number].path.lengths[index])
