@@ -34,8 +34,10 @@ def start(context: Context, request: Request) -> Answer:
     """Start the programs.
 
     Raises:
-        RefusedRequest: For a way of executing that is not simulated.
+        RefusedRequest: For a way of executing that is not simulated, or from another session than
+            that which has the mastership.
     """
+    context.require_nobody_else(request)
     if request.form.get("execmode") in _NOT_SIMULATED:
         mode = request.form["execmode"]
         raise refused(BAD_PARAMETER, f"{mode} is not simulated: steps only go forward")
