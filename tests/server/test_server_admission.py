@@ -62,6 +62,33 @@ def test_there_are_only_so_many_sessions(tmp_path: Path) -> None:
     serve(tmp_path, IDLE, use, most_sessions=2)
 
 
+def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
+    # With a subscription each, which one lets go, one forgets and one loses.
+    listed = {"resources": "1", "1": "/rw/rapid/execution;ctrlexecstate", "1-p": "1"}
+
+    async def use(served: Served) -> None:
+        face, engine = served.face, served.engine
+        for number in range(30):
+            one = await served.second_client()
+            await one.post("rw/mastership/rapid?action=request")
+            async with one.client.post(f"{one.base}/subscription", data=listed) as done:
+                link = done.headers["Location"]
+            if number % 3:
+                socket = await one.client.ws_connect(link, protocols=("robapi2_subscription",))
+                await socket.receive()
+                if number % 3 == 2:
+                    await socket.close()
+            await one.get("logout")
+            await one.client.close()
+        for _ in range(20):
+            await served.get("rw/system")
+        assert face.kept == (1, 0)
+        assert engine.subscriptions.groups == 0
+        assert engine.context.masters == {}
+
+    serve(tmp_path, IDLE, use, most_sessions=3)
+
+
 def test_an_idle_session_ends() -> None:
     now, ended = [0.0], list[int]()
     sessions = Sessions(2, 300.0, ended.append, lambda: now[0])

@@ -126,6 +126,7 @@ def test_refusals_have_the_form_of_the_generation(tmp_path: Path) -> None:
             ("rw/rapid/tasks/T_ROB1/modules/none", (400, -1073442813)),
             ("rw/rapid/symbol/RAPID/T_ROB1/none/data", (404, -1073442816)),
             ("fileservice/NONE/none.txt", (400, -1073438716)),
+            ("uas/ldap/enabled", (403, -1073445867)),
         ):
             status, body = await client.get(path)
             assert (status, body["status"]["code"]) == expected
@@ -133,6 +134,12 @@ def test_refusals_have_the_form_of_the_generation(tmp_path: Path) -> None:
             assert (found.status, found.content_type) == (404, "text/html")
             body = await found.json(content_type=None)
             assert body["status"]["code"] == -1073438713
+        page = {"Accept": "application/xhtml+xml;v=2.0"}
+        url = f"{client.base}/rw/rapid/tasks/T_ROB1/modules/none"
+        async with client.session.get(url, headers=page) as found:
+            text = await found.text()
+            assert "<head><base href=" in text
+            assert '<div class="status"><span class="code">-1073442813</span>' in text
         # A wrong password is no session.
         async with (
             aiohttp.ClientSession(headers=_who("guess")) as other,
@@ -141,6 +148,20 @@ def test_refusals_have_the_form_of_the_generation(tmp_path: Path) -> None:
             assert refused.status == 401
             assert refused.headers["WWW-Authenticate"].startswith("Basic ")
             assert "Set-Cookie" not in refused.headers
+
+    serve_second(tmp_path, use)
+
+
+def test_who_is_not_master_does_not_start(tmp_path: Path) -> None:
+    # In RobotWare 6 a start takes no mastership; in 7 nobody starts beside who has it.
+    start = "rw/rapid/execution/start"
+
+    async def use(client: Client, served: Served) -> None:
+        assert await served.post("rw/mastership/rapid?action=request") == (204, 0)
+        assert await client.post(start, cycle="once") == 403
+        assert await served.post("rw/mastership/rapid?action=release") == (204, 0)
+        assert await client.post("rw/mastership/edit/request") == 204
+        assert await client.post(start, cycle="once") == 204
 
     serve_second(tmp_path, use)
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -55,6 +57,28 @@ def ran(folder: Path) -> Simulation:
     (folder / "cycles.mod").write_text(CYCLES)
     (folder / "rapidsim.toml").write_text(STATION)
     return simulate([folder / "cycles.mod"], robot="irb1600")
+
+
+def test_the_last_thousand_plans_are_kept_and_no_more() -> None:
+    # A controller that stays on, and whose robot is stopped anywhere, plans new ones for ever.
+    repeats, made = Repeats(), list[int]()
+
+    def ask(number: int) -> None:
+        def make() -> Any:
+            made.append(number)
+            return SimpleNamespace(segments=(), renumbered=lambda segments: None), None
+
+        repeats.plan((), number, make)
+
+    for number in range(3000):
+        ask(number)
+    assert made == list(range(3000))
+    made.clear()
+    for number in range(2000, 3000):
+        ask(number)
+    assert made == []
+    ask(1999)
+    assert made == [1999]
 
 
 def test_a_run_that_keeps_plans_is_the_run_that_makes_each(

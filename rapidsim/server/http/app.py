@@ -115,6 +115,11 @@ class Face:
                 del group.waiting[0]
             group.told.set()
 
+    @property
+    def kept(self) -> tuple[int, int]:
+        """How many sessions and subscriptions there are."""
+        return len(self.sessions), len(self._groups)
+
     @web.middleware
     async def _admitted(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         """Let a request in that means this server and comes from somebody who may."""

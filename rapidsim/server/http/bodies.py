@@ -15,10 +15,10 @@ _DONE: Final = 294912
 """What RobotWare 7 calls success."""
 _PARTS: Final = {"sys-options-li": "options"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
-_HEAD: Final = (
-    '<?xml version="1.0" encoding="UTF-8"?>'
-    '<html xmlns="http://www.w3.org/1999/xhtml"><head><title>rapidsim</title>'
+_BEGIN: Final = (
+    '<?xml version="1.0" encoding="UTF-8"?><html xmlns="http://www.w3.org/1999/xhtml"><head>'
 )
+_HEAD: Final = f"{_BEGIN}<title>rapidsim</title>"
 
 
 def json_body(answer: Answer, base: str) -> str:
@@ -65,12 +65,12 @@ def xhtml_body(answer: Answer, base: str) -> str:
 
 def xhtml_refusal(refusal: Refusal, base: str) -> str:
     """An error as a page."""
-    message = escape(_plain(refusal.message))
-    return _page(
-        base,
-        f'<div class="status"><span class="code">{refusal.code}</span>'
-        f'<span class="msg">{message}</span></div>',
-    )
+    return _page(base, _status(refusal))
+
+
+def later_xhtml_refusal(refusal: Refusal, base: str) -> str:
+    """The same as RobotWare 7 writes it, whose pages of errors have no title."""
+    return _page(base, _status(refusal), _BEGIN)
 
 
 def subscribed(group: int, link: str, base: str) -> str:
@@ -95,8 +95,16 @@ def event_text(group: int, items: Iterable[Item]) -> str:
     )
 
 
-def _page(base: str, content: str) -> str:
-    return f'{_HEAD}<base href="{_quoted(base)}"/></head><body>{content}</body></html>'
+def _status(refusal: Refusal) -> str:
+    message = escape(_plain(refusal.message))
+    return (
+        f'<div class="status"><span class="code">{refusal.code}</span>'
+        f'<span class="msg">{message}</span></div>'
+    )
+
+
+def _page(base: str, content: str, head: str = _HEAD) -> str:
+    return f'{head}<base href="{_quoted(base)}"/></head><body>{content}</body></html>'
 
 
 def _json_item(item: Item) -> dict[str, object]:

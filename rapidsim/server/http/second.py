@@ -16,9 +16,9 @@ from aiohttp import web
 from rapidsim.server.http.bodies import (
     hal_body,
     hal_refusal,
+    later_xhtml_refusal,
     subscribed,
     xhtml_body,
-    xhtml_refusal,
 )
 from rapidsim.server.http.dialect import Users, base, shown
 from rapidsim.server.messages import Refusal, Reply
@@ -58,7 +58,7 @@ class SecondGeneration:
         # Writing answers in XHTML, whatever form is asked for.
         if form == _HAL and (request.method == "GET" or isinstance(reply, Refusal)):
             return shown(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
-        return shown(request, reply, xhtml_body, xhtml_refusal, f"{_XHTML};v={version}")
+        return shown(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v={version}")
 
     def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
         """JSON that calls itself HTML where a file is missing, as controllers do."""

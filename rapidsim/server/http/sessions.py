@@ -38,6 +38,10 @@ class Sessions:
     _live: dict[int, Session] = field(default_factory=dict)
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
+    def __len__(self) -> int:
+        """How many there are."""
+        return len(self._live)
+
     def begin(self, user: str) -> Session | None:
         """A new session; None if there are too many."""
         self._drop_idle()

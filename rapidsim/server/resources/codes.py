@@ -14,6 +14,7 @@ BAD_PARAMETER: Final = (400, -1073445879)
 BAD_STATE: Final = (400, -1073442809)
 HELD_BY_ANOTHER: Final = (403, -1073445862)
 NOT_HELD: Final = (403, -1073445859)
+NOT_ALLOWED: Final = (403, -1073445867)
 READ_ONLY: Final = (403, -1073445881)
 
 # What RobotWare 7 answers where 6.16 says "not found" or "no such symbol".

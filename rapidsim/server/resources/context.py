@@ -53,6 +53,18 @@ class Context:
         if request.generation == 2:
             raise refused(NOT_HELD, f"this takes the mastership of {domain}")
 
+    def require_nobody_else(self, request: Request) -> None:
+        """Refuse to start what another session is master of, as RobotWare 7 does.
+
+        Raises:
+            RefusedRequest: If it is.
+        """
+        if (
+            request.generation == 2
+            and self.masters.get("rapid", request.session) != request.session
+        ):
+            raise refused(HELD_BY_ANOTHER, "another session has the mastership of edit")
+
     def release_all(self, session: int) -> None:
         """Release what a session holds."""
         self.masters = {key: one for key, one in self.masters.items() if one != session}

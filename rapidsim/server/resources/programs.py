@@ -34,8 +34,10 @@ def start(context: Context, request: Request) -> Answer:
     """Start the programs.
 
     Raises:
-        RefusedRequest: For a mode of execution that is not simulated.
+        RefusedRequest: For a mode of execution that is not simulated, or if another session holds the
+            mastership.
     """
+    context.require_nobody_else(request)
     if request.form.get("execmode") in _NOT_SIMULATED:
         mode = request.form["execmode"]
         raise refused(BAD_PARAMETER, f"{mode} is not simulated: steps only go forward")

@@ -7,7 +7,13 @@ from typing import Final
 
 from rapidsim import __version__
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources.codes import BAD_PARAMETER, HELD_BY_ANOTHER, NOT_FOUND, refused
+from rapidsim.server.resources.codes import (
+    BAD_PARAMETER,
+    HELD_BY_ANOTHER,
+    NOT_ALLOWED,
+    NOT_FOUND,
+    refused,
+)
 from rapidsim.server.resources.context import MASTERSHIPS, Context, count
 from rapidsim.server.resources.disks import DISKS
 
@@ -173,3 +179,13 @@ def _options(context: Context) -> tuple[Item, ...]:
         for number, one in enumerate(found)
     )
     return (Item("sys-options-li", "options", parts=parts),)
+
+
+def for_administrators(context: Context, request: Request) -> Answer:
+    """Refuse: how users come in is shown to nobody here, as to the default user of a controller.
+
+    Raises:
+        RefusedRequest: Always.
+    """
+    del context, request
+    raise refused(NOT_ALLOWED, "the user is not allowed access")

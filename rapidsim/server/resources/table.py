@@ -182,6 +182,7 @@ _SECOND: Final = (
     Route("POST", "rw/mastership/{domain}/request", system.take_mastership),
     Route("POST", "rw/mastership/{domain}/release", system.give_mastership),
     Route("POST", "users/rmmp/cancel", system.rights_given_back),
+    Route("GET", "uas/ldap/enabled", system.for_administrators),
     # Older clients ask streams to end; there are none here.
     Route("POST", "rw/infostream/disconnectclient", system.nothing_to_end),
     Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
