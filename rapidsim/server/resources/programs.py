@@ -34,8 +34,8 @@ def start(context: Context, request: Request) -> Answer:
     """Start the programs.
 
     Raises:
-        RefusedRequest: For a mode of execution that is not simulated, or if another session holds the
-            mastership.
+        RefusedRequest: For a mode of execution that is not simulated, or if another session holds
+            the mastership.
     """
     context.require_nobody_else(request)
     if request.form.get("execmode") in _NOT_SIMULATED:
