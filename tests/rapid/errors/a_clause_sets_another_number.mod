@@ -1,4 +1,4 @@
-! RAPID Overview, Error recovery: an error that a called routine handles in a clause changes ERRNO there, too.
+! RAPID Overview, Error recovery: a called routine that handles an error changes ERRNO.
 MODULE a_clause_sets_another_number
   PROC main()
     VAR num zero;

@@ -1,4 +1,4 @@
-! RAPID Instructions, SearchL: a persistent that is set already is ERR_PERSSUPSEARCH, none is ERR_WHLSEARCH.
+! RAPID Instructions, SearchL: a persistent that is set already, and one that never is.
 MODULE search_that_fails_at_once
   CONST robtarget p1:=[[600,0,800],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PERS bool felt:=TRUE;
