@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
+from dataclasses import field
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
+from rapidsim.controller.independent_axes import IndependentAxis
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts, robot_name
 from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.values import dataclass
+
+_SPEEDS_UP_IN_S = 0.16
+_UNKNOWN_SPEED = math.pi
+"""An axis of an arm that turns on its own; of a URDF without speeds [rad/s]."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +28,7 @@ class TaskEquipment:
     cell: Cell
     resolver: Resolver
     others: TaskOthers
+    _independent: dict[tuple[str, int], IndependentAxis] = field(default_factory=dict)
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robot, and the units of external axes in the order of their letters."""
@@ -37,6 +45,24 @@ class TaskEquipment:
         """A conveyor of the cell."""
         self.clock.come_up()
         return self.cell.conveyors.get(unit.lower())
+
+    def independent_axis(self, unit: MechanicalUnitFacts, axis: int) -> IndependentAxis:
+        """An axis of a mechanical unit, counted from 1."""
+        key = (unit.name.lower(), axis)
+        if key not in self._independent:
+            self._independent[key] = self._axis(unit, unit.axes[axis - 1])
+        return self._independent[key]
+
+    def _axis(self, unit: MechanicalUnitFacts, at: int) -> IndependentAxis:
+        robot = self.resolver.robot
+        if unit.is_robot:
+            joint = robot.joints[at]
+            fastest = math.degrees(joint.max_speed or _UNKNOWN_SPEED) / _SPEEDS_UP_IN_S
+            return IndependentAxis(fastest, turns=not joint.slides)
+        external = next(one for one in robot.external if LETTERS.index(one.letter) == at)
+        return IndependentAxis(
+            external.max_acceleration * external.scale, turns=not external.linear
+        )
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         """The instances of a type, as they are now."""

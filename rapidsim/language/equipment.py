@@ -79,6 +79,57 @@ class Conveyor(Protocol):
         ...
 
 
+class IndependentAxis(Protocol):
+    """An axis that may leave the path and move on its own time; in degrees or mm."""
+
+    @property
+    def acceleration(self) -> float:
+        """How fast it can change its speed."""
+        ...
+
+    @property
+    def turns(self) -> bool:
+        """Whether it turns; else it slides."""
+        ...
+
+    @property
+    def is_independent(self) -> bool:
+        """Whether it has left the path."""
+        ...
+
+    def take(self, position: float, now_s: float) -> None:
+        """Let it leave the path where it stands."""
+        ...
+
+    def let_go(self) -> None:
+        """Let the path move it again."""
+        ...
+
+    def position(self, now_s: float) -> float:
+        """Where it is."""
+        ...
+
+    def speed(self, now_s: float) -> float:
+        """How fast it moves, negative backwards."""
+        ...
+
+    def is_at_target(self, now_s: float) -> bool:
+        """Whether it stands where it was sent."""
+        ...
+
+    def has_speed(self, now_s: float) -> bool:
+        """Whether it moves at the speed that was asked for."""
+        ...
+
+    def move_to(self, target: float, speed: float, acceleration: float, now_s: float) -> None:
+        """Go to a position and stay there."""
+        ...
+
+    def move_at(self, speed: float, acceleration: float, now_s: float) -> None:
+        """Move on and on, or stop with a speed of 0."""
+        ...
+
+
 class Equipment(Protocol):
     """What is installed around a program."""
 
@@ -92,6 +143,10 @@ class Equipment(Protocol):
 
     def system_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robots of all tasks in the order of the station, then their external axes."""
+        ...
+
+    def independent_axis(self, unit: MechanicalUnitFacts, axis: int) -> IndependentAxis:
+        """An axis of a mechanical unit, counted from 1."""
         ...
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:

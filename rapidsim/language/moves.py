@@ -169,6 +169,8 @@ class MotionSettings:
     circle_path: CirclePathMode = CirclePathMode.PATH_FRAME
     inactive_units: frozenset[str] = frozenset()
     """Names in small letters of the mechanical units that DeactUnit has switched off."""
+    independent_axes: frozenset[str] = frozenset()
+    """External axes, such as `eax_a`, that IndCMove and its like have taken off the path."""
     displacement: Pose | None = None
     """PDispOn, PDispSet: moves reach the controller with it applied already."""
     axis_offsets: ExtJoint | None = None

@@ -26,6 +26,7 @@ from rapidsim.library.files import FILES
 from rapidsim.library.fits import FITS
 from rapidsim.library.flow import FLOW
 from rapidsim.library.guidance import GUIDANCE
+from rapidsim.library.independent_axes import INDEPENDENT_AXES
 from rapidsim.library.interrupts import INTERRUPTS
 from rapidsim.library.io_devices import IO_DEVICES
 from rapidsim.library.loading import LOADING
@@ -107,6 +108,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Cyclic bools": CYCLIC_BOOLS,
         "Cameras": CAMERAS,
         "Conveyors": CONVEYORS,
+        "Independent axes": INDEPENDENT_AXES,
         "Arc welding": ARC,
         "Tactile search": TACTILE_SEARCH,
     }

@@ -62,7 +62,7 @@ def get_next_mech_unit(
 
 def get_mec_unit_name(controller: Controller, mech_unit: Var[MecUnit]) -> String:
     """The name of a mechanical unit."""
-    return _unit(controller, mech_unit).name
+    return unit_named(controller, mech_unit).name
 
 
 def get_joint_data(
@@ -76,7 +76,7 @@ def get_joint_data(
     ext_torque: Var[Num] | None = None,
 ) -> None:
     """Where an axis is [deg or mm] and how fast it turns; its torques are not simulated."""
-    unit = _unit(controller, mech_unit)
+    unit = unit_named(controller, mech_unit)
     if not 1 <= axis <= len(unit.axes):
         raise rapid_error(
             ERR_AXIS_PAR, f"{unit.name} has axes 1 to {len(unit.axes)}; {axis:g} is none of them"
@@ -96,12 +96,14 @@ def _of_axis(joints: JointTarget, unit: MechanicalUnitFacts, at: int) -> float:
     return joints.robax[at] if unit.is_robot else joints.extax[at]
 
 
-def _unit(controller: Controller, given: Reference[object] | None) -> MechanicalUnitFacts:
+def unit_named(
+    controller: Controller, given: Reference[object] | None, parameter: str = "mechunit"
+) -> MechanicalUnitFacts:
     """The unit that an argument means; the robot where it is not given."""
     units = controller.equipment.mechanical_units()
     name = _THE_ROBOT
     if given is not None:
-        written = controller.clock.place.arguments.get("mechunit", "")
+        written = controller.clock.place.arguments.get(parameter, "")
         name = given.value if isinstance(given.value, str) else written
     if name.lower() == _THE_ROBOT:
         name = next((unit.name for unit in units if unit.is_robot), name)

@@ -70,6 +70,15 @@ _SYSTEM = (
     ("tsp_status", 16, "TSP_SEMISTATIC_CHECKED"),
 )
 _OPTIONS = (
+    # Programs have data called `speed` without meaning this one.
+    ("testsignal", 1, "resolver_angle"),
+    ("testsignal", 4, "speed_ref"),
+    ("testsignal", 6, "speed"),
+    ("testsignal", 9, "torque_ref"),
+    ("testsignal", 102, "dig_input1 dig_input2"),
+    ("tunegtype", 1, "RampTorqRefOpen RampTorqRefClose KV SpeedLimit CollAlarmTorq CollContactPos"),
+    ("tunegtype", 7, "CollisionSpeed CloseTimeAdjust ForceReadyDelayT PostSyncTime CalibTime"),
+    ("tunegtype", 12, "CalibForceLow CalibForceHigh"),
     ("egmframetype", 0, "EGM_FRAME_BASE EGM_FRAME_TOOL EGM_FRAME_WOBJ EGM_FRAME_WORLD"),
     ("egmframetype", 4, "EGM_FRAME_JOINT"),
     ("egmstate", 0, "EGM_STATE_DISCONNECTED EGM_STATE_CONNECTED EGM_STATE_RUNNING"),

@@ -51,7 +51,7 @@ _ALIASES = {
         "egmstopmode errdomain errnum errtype event_type exec_level handler_type icondata identno "
         "intnum inttypes iounit_state loadidnum motionprocessmode opcalc opnum paridnum "
         "paridvalidnum sensorstate signalorigin socketstatus stoppoint symnum testsignal tpnum "
-        "triggmode tsp_status tunetype uishownum"
+        "triggmode tsp_status tunegtype tunetype uishownum"
     ),
     types.STRING: "errstr stringdig",
 }

@@ -14,6 +14,7 @@ from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     WOBJ0,
     JointTarget,
+    Orient,
     Pos,
     RobJoint,
     RobTarget,
@@ -28,6 +29,9 @@ from rapidsim.library.honesty import ignored
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import named_task
 from rapidsim.library.traits import Does
+
+_NOISE = 1e-9
+"""[mm, deg], or of a quaternion."""
 
 
 def c_rob_t(
@@ -44,7 +48,8 @@ def c_rob_t(
     other = _other_task(controller.tasks, task_ref, task_name)
     if other is not None:
         return controller.tasks.target_of(other, of_tool, of_wobj)
-    return in_program(controller.motion, controller.motion.current_target(of_tool, of_wobj))
+    stands = controller.motion.current_target(of_tool, of_wobj)
+    return _without_noise(in_program(controller.motion, stands))
 
 
 def c_joint_t(
@@ -59,7 +64,8 @@ def c_joint_t(
         return controller.tasks.joints_of(other)
     joints = controller.motion.current_joints()
     offsets = controller.motion.settings.axis_offsets
-    return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
+    at = RobJoint(*map(_flushed, joints.robax))
+    return JointTarget(at, without_axis_offsets(joints.extax, offsets))
 
 
 def c_pos(
@@ -107,7 +113,8 @@ def calc_rob_t(
 ) -> RobTarget:
     """Where the TCP would be with the axes at given positions."""
     of_wobj = WOBJ0 if wobj is None else wobj.value
-    return in_program(controller, controller.target_at(joint_target, tool.value, of_wobj))
+    stands = controller.target_at(joint_target, tool.value, of_wobj)
+    return _without_noise(in_program(controller, stands))
 
 
 def calc_joint_t(
@@ -138,13 +145,25 @@ def calc_joint_t(
     if error_number is not None:
         error_number.value = 0.0
     offsets = controller.motion.settings.axis_offsets
-    return joints._replace(extax=without_axis_offsets(joints.extax, offsets))
+    at = RobJoint(*map(_flushed, joints.robax))
+    return JointTarget(at, without_axis_offsets(joints.extax, offsets))
 
 
 def c_speed_override(controller: Motion, *, c_task: Switch = False) -> Num:
     """The speed override of the operator [%]: that of SpeedRefresh."""
     del c_task
     return controller.settings.speed_refresh_percent
+
+
+def _without_noise(stands: RobTarget) -> RobTarget:
+    """Where the TCP is, with 0 where rounding leaves next to nothing: programs print it."""
+    return stands._replace(
+        trans=Pos(*map(_flushed, stands.trans)), rot=Orient(*map(_flushed, stands.rot))
+    )
+
+
+def _flushed(value: float) -> float:
+    return 0.0 if abs(value) < _NOISE else value
 
 
 def _other_task(

@@ -24,7 +24,11 @@ from rapidsim.simulation.results.simulation import (
     numbered_moves,
 )
 from rapidsim.simulation.results.smoothed_corners import corner_findings
-from rapidsim.simulation.run_findings import backward_findings, not_simulated_findings
+from rapidsim.simulation.run_findings import (
+    backward_findings,
+    handled_findings,
+    not_simulated_findings,
+)
 from rapidsim.simulation.task_run import Outcome, TaskRun
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -96,6 +100,7 @@ def _simulation(
             *backward_findings(run.setup.program),
             *hasty_move_findings(run.queue.moves),
             *outcome.findings,
+            *handled_findings(run.journal.failed_moves(), outcome.findings),
         )
     )
     planners = [run.queue.planner for run in runs if run.setup.robot is not None]

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rapidsim.analysis.program import Program
+from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal, not_simulated_finding
 from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
@@ -53,6 +54,24 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
         span = place.span
     told = violation or UncaughtError(named(error))
     return Diagnostic(told, span, callers, routine=routine)
+
+
+def handled_findings(
+    failed: Iterable[FailedMove], ended_by: Sequence[Diagnostic]
+) -> Iterator[Diagnostic]:
+    """Moves that the arm cannot make although the run went on, for an ERROR clause took over.
+
+    A controller has no such clause: it stops at the move. So the run says what a check says.
+
+    Args:
+        failed: All moves that could not be made.
+        ended_by: The findings about what ended the run.
+    """
+    fatal = {(one.violation, one.span) for one in ended_by}
+    for move in failed:
+        place = move.place
+        if (move.violation, place.span) not in fatal:
+            yield Diagnostic(move.violation, place.span, routine=place.routine, assumed=True)
 
 
 def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:

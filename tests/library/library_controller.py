@@ -29,7 +29,7 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts
+from rapidsim.language.equipment import Conveyor, IndependentAxis, MechanicalUnitFacts
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.error_numbers import (
     ERR_FILEOPEN,
@@ -228,6 +228,9 @@ class RecordingController(NoSockets, Undisturbed):
 
     def conveyor(self, unit: str) -> Conveyor | None:
         return None
+
+    def independent_axis(self, unit: MechanicalUnitFacts, axis: int) -> IndependentAxis:
+        raise NotImplementedError
 
     def camera(self, name: str) -> Camera | None:
         return None

@@ -157,9 +157,9 @@ def _run(run: Simulation) -> list[Fact]:
 def _finding(diagnostic: Diagnostic) -> Fact:
     place = (diagnostic.span.file, diagnostic.span.line) if diagnostic.span else ("", 0)
     violation = diagnostic.violation
-    if violation.code.startswith(("R101", "R106", "K")) and violation.severity is Severity.ERROR:
+    if violation.code.startswith(("R101", "R106", "K")) and diagnostic.severity is Severity.ERROR:
         return (*place, "stops", violation.message)
-    return (*place, violation.severity.value, violation.code)
+    return (*place, diagnostic.severity.value, violation.code)
 
 
 def _ordered(facts: Iterable[Fact]) -> list[Fact]:

@@ -87,8 +87,9 @@ def external_end(
         return near
     values, missing = external_values(extax, axes, near)
     inactive = asked.request.settings.inactive_units
+    independent = asked.request.settings.independent_axes
     for axis in missing:
-        if axis.unit.lower() not in inactive:
+        if axis.unit.lower() not in inactive and axis.component not in independent:
             raise MoveImpossible(ExternalAxisMissing(asked.name, axis.component, axis.unit))
     # The additional joint of a seven-axis arm stands in `eax_a`, too.
     known = {axis.component for axis in axes} | ({"eax_a"} if len(robot.joints) > 6 else set())
@@ -100,7 +101,7 @@ def external_end(
     if unknown:
         told = ExternalAxisUnknown(asked.name, ", ".join(unknown))
         journal.finding(told, asked.place, once=("external", asked.written))
-    passive = [axis.unit.lower() in inactive for axis in axes]
+    passive = [axis.unit.lower() in inactive or axis.component in independent for axis in axes]
     return np.where(passive, near, values)
 
 

@@ -7,7 +7,6 @@ from math import sqrt
 from pathlib import Path
 
 from rapidsim.controller.journal.events import Event, EventKind
-from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.motion.robot.external_axes import with_unit
@@ -79,14 +78,12 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     return section("summary", "Summary", f'<div class="tiles">{"".join(tiles)}</div>')
 
 
-def findings(simulation: Simulation, found: Sequence[Diagnostic]) -> str:
+def findings(found: Sequence[Diagnostic]) -> str:
     """What is wrong, with the lines and the cures, errors first."""
     order = list(Severity)
     all_of_them = sorted(merged(found), key=lambda one: order.index(one.first.severity))
     told = all_of_them[:_MOST_FINDINGS]
     body = "".join(_finding(one) for one in told[:_OPEN_FINDINGS])
-    failed = [move for robot in simulation.robots for move in robot.failed_moves]
-    body += "".join(_handled(one, found) for one in failed[:_MOST_FINDINGS])
     folded = told[_OPEN_FINDINGS:]
     if folded:
         rest = "".join(_finding(one) for one in folded)
@@ -96,18 +93,9 @@ def findings(simulation: Simulation, found: Sequence[Diagnostic]) -> str:
     return section("findings", "Findings", body, remark)
 
 
-def _handled(failed: FailedMove, found: Sequence[Diagnostic]) -> str:
-    """A move that failed, if that is no finding because an ERROR clause dealt with it."""
-    span = failed.place.span
-    if any(one.violation == failed.violation and one.span == span for one in found):
-        return ""
-    diagnostic = Diagnostic(failed.violation, span, routine=failed.place.routine)
-    return _finding(Finding(diagnostic), "handled by the program")
-
-
-def _finding(finding: Finding, remark: str = "") -> str:
+def _finding(finding: Finding) -> str:
     first, violation = finding.first, finding.first.violation
-    kind = "note" if remark else first.severity.value
+    kind = first.severity.value
     where, line = "", ""
     if first.span is not None:
         routine = f" in {first.routine}" if first.routine else ""
@@ -117,7 +105,7 @@ def _finding(finding: Finding, remark: str = "") -> str:
     cf = f" (cf. {violation.cf})" if violation.cf else ""
     more = f" and {len(finding.repeats)} more like it" if finding.repeats else ""
     cure = f'<p class="help">{prose(violation.help)}</p>' if violation.help else ""
-    title = f'<b class="code">{text(remark or kind)} {violation.code}</b>'
+    title = f'<b class="code">{kind} {violation.code}</b>'
     return (
         f'<div class="finding {kind}"><p>{title} {prose(violation.message)}{text(cf)}</p>'
         f'<p class="where">{text(where)}{more}</p>'

@@ -52,7 +52,7 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
         "style": _colours_of_moves() + _shipped("style.css"),
         "head": sections.head(simulation),
         "summary": sections.summary(simulation, figures(simulation), findings),
-        "findings": sections.findings(simulation, findings),
+        "findings": sections.findings(findings),
         "collisions": collision_section(simulation),
         "times": sections.cycle_time(simulation),
         "events": sections.events(simulation),

@@ -11,7 +11,7 @@ MODULE axis_past_its_limit
   ENDPROC
 
   PROC careful()
-    MoveAbsJ over,v500,fine,tool0;
+    MoveAbsJ over,v500,fine,tool0;       ! warning: K602
   ERROR
     IF ERRNO=ERR_ROBLIMIT THEN
       TPWrite "caught";       ! -> caught

@@ -7,7 +7,7 @@ MODULE outside_reach
   PROC main()
     joints:=CalcJointT(far,tool0\ErrorNumber:=number);
     TPWrite "told: "\Bool:=number=ERR_OUTSIDE_REACH;     ! -> told: TRUE
-    MoveJ far,v500,fine,tool0;
+    MoveJ far,v500,fine,tool0;                          ! warning: K601
     TPWrite "and goes on";                               ! -> and goes on
   ERROR
     IF ERRNO=ERR_OUTSIDE_REACH THEN
