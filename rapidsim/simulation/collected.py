@@ -99,8 +99,8 @@ def _simulation(
             *not_simulated_findings(run.journal),
             *backward_findings(run.setup.program),
             *hasty_move_findings(run.queue.moves),
-            *outcome.findings,
             *handled_findings(run.journal.failed_moves(), outcome.findings),
+            *outcome.findings,
         )
     )
     planners = [run.queue.planner for run in runs if run.setup.robot is not None]

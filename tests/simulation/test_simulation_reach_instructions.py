@@ -87,6 +87,21 @@ def test_the_way_ends_where_the_program_does(end: str) -> None:
     assert [code for code, _ in found.codes] == ["K601"]
 
 
+@pytest.mark.parametrize("before", range(5))
+def test_what_no_way_leads_to_is_looked_at_whatever_was_before(before: int) -> None:
+    quiet = "".join(
+        f'  PROC quiet{k}()\n    RETURN;\n    TPWrite "never";\n  ENDPROC\n' for k in range(before)
+    )
+    calls = "".join(f"    quiet{k};\n" for k in range(before))
+    body = f"""  PROC main()
+{calls}    MoveJ p,v100,fine,tool0;
+    EXIT;
+    MoveL Offs(p,0,0,9000),v100,fine,tool0;
+  ENDPROC
+{quiet}"""
+    assert [code for code, _ in checked(f"{HEAD}{body}ENDMODULE\n").codes] == ["K601"]
+
+
 def test_a_procedure_on_the_way_may_write_what_later_moves_need() -> None:
     body = """  VAR num far:=9000;
   PROC main()

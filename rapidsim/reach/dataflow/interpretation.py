@@ -75,7 +75,8 @@ class Walker:
     _stack: list[Frame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
-    _body_effects: dict[int, Effects] = field(default_factory=dict)
+    _body_effects: dict[int, tuple[tree.Body, Effects]] = field(default_factory=dict)
+    """By identity, with the bodies: some are cut out of others, and must stay for that."""
     _turns: list[list[State]] = field(default_factory=list)
     """For each loop that is walked, what was known where CONTINUE ended its turn."""
     _run_ends: dict[int, int] = field(default_factory=dict)
@@ -220,9 +221,10 @@ class Walker:
             self.state.last = None
 
     def _effects_of(self, body: tree.Body) -> Effects:
-        if id(body) not in self._body_effects:
-            self._body_effects[id(body)] = self.effects.of_bodies(body)
-        return self._body_effects[id(body)]
+        known = self._body_effects.get(id(body))
+        if known is None:
+            known = self._body_effects[id(body)] = body, self.effects.of_bodies(body)
+        return known[1]
 
     # --- statements
 
