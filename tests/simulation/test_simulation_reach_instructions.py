@@ -128,6 +128,9 @@ def test_what_triggers_do_need_not_be_known(given: str) -> None:
     TriggJ turned,v100,{given},fine,tool0;
   ENDPROC
 """
+    # An instruction that writes trigger data leaves nothing behind for the next check.
+    moving = "MoveJ p,v100,fine,tool0;\nTriggDataReset near;\n"
+    checked(f"{HEAD}PROC main()\n{moving}ENDPROC\nENDMODULE\n")
     found = checked(f"{HEAD}{body}ENDMODULE\n")
     assert found.counts == (1, 0, 0)
     assert found.only("K603").fix is not None

@@ -20,7 +20,7 @@ from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 _TRIGGER = TYPES["triggdata"]
-_ANY_TRIGGER: Box[Trigger | None] = Box(Trigger(RaiseInterrupt(0.0)))
+_ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
 """What happens on the way of a move changes nothing about it."""
 
 
@@ -63,7 +63,8 @@ def perform(
     options: dict[str, object] = {}
     for parameter in there:
         key = parameter.name.lower()
-        value = values.get(key, _ANY_TRIGGER)
+        # In a box of its own: some instructions write to it.
+        value = values[key] if key in values else Box(_ANY_TRIGGER)
         if key in values and by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):
                 return "an array is given by reference"
