@@ -48,7 +48,7 @@ from rapidsim.language.data import (
 from rapidsim.language.moves import Interpolation, Move, Place
 from rapidsim.motion.configurations.confdata import confdata_of
 from rapidsim.motion.geometry.segments import Geometry, Segment, Speed, Waypoint, Zone
-from rapidsim.motion.model import MotionModel
+from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot, load_robot
@@ -276,7 +276,8 @@ def _beside_toppra(robot: Robot) -> None:
 
 def beside_toppra(robot: Robot) -> Iterator[BesideToppra]:
     """Measure both, in NumPy and, where it is installed, with numba."""
-    model = replace(MotionModel(), filter_time=0.0)
+    # The model whose limits know nothing of zones, as the other solver's.
+    model = replace(MODELS["1"], filter_time=0.0)
     limits = limits_of(robot, model)
     random = np.random.default_rng(1)
     blocks = [_random_block(robot, random) for _ in range(BLOCKS)]
