@@ -103,6 +103,12 @@ class Ticking:
 def main() -> None:
     """Measure and print."""
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 7
+    _show(loop_times(rounds))
+    _show_polling(min(rounds, 3))
+
+
+def loop_times(rounds: int) -> dict[str, list[float]]:
+    """Seconds of processor of each loop: as generated code, in Python, in closures."""
     program = _program()
     task = load(program, one_for_all(Ticking()))
     closures = Interpreter(program, Ticking())
@@ -120,8 +126,7 @@ def main() -> None:
         measured = [[_seconds(way) for way in ways] for _ in range(rounds)]
         times[name] = [min(column) for column in zip(*measured, strict=True)]
     _expect_equal_memory(task, closures)
-    _show(times)
-    _show_polling(min(rounds, 3))
+    return times
 
 
 def _show_polling(rounds: int) -> None:
@@ -171,16 +176,17 @@ def _show(times: dict[str, list[float]]) -> None:
         columns = "".join(f"{1000 * t:8.2f} ms" for t in (generated, plain, closures))
         print(f"{name:16}{columns}{slower[-1]:8.2f}{faster[-1]:10.2f}")
     print(
-        f"slower than Python: geometric mean {_mean(slower):.2f}"
+        f"slower than Python: geometric mean {mean_of(slower):.2f}"
         f" (target {GEOMETRIC_MEAN_TARGET:g}), worst {max(slower):.2f} (target {WORST_TARGET:g})"
     )
     print(
-        f"faster than closures: geometric mean {_mean(faster):.2f}, "
+        f"faster than closures: geometric mean {mean_of(faster):.2f}, "
         f"least {min(faster):.2f} (target {CLOSURE_TARGET:g})"
     )
 
 
-def _mean(ratios: list[float]) -> float:
+def mean_of(ratios: list[float]) -> float:
+    """The geometric mean."""
     return math.exp(sum(map(math.log, ratios)) / len(ratios))
 
 

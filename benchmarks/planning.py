@@ -15,7 +15,7 @@ import argparse
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.util import find_spec
 from itertools import pairwise
@@ -197,7 +197,7 @@ def _planning(robot: Robot, counts: Sequence[int]) -> None:
     with_numba = find_spec("numba") is not None
     if with_numba:
         with numba(use=True):
-            seconds, _ = _timed(robot, print_moves(robot, 5000, 0.1), 1)
+            seconds, _ = timed(robot, print_moves(robot, 5000, 0.1), 1)
         print(f"{'':>28}(loading compiled code and the first 5,000 moves: {seconds:.1f} s)")
     spent: dict[tuple[bool, float, int], float] = {}
     for speed in (0.1, 0.5):
@@ -208,7 +208,7 @@ def _planning(robot: Robot, counts: Sequence[int]) -> None:
             for use in (False, True)[: 1 + with_numba]:
                 with numba(use=use):
                     repeats = REPEATS if count < 50_000 else 1
-                    seconds, duration = _timed(robot, segments, repeats)
+                    seconds, duration = timed(robot, segments, repeats)
                 spent[use, speed, count] = seconds
                 rates.append(f"{count / seconds:12,.0f}")
             columns = "".join(rates) if with_numba else rates[0] + f"{'-':>12}"
@@ -234,12 +234,13 @@ def _short_blocks(robot: Robot) -> None:
         columns = ""
         for use in (False, True)[: 1 + (find_spec("numba") is not None)]:
             with numba(use=use):
-                seconds, _ = _timed(robot, segments, REPEATS)
+                seconds, _ = timed(robot, segments, REPEATS)
             columns += f"{seconds / BLOCK_MOVES * 1e3:12.2f}"
         print(f"{name:>24}{columns}")
 
 
-def _timed(robot: Robot, segments: Sequence[Segment], repeats: int) -> tuple[float, float]:
+def timed(robot: Robot, segments: Sequence[Segment], repeats: int) -> tuple[float, float]:
+    """Processor time of planning moves, the best of some, and how long the moves take [s]."""
     best, duration = np.inf, 0.0
     for _ in range(repeats):
         begin = process_time()
@@ -248,12 +249,34 @@ def _timed(robot: Robot, segments: Sequence[Segment], repeats: int) -> tuple[flo
     return float(best), duration
 
 
+@dataclass(frozen=True)
+class BesideToppra:
+    """The same rows on the same grid, solved by toppra and by us."""
+
+    compiled: bool
+    nodes: int
+    theirs_s: float
+    ours_s: float
+    difference: float
+    """Of durations, the largest as a share."""
+
+
 def _beside_toppra(robot: Robot) -> None:
     if find_spec("toppra") is None:
         print("\ntoppra is not installed and was left out")
         return
     print(f"\n{BLOCKS} blocks of 20 lines, the same rows on the same grid")
     print(f"{'':>12}{'grid':>8}{'toppra ms':>12}{'ours ms':>10}{'ratio':>8}  duration differs by")
+    for one in beside_toppra(robot):
+        way = "with numba" if one.compiled else "NumPy"
+        print(
+            f"{way:>12}{one.nodes:>8}{one.theirs_s * 1e3:12.0f}{one.ours_s * 1e3:10.1f}"
+            f"{one.theirs_s / one.ours_s:8.0f}  {one.difference:.1e}"
+        )
+
+
+def beside_toppra(robot: Robot) -> Iterator[BesideToppra]:
+    """Measure both, in NumPy and, where it is installed, with numba."""
     model = replace(MotionModel(), filter_time=0.0)
     limits = limits_of(robot, model)
     random = np.random.default_rng(1)
@@ -280,11 +303,7 @@ def _beside_toppra(robot: Robot) -> None:
                 ours += best
             worst = max(worst, abs(found / expected - 1.0))
             nodes += len(cells.at) + 1
-        way = "with numba" if use else "NumPy"
-        print(
-            f"{way:>12}{nodes:>8}{theirs * 1e3:12.0f}{ours * 1e3:10.1f}{theirs / ours:8.0f}"
-            f"  {worst:.1e}"
-        )
+        yield BesideToppra(use, nodes, theirs, ours, worst)
 
 
 def _random_block(robot: Robot, random: np.random.Generator) -> list[Segment]:

@@ -56,14 +56,24 @@ def main() -> None:
     """Measure and print."""
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
-        _recording(_run(scratch, ROUND.format(rounds=ROUNDS)), scratch)
+        recording_of_an_hour(scratch)
         options = RunOptions(home=scratch, answers=lambda _: "30")
         pentagon = rapidsim.simulate(
             [ROOT / "programs" / "pentagon.mod"], robot="irb1600", options=options
         )
         size = write.record(pentagon, scratch / "pentagon.rrd").stat().st_size
         print(f"pentagon: {size / 1e6:.2f} MB")
-        _report(_run(scratch, SPIRAL.format(moves=ARC_MOVES)), scratch)
+        report_of_a_long_path(scratch)
+
+
+def recording_of_an_hour(scratch: Path) -> float:
+    """How large [MB] the recording of an hour under way is; measured on less."""
+    return _recording(_run(scratch, ROUND.format(rounds=ROUNDS)), scratch)
+
+
+def report_of_a_long_path(scratch: Path) -> float:
+    """How large [MB] the report of 10,000 moves is."""
+    return _report(_run(scratch, SPIRAL.format(moves=ARC_MOVES)), scratch)
 
 
 def _run(scratch: Path, text: str) -> Simulation:
@@ -78,7 +88,7 @@ def _run(scratch: Path, text: str) -> Simulation:
     return simulation
 
 
-def _recording(simulation: Simulation, scratch: Path) -> None:
+def _recording(simulation: Simulation, scratch: Path) -> float:
     start, busy = time.perf_counter(), time.thread_time()
     runs = sampled.sample(simulation, None)
     sampling_s, sampling_busy_s = time.perf_counter() - start, time.thread_time() - busy
@@ -95,15 +105,18 @@ def _recording(simulation: Simulation, scratch: Path) -> None:
     print(f"recording: {rows} rows in {writing_s:.2f} s ({rows / writing_s:,.0f}/s)", end="; ")
     print(f"{rows / working_s:,.0f}/s of the thread's own time")
     print(f"recording: {size / 1e6:.1f} MB, {size / samples:.0f} bytes a sample", end="; ")
-    print(f"an hour under way: {size / samples * sampled.MOST_SAMPLES / 1e6:.0f} MB")
+    hour = size / samples * sampled.MOST_SAMPLES / 1e6
+    print(f"an hour under way: {hour:.0f} MB")
+    return hour
 
 
-def _report(simulation: Simulation, scratch: Path) -> None:
+def _report(simulation: Simulation, scratch: Path) -> float:
     start = time.perf_counter()
     path = write_report(simulation, simulation.diagnostics, scratch / "report.html")
     took_s = time.perf_counter() - start
-    print(f"report of {len(simulation.moves)} moves: {path.stat().st_size / 1e6:.2f} MB", end="")
-    print(f" in {took_s:.1f} s")
+    megabytes = path.stat().st_size / 1e6
+    print(f"report of {len(simulation.moves)} moves: {megabytes:.2f} MB in {took_s:.1f} s")
+    return megabytes
 
 
 if __name__ == "__main__":

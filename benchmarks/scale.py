@@ -24,7 +24,7 @@ from pathlib import Path
 from exports import FORMS, PATHS, ROBOT, export
 
 COMMANDS = {
-    "check": ("check", "--robot", ROBOT),
+    "check": ("check", "--no-cache", "--robot", ROBOT),
     "run": ("run", "--robot", ROBOT, "--no-record"),
     "record": ("run", "--robot", ROBOT),
 }

@@ -166,7 +166,8 @@ UNSEEN = {"the arm", "where the arm begins", "no run", "what is checked", "the a
 
 @pytest.mark.parametrize("change", CHANGES)
 def test_whatever_changes_is_seen(change: str, cell: Path, tmp_path: Path) -> None:
-    kept, arguments = tmp_path / "kept", (".", "--output-format", "json")
+    kept = tmp_path / "kept"
+    arguments: tuple[str, ...] = (".", "--output-format", "json")
     before = check(kept, cell, *arguments)
     known = entries(kept)
     arguments = (*arguments, *CHANGES[change](cell))
@@ -214,11 +215,11 @@ def test_rapidsim_itself_is_one_of_the_inputs(
 ) -> None:
     store = ResultStore(tmp_path / "kept")
     code = tmp_path / "code"
+    packages = ["numpy-2.3.0.dist-info"]
     (code / "inner").mkdir(parents=True)
     source = code / "inner" / "module.py"
     monkeypatch.setattr(fingerprints, "_folders", lambda: (code,))
     monkeypatch.setattr(fingerprints, "_packages", lambda: packages)
-    packages = ["numpy-2.3.0.dist-info"]
 
     def now() -> str:
         of_installation.cache_clear()
@@ -294,8 +295,8 @@ def test_facts_are_what_a_record_can_hold() -> None:
             assert told <= {*FACTS, f"tuple[{kind.__name__}, ...]"}, kind
 
 
-REST = ([0, 0, [], ""], [], True)
-PLACE = (None, [], None, None, False)
+REST: tuple[object, ...] = ([0, 0, [], ""], [], True)
+PLACE: tuple[object, ...] = (None, [], None, None, False)
 
 
 @pytest.mark.parametrize(
@@ -365,7 +366,7 @@ def test_arms_from_files_of_the_user_are_checked_anew(cell: Path, tmp_path: Path
 
 
 def test_values_have_fingerprints_of_their_own() -> None:
-    values = (
+    values: tuple[object, ...] = (
         *(0, 0.0, -0.0, False, None, "", b"", (), [], {}, frozenset[int](), "0", "None"),
         *(("a", "b"), ("ab",), (("a",), "b"), ("a", ("b",)), {"a": "b"}, {"a", "b"}),
         *(Path("a"), float("nan"), 1e-300, 1, 1.0),

@@ -1,0 +1,142 @@
+"""What README and docs claim of speed and size, and the bound that holds for each.
+
+`claims.py` measures all of it in one run, peers included; a test holds that no page says more.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Stated:
+    """A claim."""
+
+    what: str
+    unit: str
+    most: float | None = None
+    least: float | None = None
+    pages: tuple[tuple[str, str], ...] = ()
+    """Where it stands, and in which words; none for what only this file promises."""
+
+    def holds(self, value: float) -> bool:
+        """Whether a number is within the bounds."""
+        return (self.most is None or value <= self.most) and (
+            self.least is None or value >= self.least
+        )
+
+    @property
+    def bound(self) -> str:
+        """The bounds in words."""
+        parts = (("at least", self.least), ("at most", self.most))
+        return " and ".join(f"{word} {number:g}" for word, number in parts if number is not None)
+
+
+_NUMPY = "x as long as `import numpy, lark, click`"
+STATED = (
+    Stated("check of a tiny module, the first time", _NUMPY, most=1.5),
+    Stated("check of a tiny module, the second time", _NUMPY, most=1.5),
+    Stated(
+        "check of 100 small modules, the second time",
+        "of the first time",
+        most=0.2,
+        pages=(
+            ("docs/ci.md", "100 small modules take a tenth of the time"),
+            ("CHANGELOG.md", "100 small modules take a tenth of the time"),
+        ),
+    ),
+    Stated(
+        "check of 100,000 moves, the second time",
+        "of the first time",
+        most=0.05,
+        pages=(
+            ("docs/ci.md", "an export of 100,000 moves a thirtieth"),
+            ("CHANGELOG.md", "100,000 moves a thirtieth"),
+        ),
+    ),
+    Stated(
+        "start of a second process",
+        "s",
+        most=0.5,
+        pages=(("docs/ci.md", "A process takes a third of a second to start"),),
+    ),
+    Stated("an hour of pick and place", "s of processor", most=25.0),
+    Stated("  memory a virtual minute", "MB", most=0.2),
+    Stated("ten minutes of polling", "s of processor", most=5.0),
+    Stated("reach of 100,000 places of ten targets", "s of processor", most=20.0),
+    Stated(
+        "  targets",
+        "a second",
+        least=100_000.0,
+        pages=(("docs/sweep.md", "some hundred thousand targets per second"),),
+    ),
+    Stated(
+        "loops of RAPID beside Python, geometric mean",
+        "x as long",
+        most=2.3,
+        pages=(("docs/simulated.md", "about two to three times slower than Python"),),
+    ),
+    Stated(
+        "  the worst of them",
+        "x as long",
+        most=4.0,
+        pages=(("docs/simulated.md", "about two to three times slower than Python"),),
+    ),
+    Stated(
+        "a check of 24 KB beside rapidchecker",
+        "x as fast, without start",
+        least=300.0,
+        pages=(("README.md", "| checking 24 KB of RAPID, without process start-up |"),),
+    ),
+    Stated(
+        "time-optimal planning beside toppra, in NumPy",
+        "x as fast",
+        least=4.0,
+        pages=(
+            ("README.md", "5 times as fast, 31 times with the extra `fast`"),
+            ("docs/timing.md", "found 30 times as fast with numba, 5 times in NumPy"),
+        ),
+    ),
+    Stated(
+        "  with numba",
+        "x as fast",
+        least=20.0,
+        pages=(
+            ("README.md", "5 times as fast, 31 times with the extra `fast`"),
+            ("docs/timing.md", "found 30 times as fast with numba, 5 times in NumPy"),
+        ),
+    ),
+    Stated(
+        "  durations differ by",
+        "of them",
+        most=1e-6,
+        pages=(("README.md", "equal to 8e-8"),),
+    ),
+    Stated(
+        "planning 10,000 moves with numba beside NumPy",
+        "x as fast",
+        least=2.0,
+        pages=(("docs/install.md", "planned two to four times as fast"),),
+    ),
+    Stated(
+        "installed size of the core",
+        "MB",
+        most=140.0,
+        pages=(
+            ("README.md", "| installed size of the core, which checks and runs | 130 MB |"),
+            ("docs/install.md", "`pip install -e .` takes 130 MB"),
+        ),
+    ),
+    Stated(
+        "recording of an hour under way",
+        "MB",
+        most=100.0,
+        pages=(("docs/recording.md", "stays under 100 MB"),),
+    ),
+    Stated(
+        "report of 10,000 moves",
+        "MB",
+        most=2.5,
+        pages=(("docs/recording.md", "A path of 10,000 moves takes 2 MB"),),
+    ),
+)

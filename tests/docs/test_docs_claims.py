@@ -1,0 +1,61 @@
+"""What pages say of speed and size is measured by a benchmark, and nothing else is said."""
+
+import re
+import runpy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+STATED: tuple[Any, ...] = runpy.run_path(str(ROOT / "benchmarks" / "stated.py"))["STATED"]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+_NUMBER = r"(\d[\d,.]*|two|three|four|five|ten|hundred|thousand)"
+FIGURE = re.compile(
+    rf"{_NUMBER} (\w+ )?times (as fast|faster|slower)|slower than Python|\d (MB|GB|kB)\b"
+    rf"|{_NUMBER} \w+ (a|per) second|tenth of the time|of a second to start|percentile"
+)
+NO_CLAIMS = (
+    # Limits, and sizes of what others make.
+    *(
+        "beyond 200 MB",
+        "The limit is 50 MB",
+        "more than 200 MB",
+        "at most 1 GB",
+        "limited to 64 MB",
+    ),
+    "a container of about 900 MB",
+)
+
+
+def _lines() -> list[Any]:
+    return [
+        pytest.param(page, line, id=f"{page.name}-{number}")
+        for page in PAGES
+        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1)
+        if FIGURE.search(line)
+    ]
+
+
+@pytest.mark.parametrize(("page", "line"), _lines())
+def test_a_figure_has_its_benchmark(page: Path, line: str) -> None:
+    name = page.relative_to(ROOT).as_posix()
+    known = [words for one in STATED for where, words in one.pages if where == name]
+    left = line
+    for words in (*known, *NO_CLAIMS):
+        left = left.replace(words, "")
+    assert not FIGURE.search(left), "add it to benchmarks/stated.py and measure it in claims.py"
+
+
+@pytest.mark.parametrize("claim", STATED, ids=lambda one: one.what.strip())
+def test_a_claim_stands_where_it_is_said_to_and_is_measured(claim: Any) -> None:
+    for page, words in claim.pages:
+        assert words in (ROOT / page).read_text(encoding="utf-8")
+    assert claim.most is not None or claim.least is not None
+    assert not (claim.holds(float("inf")) and claim.holds(float("-inf")))
+    measuring = (ROOT / "benchmarks" / "claims.py").read_text(encoding="utf-8")
+    named = claim.what
+    for several in ("100 small modules", "100,000 moves"):
+        if f'"{several}"' in measuring:
+            named = named.replace(several, "{name}")
+    assert f'"{named}"' in measuring
