@@ -29,6 +29,7 @@ NO_CLAIMS = (
         "limited to 64 MB",
     ),
     "a container of about 900 MB",
+    *("may write 1 GB in total", "| 1 GB, 10,000, 100 |"),
 )
 
 
