@@ -80,7 +80,11 @@ def _cpu_s(command: list[str]) -> float:
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     # Where that is set every start compiles every module, which is no cost of the command.
     variables = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    done = subprocess.run(command, capture_output=True, text=True, check=False, env=variables)
+    # Beside this file Python would take it for the other checker.
+    folder = Path(command[-1]).parent
+    done = subprocess.run(
+        command, capture_output=True, text=True, check=False, env=variables, cwd=folder
+    )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     assert done.returncode == 0, done.stdout + done.stderr
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
