@@ -38,8 +38,7 @@ CASES: list[tuple[str, ...]] = [
     ("--each", *(str(PROGRAMS / name) for name in ("cell", "pentagon.mod", "shared_machine"))),
     ("--each", str(CORPUS / "unicode.mod"), str(CORPUS / "several.mod"), "--extend-select", "S"),
 ]
-OFTEN = CASES[:1] + CASES[-1:]
-"""Those tried in every format."""
+"""The last is tried in every format."""
 ARM = '[robot]\nmodel = "irb120"\n'
 STATION = f"""{ARM}
 [controller]
@@ -78,22 +77,25 @@ def refused(*_: object) -> None:
     raise AssertionError("it was checked anew")
 
 
-@pytest.mark.parametrize(
-    ("arguments", "form"),
-    [(case, form) for case in CASES for form in (FORMATS if case in OFTEN else ("full", "json"))],
-    ids=lambda one: one if isinstance(one, str) else Path(one[0]).name,
-)
-def test_what_is_kept_is_told_as_what_is_found(
-    arguments: tuple[str, ...], form: str, tmp_path: Path
-) -> None:
-    arguments = (*arguments, "--output-format", form)
-    fresh = timeless(call("check", *arguments, cwd=tmp_path))
+@pytest.fixture
+def installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All of rapidsim is not read for each of the folders that tests keep results in."""
+    monkeypatch.setattr("rapidsim.jobs.kept_results.of_installation", lambda _: "installation")
+
+
+@pytest.mark.usefixtures("installed")
+@pytest.mark.parametrize("arguments", CASES, ids=lambda one: Path(one[0]).name)
+def test_what_is_kept_is_told_as_what_is_found(arguments: tuple[str, ...], tmp_path: Path) -> None:
     kept = tmp_path / "kept"
-    assert check(kept, tmp_path, *arguments) == fresh
-    assert entries(kept)
-    with patch("rapidsim.jobs.check_files.check_job", refused):
-        assert check(kept, tmp_path, *arguments) == fresh
-    assert fresh[0] in (0, 1)
+    for form in FORMATS if arguments is CASES[-1] else ("full", "json"):
+        asked = (*arguments, "--output-format", form)
+        fresh = timeless(call("check", *asked, cwd=tmp_path))
+        if not kept.exists():
+            assert check(kept, tmp_path, *asked) == fresh
+            assert entries(kept)
+        with patch("rapidsim.jobs.check_files.check_job", refused):
+            assert check(kept, tmp_path, *asked) == fresh
+        assert fresh[0] in (0, 1)
 
 
 @pytest.fixture
@@ -164,6 +166,7 @@ UNSEEN = {"the arm", "where the arm begins", "no run", "what is checked", "the a
 """Changes that need not change what is printed; that a result is made anew is looked at."""
 
 
+@pytest.mark.usefixtures("installed")
 @pytest.mark.parametrize("change", CHANGES)
 def test_whatever_changes_is_seen(change: str, cell: Path, tmp_path: Path) -> None:
     kept, plain = tmp_path / "kept", (".", "--output-format", "json")
@@ -176,6 +179,7 @@ def test_whatever_changes_is_seen(change: str, cell: Path, tmp_path: Path) -> No
     assert entries(kept) > known
 
 
+@pytest.mark.usefixtures("installed")
 def test_what_a_backup_says_of_its_cell_is_seen(tmp_path: Path) -> None:
     backup, kept = tmp_path / "backup", tmp_path / "kept"
     shutil.copytree(CORPUS / "backup", backup)
@@ -190,6 +194,7 @@ def test_what_a_backup_says_of_its_cell_is_seen(tmp_path: Path) -> None:
         assert entries(kept) > known or not text
 
 
+@pytest.mark.usefixtures("installed")
 def test_a_task_that_did_not_change_is_not_looked_at_again(tmp_path: Path) -> None:
     folder, kept = tmp_path / "two", tmp_path / "kept"
     shutil.copytree(PROGRAMS / "two_robots", folder)
@@ -253,6 +258,8 @@ def kinds_of_facts(violation: Violation) -> dict[str, type]:
 def test_records_hold_all_that_the_rules_find(rule_programs: list[Path]) -> None:
     kinds = set()
     for file in rule_programs:
+        if "-bad-" not in file.name:
+            continue
         try:
             made = a_job(file, extend_select=("S", "F4", "M5", "T3"))
         except InputError:
@@ -324,6 +331,7 @@ def test_what_cannot_be_read_is_made_anew(cell: Path, tmp_path: Path) -> None:
     of_installation.cache_clear()
 
 
+@pytest.mark.usefixtures("installed")
 def test_a_folder_that_cannot_be_written_keeps_nothing(cell: Path, tmp_path: Path) -> None:
     (tmp_path / "file").write_text("")
     found = timeless(call("check", ".", cwd=cell))
