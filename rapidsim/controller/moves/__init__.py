@@ -1,1 +1,1 @@
-"""From a move instruction to a segment: frames, speeds, zone, and how the arm arrives."""
+"""From a move instruction to a segment: frames, speeds, zone and the configuration at its end."""

@@ -1,4 +1,4 @@
-"""How the arm stands at the end of a move to a pose: which of its configurations, which turns.
+"""How the arm stands at the end of a move to a pose: in which configuration, after which turns.
 
 The controller wants the stored configuration exactly when ConfJ or ConfL is on, and stops when it
 does not work. So does the run, unless it is told to take the nearest that works: programs are often
@@ -64,7 +64,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 CURVE_SAMPLES = 33
-"""Poses along a line or arc by which the whole turns of the joints are followed to its end."""
+"""Poses along a line or arc at which joint turns are followed to its end."""
 _ALONG = np.linspace(0.0, 1.0, CURVE_SAMPLES)
 _ROWS = np.zeros(CURVE_SAMPLES, dtype=np.int64)
 _TOLD_DEVIATION = np.radians(0.5)
@@ -72,12 +72,12 @@ _TOLD_DEVIATION = np.radians(0.5)
 
 @dataclass(frozen=True, slots=True)
 class Arrivals:
-    """Finds how one robot arrives."""
+    """Finds how a robot stands at the ends of its moves."""
 
     robot: Robot
     journal: Journal
     takes_nearest: bool = False
-    """Whether a stored configuration that cannot be had gives way to the nearest."""
+    """Whether a stored configuration that does not work gives way to the nearest that does."""
 
     def of(
         self, asked: AskedMove, stored: ConfData, segment: Segment, *, is_short: bool
@@ -146,7 +146,7 @@ class Arrivals:
     def at_target(
         self, base_from_flange: Transform, target: str, stored: ConfData, near: Array, place: Place
     ) -> Configuration:
-        """How the arm would stand at a target that no move goes to: as stored, as moves do.
+        """How the arm would stand at a target without moving there, by the rules of moves.
 
         Raises:
             MoveRefusedError: When it cannot, and the nearest is not taken.
@@ -193,7 +193,7 @@ class Arrivals:
     def _tell_switch(
         self, asked: AskedMove, segment: Segment, before: Configuration, chosen: Configuration
     ) -> None:
-        """Tell if a joint move switches the main axes."""
+        """Report a joint move that switches the configuration of the main axes."""
         key = ("main axes", asked.written)
         is_told = segment.geometry is Geometry.JOINT and not asked.is_first
         is_told &= told_apart(self.robot.kinematics) and is_switch(before, chosen)
@@ -204,7 +204,7 @@ class Arrivals:
         self.journal.finding(found, asked.place, once=key)
 
     def _tell_far_turn(self, asked: AskedMove, segment: Segment, arrival: Configuration) -> None:
-        """Tell if a wrist axis turns so far on a line or arc that a controller may stop."""
+        """Report a line or arc on which a wrist axis turns so far that a controller may stop."""
         if _in_joints(segment) or not self._is_monitored(asked, segment):
             return
         found = wrist_turning_far(asked.name, segment.start.joints, arrival.joints)
@@ -214,7 +214,7 @@ class Arrivals:
     def _hold_to_stored(
         self, asked: AskedMove, stored: ConfData, segment: Segment, chosen: Configuration
     ) -> None:
-        """Stop the run, or tell, where the controller would stop: at another configuration.
+        """Stop the run, or report it, where a controller would stop: at another configuration.
 
         Raises:
             MoveImpossible: When the nearest is not to be taken.
@@ -264,13 +264,13 @@ class Arrivals:
     def _by_stored(
         self, asked: AskedMove, wanted: Quarters, segment: Segment
     ) -> Sequence[Configuration]:
-        """What reaches the end of a segment, the nearest to what is stored first."""
+        """The configurations that reach the end of a segment, nearest to the stored one first."""
         flange = self._base_from_flange(asked, segment)
         (found,) = by_stored(self.robot, flange[None], [wanted])
         return found or self._working(asked, segment)
 
     def _base_from_flange(self, asked: AskedMove, segment: Segment) -> Transform:
-        """Where the flange must be at the end of a segment."""
+        """Where the flange has to be at the end of a segment."""
         end, placed = segment.end, asked.request.placed
         return placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
 
@@ -335,7 +335,7 @@ class Arrivals:
         return self.configuration(joints)
 
     def _tell_turn_on_the_way(self, asked: AskedMove, segment: Segment) -> None:
-        """Tell how far a wrist that turns in joints takes the tool off its orientation."""
+        """Report how far a wrist that turns in joint space takes the tool off its orientation."""
         if self.journal.has_found(("turned on the way to", asked.written)):
             return
         curves, arms = self._curve(segment)

@@ -1,4 +1,4 @@
-"""Which of the configurations that reach a target is taken."""
+"""The choice among the configurations that reach a target."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ Quarters = tuple[int, int, int, int]
 """cf1, cf4, cf6, cfx."""
 
 _EQUALLY_NEAR = 9
-"""Digits of a distance [rad] that count."""
+"""Decimal places of a distance [rad] that count."""
 _MAIN_AXES = 0b110
-"""The bits of cfx for the wrist centre: behind axis 1 or not, behind the lower arm or not."""
+"""The bits of cfx for the wrist centre: behind axis 1, behind the lower arm."""
 
 
 def stored_or_nearest(
@@ -71,7 +71,7 @@ def by_stored(
 
 
 def _far(conf: Quarters, stored: Quarters) -> tuple[bool, int, Quarters]:
-    """How far confdata is from what is stored, to sort by."""
+    """How far confdata is from the stored confdata, as a sort key."""
     quarters = sum(abs(a - b) for a, b in zip(conf[:3], stored[:3], strict=True))
     return conf[3] != stored[3], quarters, conf
 
@@ -87,7 +87,7 @@ def nearest_without_switch(working: Sequence[Configuration], start: Configuratio
 
 
 def is_switch(start: Configuration, end: Configuration) -> bool:
-    """Whether the main axes change from one branch to another."""
+    """Whether the main axes change to another branch."""
     return bool((start.confdata[3] ^ end.confdata[3]) & _MAIN_AXES)
 
 
@@ -128,12 +128,12 @@ def by_distance(working: Sequence[Configuration], near: Array) -> list[Configura
 
 
 def rounded(conf: ConfData) -> Quarters:
-    """The whole numbers of confdata."""
+    """Confdata as whole numbers."""
     return _whole(conf.cf1), _whole(conf.cf4), _whole(conf.cf6), _whole(conf.cfx)
 
 
 def _whole(number: float) -> int:
-    """A whole number; one that no arm comes near, or none at all, is that of no configuration."""
+    """A whole number; values no arm comes near, or none at all, name no configuration."""
     return round(number) if abs(number) < NO_CONFIGURATION else NO_CONFIGURATION
 
 

@@ -23,7 +23,7 @@ class CornerKind(StrEnum):
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
 class ExecutedMove:
-    """A move as it was made; target, joints and configuration are the programmed end."""
+    """A move as it was carried out; target, joints and configuration are its programmed end."""
 
     index: int
     task: str
@@ -42,7 +42,7 @@ class ExecutedMove:
     """Shape (n,) [rad]."""
     conf: ConfData
     corner_reason: str = ""
-    """Why the zone is not the programmed one, or why the arm stops; empty where it is."""
+    """Why the zone is not the programmed one, or why the arm stops; empty if it is."""
     external: Array = field(default_factory=lambda: np.zeros(0))
     """Shape (e,) [m or rad]: the external axes at the end."""
 

@@ -1,4 +1,4 @@
-"""Where the frames of a guidance are: EGMActJoint, EGMActPose."""
+"""The frames of a guidance by EGMActJoint or EGMActPose."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def pose_aim(
     chosen: Chosen,
     filters_hz: tuple[float, ...],
 ) -> PoseAim:
-    """What poses of a sensor aim at.
+    """What a sensor's poses refer to.
 
     Args:
         resolver: Of the robot.

@@ -1,4 +1,4 @@
-"""From what a program asks of a guidance to the guidance: its law, its frames, what it is told."""
+"""From what a program asks for to the guidance: its law, its frames and what it is told."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
 from rapidsim.values import dataclass
 
 DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
-r"""What \J1 and its like are where nobody says: so near [deg, mm] the robot is there."""
+r"""Default of \J1 and its like: how close [deg, mm] counts as there."""
 _ROUNDING: Final = 1e-6
 
 
@@ -34,14 +34,14 @@ class ExternalMotionData:
     """A configuration of the type External Motion Interface Data."""
 
     filters: bool
-    """Level 1 and 2 have a filter of the controller's own; level 0 has none."""
+    """Whether the controller filters by itself: at levels 1 and 2, not at 0."""
     gain: float
     """Kp [1/s]."""
     bandwidth_hz: float
 
 
 DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20.0)
-"""That of the name `default`, which every controller has; from memory of ABB's documents."""
+"""The one named `default`, which every controller has; from memory of ABB's documents."""
 
 
 @dataclass(frozen=True, slots=True)

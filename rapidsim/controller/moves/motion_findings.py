@@ -1,4 +1,4 @@
-"""Findings about the way between two points, bound to the move that wanted it."""
+"""Findings about the path between two points, tied to the move that asked for it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def path_violation(error: MotionError) -> Violation:
 
 
 def fault_violation(fault: PathFault, target: str) -> Violation:
-    """What is wrong with the way to a target."""
+    """What is wrong with the path to a target."""
     if fault.kind is FaultKind.WRIST_PAIR:
         percent, distance_mm = 100.0 * fault.fraction, 1000.0 * fault.distance
         return WristCircleFails(target, percent, distance_mm, fault.reason, fault.cure)
@@ -63,7 +63,7 @@ def switched(
     before: Configuration,
     after: Configuration,
 ) -> MainAxesSwitched:
-    """What forces the main axes to switch on the way to a target, whose configuration is free."""
+    """Why the main axes must switch on the way to a target whose configuration is free."""
     joints = excess_without_switch(robot, base_from_flange, before)
     why = "no other posture gets there"
     if joints is not None:
@@ -90,7 +90,7 @@ def wrist_turning_far(target: str, start: Array, end: Array) -> WristTurnsFar | 
 
 
 def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
-    r"""A warning for each move that takes longer than its `\T`: no axis turns any faster."""
+    r"""A warning for each move that takes longer than its `\T` because no axis is faster."""
     found = []
     for queued in moves:
         programmed_s, started_s = queued.move.duration_s, queued.started.time

@@ -1,4 +1,4 @@
-"""What a move instruction says beside its target, in SI: speeds, zone, accelerations, modes."""
+"""What a move instruction says apart from its target, in SI: speeds, zone, accelerations, modes."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ CIRCLE_MODES = {
 
 _SLOWEST_M_S = 1e-5
 _SLOWEST_RAD_S = 1e-4
-"""A programmed speed of 0 never arrives; this late it ends by the run's time limit."""
+"""Stands for a programmed speed of 0, which never arrives: the run's time limit ends it."""
 _UNHURRIED_M_S = 1.0
-"""TCP speed of moves on which the TCP stays where it is on the robot: it limits nothing."""
+"""TCP speed, too high to limit anything, of moves whose TCP does not move on the robot."""
 
 
 def speed_of(move: Move, settings: MotionSettings) -> Speed:
@@ -97,7 +97,7 @@ def stop_ramp_of(settings: MotionSettings) -> float:
 
 
 def asked_circle_mode(move: Move, settings: MotionSettings) -> CircleMode:
-    """How the tool turns on an arc, as CirPathMode asks; of other moves it says nothing."""
+    """How the tool turns on an arc, as CirPathMode asks; it does not concern other moves."""
     on_arc = move.interpolation is Interpolation.CIRCLE
     return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
 
@@ -122,13 +122,13 @@ def circle_mode_of(
 
 
 def wrist_asked_in_joints(move: Move, settings: MotionSettings) -> bool:
-    """Whether SingArea asks that the wrist turns in joints on the way."""
+    """Whether SingArea asks for the wrist to turn in joint space."""
     asked = settings.singular_area is not SingularArea.OFF
     return asked and GEOMETRY[move.interpolation] is not Geometry.JOINT
 
 
 def can_turn_wrist_in_joints(move: Move, robot: Robot) -> bool:
-    """Whether the wrist of an arm can turn in joints while the rest leads the tool."""
+    """Whether an arm's wrist can turn in joint space while the other axes lead the tool."""
     return move.tool.robhold and len(robot.joints) <= 6
 
 

@@ -1,4 +1,4 @@
-"""A move instruction on its way to become a segment, and the error of one that cannot."""
+"""A move instruction that is to become a segment, and the error for one that cannot."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.values import dataclass
 
 
 class MoveRefusedError(RapidError):
-    """A move whose end cannot be reached, with the finding that says why."""
+    """A move whose end cannot be reached; carries the finding that says why."""
 
     def __init__(self, errno: float, violation: Violation) -> None:
         """Carry the finding along."""
@@ -21,7 +21,7 @@ class MoveRefusedError(RapidError):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class MoveRequest:
-    """A move and all that its segment depends on, but the robot and where it starts."""
+    """A move with all that its segment depends on, except the robot and its start."""
 
     move: Move
     settings: MotionSettings
@@ -31,12 +31,12 @@ class MoveRequest:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AskedMove:
-    """A request and where it stands in the program, for what is to be said of it."""
+    """A request and its place in the program, for findings about it."""
 
     request: MoveRequest
     place: Place
     is_first: bool = False
-    """Nobody knows where the first move of a run starts."""
+    """Whether it is the first move of a run: where that starts nobody knows."""
 
     @property
     def name(self) -> str:
@@ -45,7 +45,7 @@ class AskedMove:
 
     @property
     def written(self) -> str:
-        """What it goes to, as the program writes it: what is said of a target is said once."""
+        """What it goes to, as the program writes it, so that each target is reported once."""
         return _target_text(self.place, self.request.move)
 
 

@@ -30,11 +30,11 @@ class QueuedMove:
     """When the robot starts the move, in command time."""
     corner: CornerKind
     base_from_tcp: Transform
-    """At the programmed end, wherever tracks and positioners are then."""
+    """At the programmed end, wherever tracks and positioners are by then."""
     tcp_from_flange: Transform
-    """At the programmed end: of a stationary tool it changes on the way."""
+    """At the programmed end; with a stationary tool it changes along the way."""
     number: int = 0
-    """Among all moves that the robot was ever given."""
+    """Its number among all moves the robot was ever given."""
     level: int = 0
     """How many paths were stored when the robot was given the move."""
     corner_reason: str = ""
@@ -55,7 +55,7 @@ class QueuedMove:
         return all(one is not None and one < before_s for one in times)
 
     def again(self) -> QueuedMove:
-        """The same move to be made once more: nothing has become of it yet."""
+        """The same move to be made once more, with nothing done of it yet."""
         return QueuedMove(
             self.move,
             self.place,

@@ -58,12 +58,12 @@ from rapidsim.motion.robot.robot import Robot
 _MOST_REPEATS = 1000
 _MOVES = "{}, which holds the work object, is moving, and the robots are not synchronised"
 _TARGET = "the target"
-"""What functions that compute with a target call it."""
+"""The name of a target in functions that compute with it."""
 
 
 @dataclass(frozen=True)
 class Resolver:
-    """Resolves the moves of one robot."""
+    """Resolves a robot's moves."""
 
     robot: Robot
     journal: Journal
@@ -72,9 +72,9 @@ class Resolver:
     payload_acceleration: float | None = None
     """See `MotionModel`."""
     nearest_configuration: bool = False
-    """Whether a stored configuration that cannot be had gives way to the nearest."""
+    """Whether a stored configuration that does not work gives way to the nearest that does."""
     conveyors: frozenset[str] = frozenset()
-    """Folded names of the mechanical units that are conveyors of the cell."""
+    """Folded names of the mechanical units that are conveyors in the cell."""
     holders: Holders = field(default_factory=Holders)
     """The other robots, which may hold work objects."""
     guesses_frames: bool = True
@@ -82,9 +82,9 @@ class Resolver:
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
-    """What was worked out before: programs use few tools and work objects."""
+    """Placements worked out before: programs use few tools and work objects."""
     _repeats: dict[tuple[object, ...], QueuedMove] = field(default_factory=dict)
-    """Moves of which there was nothing to say: a cycle makes them again from the same place."""
+    """Moves without findings: a cycle repeats them from the same place."""
 
     def resolve(
         self,
@@ -289,7 +289,7 @@ class Resolver:
         raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
 
     def _unmoved(self) -> targets.Placement:
-        """Where nothing moves the tool against the work object: as of a flange without a tool."""
+        """Where nothing moves the tool against the work object: as for a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
     def may_be_held(self, wobj: WobjData) -> bool:
@@ -350,7 +350,7 @@ class Resolver:
         return placed
 
     def _tell_what_is_not_simulated(self, asked: AskedMove) -> None:
-        """Tell what SingArea and CirPathMode ask of a move and do not get."""
+        """Report what SingArea and CirPathMode ask of a move but do not get."""
         move, settings = asked.request.move, asked.request.settings
         if asked_circle_mode(move, settings) in WRIST_PAIRS:
             why = why_no_wrist_circle(move, asked.request.placed.carrier, self.robot)

@@ -1,4 +1,4 @@
-"""From moves to segments: the one place that makes them, for a run and for a check of reach."""
+"""From moves to segments: the only place that makes them, for runs and reach checks alike."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def segments(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Asked:
-    """What a move asks for beside where it goes; most moves of a program ask for the same."""
+    """What a move asks for apart from its target; most moves of a program ask for the same."""
 
     speed: Speed
     zone: Zone | None

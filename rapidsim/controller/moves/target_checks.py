@@ -1,4 +1,4 @@
-"""What is wrong with a target by itself: orientation, external axes, axes past their limits."""
+"""What can be wrong with a target itself: orientation, external axes, axes past their limits."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 
 _NOTHING_MEANT = (0.0, 9999.0)
-"""What old and generated programs write for axes that are not there."""
+"""What old and generated programs write for axes that do not exist."""
 
 
 def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Journal) -> None:
@@ -122,7 +122,7 @@ def require_limits(
 
 
 def excess_text(robot: Robot, wide: Array) -> str:
-    """What is past the limits of joints and external axes (n + e,); empty if nothing is."""
+    """Which joints and external axes (n + e,) are past their limits; empty if none is."""
     axes = robot.axes
     excess = np.maximum(wide - axes.upper, axes.lower - wide)
     return ", ".join(

@@ -15,23 +15,23 @@ from rapidsim.values import dataclass as value
 
 @value(frozen=True, slots=True, eq=False)
 class Holder:
-    """Another robot, where it is now."""
+    """Another robot and where it currently is."""
 
     unit: str
     """Name of the mechanical unit."""
     moves: bool
-    """Whether it does not stand still."""
+    """Whether it is moving."""
     world_from_flange: Transform
 
 
 def nobody(unit: str) -> Holder | None:
-    """No other robot has this name."""
+    """For cells in which no other robot has this name."""
     del unit
     return None
 
 
 @dataclass(slots=True, eq=False)
 class Holders:
-    """Finds robots by the names of their mechanical units, once all tasks are there."""
+    """Finds robots by the names of their mechanical units once all tasks exist."""
 
     find: Callable[[str], Holder | None] = nobody

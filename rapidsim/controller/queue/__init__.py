@@ -1,1 +1,1 @@
-"""A robot's moves and how far they are decided: alone, or in step with other robots."""
+"""A robot's queue of moves and how much of its motion is fixed, alone or in step with others."""

@@ -1,4 +1,4 @@
-"""A block: the moves up to a stop, and how far the robot's motion on them is decided."""
+"""A block: the moves up to a stop, and how much of the motion along them is fixed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Commit:
     distance_m: float
     speed_m_s: float
     spent_s: float | None = 0.0
-    """Time that the move has taken so far; None where it was stopped on its way."""
+    """How long the move has taken so far; None if it was stopped on its way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,10 +35,10 @@ class BlockPlan:
     start_s: float
     """Command time at that place."""
     lost_corner: int | None = None
-    """Index in the block of a move that ends with a stop instead of the corner it was to have."""
+    """Index in the block of a move that ends with a stop instead of its programmed corner."""
 
     def renumbered(self, gone: int) -> BlockPlan:
-        """The same where so many moves at the block's beginning are gone."""
+        """The same after this many moves at the start of the block have been dropped."""
         lost = None if self.lost_corner is None else self.lost_corner - gone
         return replace(self, first=self.first - gone, lost_corner=lost)
 
@@ -53,22 +53,22 @@ class BlockPlan:
 
 @dataclass(slots=True, eq=False)
 class Block:
-    """What StorePath keeps of the planning: the moves of one block and what became of them."""
+    """The moves of one block and what became of them: what StorePath keeps of the planning."""
 
     moves: list[QueuedMove] = field(default_factory=list)
     commit: Commit = Commit(0.0, 0, 0.0, 0.0)
     plan: BlockPlan | None = None
-    """Of the part that is not fixed; None where it must be made anew."""
+    """Of the part that is not fixed yet; None if it has to be planned again."""
     driven: list[BlockPlan] = field(default_factory=list)
-    """The plans whose stretches the block has travelled, in order of time."""
+    """The plans whose stretches have been travelled, in order of time."""
     is_closed: bool = False
-    """It has its end; it stays until the next begins, for it may be stopped on its way."""
+    """It has its end. It is kept until the next block begins, as it may be stopped on its way."""
     is_halted: bool = False
     """StopMove: nothing moves until StartMove."""
 
     @property
     def is_open(self) -> bool:
-        """Whether it waits for its end."""
+        """Whether more moves may follow."""
         return bool(self.moves) and not self.is_closed
 
     def forget(self, before_s: float) -> int:

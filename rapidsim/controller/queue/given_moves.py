@@ -1,4 +1,4 @@
-"""All moves that a robot was ever given, by number; the first ones may be forgotten."""
+"""All moves that a robot was ever given, by number; the oldest may have been dropped."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from rapidsim.controller.moves.queued_move import QueuedMove
 
 
 class GivenMoves:
-    """They keep their numbers, and count, whatever is forgotten."""
+    """Numbers and count stay the same, whatever is dropped."""
 
     def __init__(self) -> None:
         """Begin with none."""
         self.forgotten = 0
-        """How many are no longer there: the first ones."""
+        """How many of the first moves have been dropped."""
         self._kept: list[QueuedMove] = []
 
     def __len__(self) -> int:
@@ -21,7 +21,7 @@ class GivenMoves:
         return self.forgotten + len(self._kept)
 
     def __iter__(self) -> Iterator[QueuedMove]:
-        """Those that are still there."""
+        """Those that are still kept."""
         return iter(self._kept)
 
     def __getitem__(self, number: int) -> QueuedMove:
@@ -32,7 +32,7 @@ class GivenMoves:
         return self._kept[at]
 
     def append(self, queued: QueuedMove) -> None:
-        """Take one more."""
+        """Add a move."""
         self._kept.append(queued)
 
     def numbered(self, first: int = 0, last: int | None = None) -> Iterator[tuple[int, QueuedMove]]:
@@ -42,7 +42,7 @@ class GivenMoves:
         return enumerate(self._kept[begin:end], self.forgotten + begin)
 
     def forget(self, before_s: float, until: int) -> None:
-        """Forget moves that were over before a time [s], up to one by number; never the last."""
+        """Drop moves that ended before a time [s], up to a number; never the last move."""
         count, most = 0, min(until, len(self) - 1) - self.forgotten
         while count < most and self._kept[count].is_over(before_s):
             count += 1

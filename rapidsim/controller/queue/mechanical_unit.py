@@ -1,4 +1,4 @@
-"""A robot of a task, and through which queue it moves now."""
+"""A robot of a task, and the queue it currently moves through."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class MechanicalUnit:
 
     own: SoloQueue
     seat: TeamQueue | None = None
-    """Its place in the team with which it moves; None while it moves alone."""
+    """Its place in the team it moves with; None while it moves alone."""
     _changes: int = 0
 
     @property
     def queue(self) -> MotionQueue:
-        """Through which it moves now."""
+        """The queue it currently moves through."""
         return self.own if self.seat is None else self.seat
 
     @property
@@ -38,7 +38,7 @@ class MechanicalUnit:
 
     @property
     def team(self) -> TeamPlanner | None:
-        """With which it moves together now."""
+        """The team it currently moves with."""
         return None if self.seat is None else self.seat.team
 
     def forget(self, before_s: float, keep_from: int | None) -> None:

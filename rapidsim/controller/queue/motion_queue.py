@@ -1,4 +1,4 @@
-"""What the controller of a task asks of its robot's moves, alone or in step with others."""
+"""What the controller of a task asks of its robot's motion, alone or in step with others."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ class MotionQueue(Protocol):
 
     @property
     def trajectory(self) -> Trajectory:
-        """What is decided of the robot's motion."""
+        """The robot's motion as far as it is fixed."""
         ...
 
     @property
     def moves(self) -> GivenMoves:
-        """All moves that the robot was ever given."""
+        """All moves the robot was ever given."""
         ...
 
     @property
@@ -51,7 +51,7 @@ class MotionQueue(Protocol):
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block have not been travelled."""
+        """How many moves of the open block are still ahead of the robot."""
         ...
 
     @property

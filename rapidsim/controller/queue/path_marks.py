@@ -1,4 +1,4 @@
-"""Places on the path where something happens: outputs, interrupts, calls at exact places.
+"""Places on the path where something happens: outputs, interrupts and calls.
 
 A mark lies so far before the end of a move, or after its start, along the programmed curve, and so
 many seconds before the robot is there. When that is follows from the preview of the motion: while
@@ -24,38 +24,38 @@ _ROUNDING_M = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PathMark:
-    """One place, and what happens there."""
+    """A place on the path, and what happens there."""
 
     move: QueuedMove
     distance_m: float
-    """From the end of the move back, or from its start on."""
+    """Back from the end of the move, or forward from its start."""
     from_start: bool
     ahead_s: float
-    """So long before the robot is there; below 0 so long after."""
+    """How long before the robot gets there; negative for after."""
     act: Callable[[float], None]
     """Called with the time [s] at which it happens."""
     interrupts: bool = False
-    """It makes a trap or a procedure run."""
+    """Whether it runs a trap or a procedure."""
 
 
 @dataclass(slots=True)
 class PathMarks:
-    """The marks of one robot's path that it has not passed: a `happening.Happening`."""
+    """The marks on a robot's path that it has not passed yet: a `happening.Happening`."""
 
     on_path: ClassVar = True
     unit: MechanicalUnit
     _pending: list[PathMark] = field(default_factory=list)
     _due: tuple[tuple[int, int], int, tuple[float, ...]] | None = None
-    """Of which version of the path and how many marks these are the times."""
+    """The version of the path and the number of marks that the times belong to."""
 
     @property
     def is_pending(self) -> bool:
-        """Whether the robot has places before it where something happens."""
+        """Whether any marks are still ahead of the robot."""
         return bool(self._pending)
 
     @property
     def may_interrupt(self) -> bool:
-        """Whether a trap or a procedure may run at one of them."""
+        """Whether one of them may run a trap or a procedure."""
         return any(mark.interrupts for mark in self._pending)
 
     def add(self, mark: PathMark) -> None:
@@ -63,7 +63,7 @@ class PathMarks:
         self._pending.append(mark)
 
     def clear(self) -> None:
-        """Forget those the robot has not passed."""
+        """Drop the marks that the robot has not passed."""
         self._pending.clear()
 
     def next_s(self) -> float | None:
@@ -72,7 +72,7 @@ class PathMarks:
         return None if math.isinf(earliest_s) else earliest_s
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let happen what the next mark stands for; see `happening.Happening`."""
+        """Do what the next mark stands for; see `happening.Happening`."""
         del until_s
         times = self._times()
         index = min(range(len(times)), key=times.__getitem__)
@@ -94,7 +94,7 @@ class PathMarks:
         return self._due[2]
 
     def _worked_out(self, preview: Trajectory) -> tuple[float, ...]:
-        """The same, of all marks at once."""
+        """The same, worked out for all marks at once."""
         places_m = np.array([self._place(mark) for mark in self._pending])
         comes = places_m <= preview.length + _ROUNDING_M
         times_s = np.full(len(places_m), math.inf)

@@ -36,7 +36,7 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MAX_OPEN_MOVES = 2000
-"""So many moves are planned in one go; a longer block is committed as it is planned."""
+"""The most moves planned in one go; a longer block is committed as it is planned."""
 LOOK_AHEAD_SLACK_S = 0.01
 """The program may think this long at a fly-by point before it makes a difference to the path, and
 after a stop before it counts as waiting."""
@@ -48,16 +48,16 @@ Build: TypeAlias = Callable[[Sequence[QueuedMove], int | None], Path]
 """The geometry of moves, one of which, by its number, may stop where it has a zone; raises a
 `MotionError` that blames a move."""
 Moved: TypeAlias = Callable[[Sequence[QueuedMove], Path | None], None]
-"""Told which moves were dated, taken back or cut off, and on which path they were begun."""
+"""Is told which moves were timed, taken back or cut off, and on which path they began."""
 
 
 def untold(moves: Sequence[QueuedMove], path: Path | None) -> None:
-    """Nobody has to be told what becomes of moves."""
+    """For robots about whose moves nobody has to be told."""
 
 
 @dataclass(eq=False)
 class BlockPlanner:
-    """Moves become motion, block after block: of one robot, or of several that move as one."""
+    """Turns moves into motion, block by block, for one robot or several that move as one."""
 
     trajectory: Trajectory
     model: MotionModel
@@ -66,9 +66,9 @@ class BlockPlanner:
     build: Build
     moved: Moved = untold
     look: Look = undisturbed
-    """Called while it plans; raises to end that."""
+    """Called while planning; raises to interrupt it."""
     repeats: Repeats | None = None
-    """Where plans that are made again are kept; None where nobody looks for them."""
+    """Plans kept for blocks that are repeated; None if they are not kept."""
     ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
     settled_s: float = -math.inf
@@ -80,7 +80,7 @@ class BlockPlanner:
     """Changes whenever what the robot will do may change."""
     _preview: tuple[int, Trajectory] | None = None
     _reckoned: tuple[Commit, int, float] | None = None
-    """From which commit, up to the start of which move, to what time `nominal_last_start` got."""
+    """How far `nominal_last_start` got: from which commit, to which move's start, at what time."""
 
     @property
     def is_open(self) -> bool:
@@ -324,7 +324,7 @@ class BlockPlanner:
             raise
 
     def _stop_before(self, index: int) -> None:
-        """Let the robot make the moves before one that it cannot make."""
+        """Let the robot make the moves before the one it cannot make."""
         moves = self.block.moves
         if index > self.block.commit.move:
             self.block.moves = moves[:index]
@@ -398,7 +398,7 @@ class BlockPlanner:
         return None if commit.spent_s is None else commit.spent_s + (now_s - commit.time_s)
 
     def _travel(self, tentative: BlockPlan, moves_begun: int, to_m: float) -> float:
-        """Append a stretch of a plan to the trajectory and date the moves that begin on it."""
+        """Append a stretch of a plan to the trajectory and time the moves that begin on it."""
         path, timing = tentative.path, tentative.timing
         if tentative.lost_corner is not None:
             late = self.block.moves[tentative.lost_corner]

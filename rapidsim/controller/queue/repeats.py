@@ -1,4 +1,4 @@
-"""Blocks that a robot travels again and again, planned once.
+"""Blocks that a robot travels repeatedly are planned only once.
 
 A cycle that repeats to the last bit gives the same path with the same timing: only the time at
 which it begins is new.
@@ -16,14 +16,14 @@ from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import Timing
 
 _MOST_BLOCKS = 1_000
-"""A pallet has hundreds. A run keeps their plans anyway; a controller that stays on does not."""
+"""A pallet has hundreds. A run keeps their plans in any case, a served controller does not."""
 _MOST_SEGMENTS = 200
-"""Of a longer block nothing is kept: it is not what a cycle repeats, and it takes memory."""
+"""Longer blocks are not kept: cycles rarely repeat them, and they take memory."""
 
 
 @dataclass(slots=True, eq=False)
 class Repeats:
-    """The plans of the last blocks of one robot."""
+    """The plans of a robot's most recent blocks."""
 
     _plans: dict[Hashable, tuple[Path, Timing]] = field(default_factory=dict)
 
@@ -61,7 +61,7 @@ _NAMES = tuple(one.name for one in fields(Segment))
 
 
 def _values(segment: Segment) -> Hashable:
-    """All of a segment, to be compared."""
+    """All values of a segment, for comparison."""
     return tuple(_value(getattr(segment, name)) for name in _NAMES)
 
 

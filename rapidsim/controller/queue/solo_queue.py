@@ -1,4 +1,4 @@
-"""The moves of one robot that moves alone, and the other paths that it keeps meanwhile."""
+"""The moves of a robot that moves alone, and the paths it has stored meanwhile."""
 
 from __future__ import annotations
 
@@ -31,16 +31,16 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.values import dataclass
 
 REGAINED_M = 0.010
-"""So far [m] from where it left its path the TCP may be to go back by itself."""
+"""How far [m] the TCP may be from where it left its path to return by itself."""
 REGAINED = np.radians(20.0)
-"""So far [rad] the tool may be turned there, likewise."""
+"""How far [rad] the tool may have turned for that."""
 _OTHER_STANCE = np.radians(90.0)
-"""An axis so far off stands in another configuration, though the tool may be near."""
+"""An axis this far off is in another configuration, even if the tool is close."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Stored:
-    """A path that StorePath keeps."""
+    """A path kept by StorePath."""
 
     block: Block
     end: Waypoint
@@ -49,27 +49,27 @@ class _Stored:
 
 
 class GuidedMotion(Protocol):
-    """A robot in the hand of a sensor."""
+    """A robot guided by a sensor."""
 
     @property
     def stretch(self) -> GuidedStretch:
-        """Its motion, which grows."""
+        """Its motion so far; it grows."""
         ...
 
     def let_go(self) -> None:
-        """Let the robot brake and stand, at once and to the end of the stretch."""
+        """Brake now and stand still to the end of the stretch."""
         ...
 
 
 class CorrectedMotion(Protocol):
-    """A robot whose path a sensor corrects."""
+    """A robot whose path is corrected by a sensor."""
 
     def end(self) -> None:
-        """Let the robot come to rest; its path goes on from there."""
+        """Bring the robot to rest; its path continues from there."""
         ...
 
     def settle(self) -> None:
-        """Let the robot, which stands, stay where it is; its path goes on from there."""
+        """Leave the robot standing where it is; its path continues from there."""
         ...
 
 
@@ -83,20 +83,20 @@ class SoloQueue:
     """Where the last queued move ends."""
     _stored: list[_Stored] = field(default_factory=list)
     guided: GuidedMotion | None = None
-    """What moves the robot meanwhile; None where it is on its path."""
+    """What moves the robot at the moment; None while it is on its path."""
     corrected: CorrectedMotion | None = None
-    """What leads the robot beside its path; None where it is on it."""
+    """What leads the robot beside its path; None while it is on it."""
     _left_at: Waypoint | None = None
-    """Where the path was left that was taken up again."""
+    """Where the path that was taken up again had been left."""
 
     @property
     def trajectory(self) -> Trajectory:
-        """What is decided of the robot's motion."""
+        """The robot's motion as far as it is fixed."""
         return self.planner.trajectory
 
     @property
     def moves(self) -> GivenMoves:
-        """All moves that the robot was ever given, alone or with others."""
+        """All moves the robot was ever given, alone or with others."""
         return self.planner.moves
 
     @property
@@ -116,7 +116,7 @@ class SoloQueue:
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block have not been travelled."""
+        """How many moves of the open block are still ahead of the robot."""
         return self.planner.open_moves
 
     @property
@@ -126,12 +126,12 @@ class SoloQueue:
 
     @property
     def stored(self) -> int:
-        """How many paths are kept."""
+        """How many paths are stored."""
         return len(self._stored)
 
     @property
     def is_led(self) -> bool:
-        """Whether a sensor has a say in where the robot is."""
+        """Whether a sensor guides the robot or corrects its path."""
         return self.guided is not None or self.corrected is not None
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
@@ -141,7 +141,7 @@ class SoloQueue:
         self.end = queued.segment.end
 
     def take(self, queued: QueuedMove) -> None:
-        """Note a move that the robot makes with others, who plan it."""
+        """Note a move that the robot makes in a team, which plans it."""
         queued.number = len(self.moves)
         self.moves.append(queued)
         self.end = queued.segment.end
@@ -171,7 +171,7 @@ class SoloQueue:
         return self.planner.places_of(queued)
 
     def stretch_of(self, queued: QueuedMove) -> float:
-        """Alone, the place is the way."""
+        """For a robot alone, place and distance travelled are the same."""
         del queued
         return 1.0
 
@@ -186,19 +186,19 @@ class SoloQueue:
         return self.trajectory.at(np.array([time_s]))
 
     def halt(self, now_s: float, in_s: float = 0.0) -> float:
-        """Stop on the path, or whoever guides the robot; see `stopping.halt`."""
+        """Stop on the path, or stop whatever guides the robot; see `stopping.halt`."""
         if self.guided is not None:
             self.end_guidance()
             now_s = max(now_s, self.trajectory.duration)
         return stopping.halt(self.planner, now_s, in_s)
 
     def guide(self, guided: GuidedMotion) -> None:
-        """Let something else than the path move a robot that stands."""
+        """Let something other than the path move a robot that stands."""
         self.guided = guided
         self.trajectory.guide(guided.stretch)
 
     def end_guidance(self) -> None:
-        """The robot comes to rest where it is; the next move begins there."""
+        """Bring the robot to rest where it is; the next move begins there."""
         guided, self.guided = self.guided, None
         if guided is not None:
             guided.let_go()
@@ -206,7 +206,7 @@ class SoloQueue:
             self.end = self.standing()
 
     def resume(self, now_s: float) -> None:
-        """Let the robot go on from where it was stopped, back from where it has got to since."""
+        """Continue from where the robot was stopped; return there first if it has moved since."""
         left_at, self._left_at = self._left_at, None
         if left_at is not None and self.is_open:
             now_s = stopping.regain(self.planner, self.standing(), left_at, now_s)
@@ -246,7 +246,7 @@ class SoloQueue:
             self.end, self._left_at = self.standing(), None
 
     def continue_from(self, ready_s: float) -> None:
-        """Let the robot go on alone where it has moved with others up to a time [s]."""
+        """Continue alone from where the robot has moved with others up to a time [s]."""
         planner = self.planner
         planner.version += 1
         planner.ready_s = max(planner.ready_s, ready_s)
@@ -273,13 +273,13 @@ class SoloQueue:
         )
 
     def standing(self) -> Waypoint:
-        """Where the command comes to its end, as the flange with no tool."""
+        """Where the command ends, as a flange without a tool."""
         samples = self.at_past(self.trajectory.duration)
         joints: Array = samples.joints[0]
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
-        """All moves that were planned, with the times at which the arm is seen to make them."""
+        """All planned moves, with the times at which the arm is seen to make them."""
         done = [
             (index, queued)
             for index, queued in self.moves.numbered()

@@ -13,13 +13,13 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.values import dataclass
 
 STEP_S = 0.012
-"""An output is written in steps of this time."""
+"""An output is written at intervals of this length."""
 _MM = 1e-3
 
 
 @dataclass(frozen=True, slots=True)
 class _Follower:
-    """How an output follows, and on whose account."""
+    """How an output follows the speed, and which instruction asked for it."""
 
     cause: Cause
     per_mm_s: float
@@ -28,7 +28,7 @@ class _Follower:
 
 @dataclass(slots=True)
 class SpeedOutputs:
-    """The outputs that follow one robot: a `happening.Happening`.
+    """The outputs that follow one robot's speed: a `happening.Happening`.
 
     They are written while time passes and no further move can come, so the preview of the motion
     is what will be.
@@ -43,14 +43,14 @@ class SpeedOutputs:
     def follow(
         self, cause: Cause, now_s: float, signal: str, per_mm_s: float, lag_s: float
     ) -> None:
-        """Let an output be a factor times the speed [mm/s] that is to come; a factor 0 ends it."""
+        """Let an output be a factor times the coming speed [mm/s]; a factor of 0 ends it."""
         self._followers[signal.lower()] = _Follower(cause, per_mm_s, lag_s)
         self._write(signal, self._followers[signal.lower()], now_s)
         if per_mm_s == 0.0:
             del self._followers[signal.lower()]
 
     def next_s(self) -> float | None:
-        """When outputs are written next [s]; None while the robot stands."""
+        """When outputs are next written [s]; None while the robot stands."""
         if not self._followers:
             return None
         ends_s = self.unit.queue.preview().duration

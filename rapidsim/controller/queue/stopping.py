@@ -1,4 +1,4 @@
-"""Stopping on the path, going on, and what is left undone.
+"""Stopping on the path, going on, and what becomes of the rest.
 
 Stopping takes back what is fixed beyond the stop: a block stays with its planner when it has its
 end, until the next one begins, so that its rest can be planned again.
@@ -22,7 +22,7 @@ from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
 
 _SAME_JOINTS = np.radians(1e-3)
-"""An arm that stands so near [rad] to where it left a path has nothing to regain."""
+"""An arm this close [rad] to where it left a path has nothing to regain."""
 
 
 def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
@@ -139,7 +139,7 @@ def clear(planner: BlockPlanner) -> None:
 
 
 def leave(planner: BlockPlanner) -> None:
-    """Leave the robot on its way, where its path is fixed up to; nothing is planned any more.
+    """Leave the robot on its way, as far as its path is fixed; nothing more is planned.
 
     The move that begins there counts as begun, for it is what the arm is about to make.
     """
@@ -154,7 +154,7 @@ def leave(planner: BlockPlanner) -> None:
 
 
 def _take_back(planner: BlockPlanner, index: int) -> None:
-    """The moves of the block from one on have not begun after all."""
+    """Take back the start of a move of the block and of those after it."""
     taken = planner.block.moves[index:]
     for queued in taken:
         queued.started.time = None

@@ -1,4 +1,4 @@
-"""Robots that move together: one path queue for all of them, with moves of several robots.
+"""Robots that move together: one path queue for all, whose moves are moves of several robots.
 
 A move of the team is made of one move of each robot. It is put on the path when the last task has
 said its own; planning, stopping and starting are those of one robot, on the joint path.
@@ -24,7 +24,7 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 _NO_WAY_M = 1e-6
-"""A robot that goes no farther than this stays where it is, or is carried along."""
+"""A robot that moves no farther than this stays where it is, or is carried along."""
 
 
 @dataclass(slots=True, eq=False)
@@ -37,7 +37,7 @@ class TeamMove(QueuedMove):
 
 @dataclass(slots=True, eq=False)
 class Offer:
-    """A move of the team that waits for the tasks that have not said their own."""
+    """A move of the team that waits for tasks that have not given theirs yet."""
 
     sync_id: float
     parts: dict[int, QueuedMove] = field(default_factory=dict)
@@ -80,10 +80,10 @@ class _TeamTrajectory(Trajectory):
 
 
 class TeamPlanner:
-    """The joint path of several robots, which is planned like that of one."""
+    """The joint path of several robots, planned as one robot's would be."""
 
     def __init__(self, tasks: Sequence[str], robots: Sequence[SoloQueue]) -> None:
-        """Let robots that stand move together from now on.
+        """Make a team of robots that stand.
 
         Args:
             tasks: Names of their tasks.
@@ -105,16 +105,16 @@ class TeamPlanner:
             moves=moves,
         )
         self.waiting: dict[int, int] = {}
-        """Robots whose next move depends on where another's leads, by number, and that other's."""
+        """Robots whose next move depends on another's, by number, with the number of that other."""
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""
 
     def said(self, number: int) -> QueuedMove | None:
-        """A robot's part of the next move; None before its task has said it."""
+        """A robot's part of the next move; None before its task has given it."""
         return None if self.offer is None else self.offer.parts.get(number)
 
     def say(self, number: int, part: QueuedMove, sync_id: float) -> Offer:
-        r"""Let a task say its part of the next move.
+        r"""Take a task's part of the next move.
 
         Args:
             number: Of its robot in the team.
@@ -139,7 +139,7 @@ class TeamPlanner:
         return offer
 
     def begin(self, offer: Offer, now_s: float) -> TeamMove:
-        """Put a move on the path that all tasks have said; see `BlockPlanner.append`."""
+        """Put a move on the path when all parts are given; see `BlockPlanner.append`."""
         parts = tuple(offer.parts[number] for number in range(len(self.robots)))
         lead = parts[0]
         stops = any(part.corner is CornerKind.STOP for part in parts)
@@ -213,7 +213,7 @@ class TeamPlanner:
         return offset + places[0], offset + places[1]
 
     def stretch_of(self, number: int, part: QueuedMove) -> float:
-        """How far [m] the common parameter goes on for a metre of a robot's way on its move."""
+        """How far [m] the common parameter advances per metre of a robot's own path on its move."""
         move, places = self._whole(number, part), self.places_of(number, part)
         if move is None or places is None:
             return 1.0
@@ -227,7 +227,7 @@ class TeamPlanner:
         return (places[1] - places[0]) / length_m if length_m > _NO_WAY_M else 1.0
 
     def _whole(self, number: int, part: QueuedMove) -> TeamMove | None:
-        """The move of the current block that has a part."""
+        """The team's move that a part belongs to, in the current block."""
         moves = (one for one in self.planner.block.moves if isinstance(one, TeamMove))
         return next((one for one in moves if one.parts[number] is part), None)
 
@@ -255,7 +255,7 @@ class TeamPlanner:
         return joint
 
     def _pass_on(self, moves: Sequence[QueuedMove], path: Path | None) -> None:
-        """Let the parts of moves know what became of the whole."""
+        """Pass on to the parts of a move what became of the whole."""
         for k, move in enumerate(moves):
             assert isinstance(move, TeamMove)
             for number, part in enumerate(move.parts):

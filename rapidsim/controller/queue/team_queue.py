@@ -1,4 +1,4 @@
-"""What the controller of one task sees of the path of its team: the path of its own robot."""
+"""A team's path as the controller of one task sees it: the path of its own robot."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.values import dataclass
 
 @dataclass(frozen=True, slots=True)
 class TeamQueue:
-    """Implements `MotionQueue` in a team: planned together, what is seen is the robot's own."""
+    """Implements `MotionQueue` in a team: the team plans, each queue shows its own robot."""
 
     own: SoloQueue
     team: TeamPlanner
@@ -26,12 +26,12 @@ class TeamQueue:
 
     @property
     def trajectory(self) -> Trajectory:
-        """What is decided of the robot's motion."""
+        """The robot's motion as far as it is fixed."""
         return self.own.trajectory
 
     @property
     def moves(self) -> GivenMoves:
-        """All moves that the robot was ever given, alone or with others."""
+        """All moves the robot was ever given, alone or with others."""
         return self.own.moves
 
     @property
@@ -56,7 +56,7 @@ class TeamQueue:
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block have not been travelled."""
+        """How many moves of the open block are still ahead of the robots."""
         return self.team.planner.open_moves
 
     @property
@@ -89,7 +89,7 @@ class TeamQueue:
         return self.team.places_of(self.number, queued)
 
     def stretch_of(self, queued: QueuedMove) -> float:
-        """In a team the robot with the longest way counts."""
+        """In a team the robot with the longest path sets the parameter."""
         return self.team.stretch_of(self.number, queued)
 
     def seen(self, now_s: float, times: Array) -> Samples:

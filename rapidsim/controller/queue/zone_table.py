@@ -19,18 +19,18 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 LOOK_M = 0.001
 _LOOK_S = 0.02
-"""Looks are evenly spaced within so long."""
+"""Instants looked at are evenly spaced within this time."""
 _COARSE = 2000
-"""Stretches of a long motion of which it is asked first whether the arm makes any way in them."""
+"""Stretches of a long motion that are first asked whether the arm moves in them at all."""
 _LOOKS = 1000
-"""So many are made in one go."""
+"""How many instants are looked at in one go."""
 _HALVINGS = 40
 _MM = 1e-3
 
 
 @dataclass(slots=True)
 class WatchedZone:
-    """One zone that is watched."""
+    """A zone that is watched."""
 
     shape: ZoneShape
     crossed: Callable[[bool, float], None]
@@ -47,13 +47,13 @@ class WorldZoneTable:
     unit: MechanicalUnit
     world_from_base: Transform
     limit_s: float
-    """Nothing happens later [s]: a motion may be commanded for days."""
+    """Nothing is looked for after this time [s]: a motion may be commanded for days."""
     look: Callable[[], None]
-    """Called while crossings are looked for; ends a run that takes too long."""
+    """Called while searching for crossings; ends a run that takes too long."""
     _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
     _next: tuple[tuple[int, int], float | None, list[WatchedZone]] | None = None
-    """For which version of the path what was found, and of which zones."""
+    """What was found, with the version of the path and the zones it was found for."""
 
     def add(self, zone: WatchedZone, now_s: float) -> float:
         """Watch a zone; what holds at once is told at once. Returns its number."""
@@ -106,7 +106,7 @@ class WorldZoneTable:
         return self._next[1]
 
     def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Let the next crossing happen; see `happening.Happening`."""
+        """Do what the next crossing stands for; see `happening.Happening`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None
@@ -120,7 +120,7 @@ class WorldZoneTable:
         return time_s
 
     def look_from(self, time_s: float) -> None:
-        """Nothing before a time [s] matters any more."""
+        """Look only at what comes after a time [s]."""
         self._looked_to_s = max(time_s, self._looked_to_s)
 
     def _begin(self, zone: WatchedZone, now_s: float) -> None:
