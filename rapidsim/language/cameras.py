@@ -1,4 +1,4 @@
-"""Cameras of the cell: what a program asks of them."""
+"""Cameras of the cell, as programs use them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.language.option_data import CameraTarget
 
 
 class Camera(Protocol):
-    """One camera, in the state it is in."""
+    """A camera and its state."""
 
     name: str
     job: str
@@ -17,7 +17,7 @@ class Camera(Protocol):
     parameters: dict[str, float | bool | str]
     """What its job can be set to, by folded name."""
     exposure: dict[str, float]
-    """By the name of its optional argument: what CamSetExposure gave."""
+    """What CamSetExposure set, by the name of the optional argument."""
 
 
 class Cameras(Protocol):
@@ -44,5 +44,5 @@ class Cameras(Protocol):
         ...
 
     def forget(self, camera: Camera) -> None:
-        """Throw away the results that nobody has fetched."""
+        """Discard results that were not fetched."""
         ...

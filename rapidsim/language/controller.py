@@ -47,10 +47,10 @@ class ClockService(Protocol):
     """Ticks of the current slice that are left; a loop takes one each turn and calls `service` when
     it falls below zero."""
     place: Place
-    """The statement that runs, set before each call that reports."""
+    """The statement being executed; set before each call that may report."""
 
     deeds: int
-    """How often the program has done more than look."""
+    """How often the program has done more than read."""
 
     program_state: Callable[[], Iterable[object]]
     """All that decides what the program does next, in parts to be compared; the last is None where
@@ -58,11 +58,11 @@ class ClockService(Protocol):
 
     @property
     def watches(self) -> bool:
-        """Whether an interrupt waits for a change of a persistent."""
+        """Whether any interrupt waits for a persistent to change."""
         ...
 
     def look_at_persistents(self) -> None:
-        """Serve the interrupts of persistents that the program has changed since."""
+        """Serve the interrupts of persistents the program has changed since the last look."""
         ...
 
     def tick(self) -> None:
@@ -101,7 +101,7 @@ class ClockService(Protocol):
         ...
 
     def long_work(self) -> AbstractContextManager[None]:
-        """What is done within it takes no virtual time, but the computer may be long about it.
+        """Work within it takes no virtual time, but may take the computer long.
 
         Raises:
             Stopped: When the run may take no longer; also out of the middle of the work.
@@ -113,7 +113,7 @@ class Execution(Protocol):
     """Whether the program executes."""
 
     def stop(self, reason: str) -> None:
-        """Stop all that executes; returns when somebody has started it again.
+        """Stop execution; returns when it has been started again.
 
         Raises:
             Stopped: Where nobody would: the run ends.
@@ -140,7 +140,7 @@ class Motion(Protocol):
 
     @property
     def corrections(self) -> dict[int, Pos]:
-        """What each correction generator that is connected adds to the path [mm]."""
+        """What each connected correction generator adds to the path [mm]."""
         ...
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
@@ -156,15 +156,15 @@ class Motion(Protocol):
         ...
 
     def current_joints(self) -> JointTarget:
-        """Where the axes are now."""
+        """Where the axes currently are."""
         ...
 
     def current_speeds(self) -> JointTarget:
-        """How fast the axes are now [deg/s or mm/s]."""
+        """How fast the axes currently move [deg/s or mm/s]."""
         ...
 
     def is_moving(self) -> bool:
-        """Whether the robot has moves under way."""
+        """Whether the robot has moves in progress."""
         ...
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
@@ -184,7 +184,7 @@ class Motion(Protocol):
         ...
 
     def activate(self, data: ToolData | WobjData, name: str) -> None:
-        """Let a tool or a work object, which the program calls so, be that of the last move."""
+        """Make a tool or work object, by its name in the program, that of the last move."""
         ...
 
     def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
@@ -216,16 +216,16 @@ class Operator(Protocol):
         ...
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
-        """While an instruction asks; afterwards its question stands no longer."""
+        """Around an instruction that asks; its question is withdrawn afterwards."""
         ...
 
     @property
     def has_answered(self) -> bool:
-        """Whether somebody came since None was answered: the same question has an answer now."""
+        """Whether a question that was answered with None has an answer by now."""
         ...
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
-        """The operator's answer to a question; never hangs where nobody sits.
+        """The operator's answer to a question; never hangs where there is no operator.
 
         None where nobody sits and the question has another end (`ends`), so here and below.
         """
@@ -239,7 +239,7 @@ class Operator(Protocol):
         ...
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
-        """A text the operator types; the proposal, where nobody sits."""
+        """A text the operator types; the proposal if there is no operator."""
         ...
 
 
@@ -253,7 +253,7 @@ class Sockets(Protocol):
     """Connections to other computers, or to what stands for them."""
 
     def bind_port(self, address: str, port: int) -> Listener:
-        """Take a port, to which no client may connect yet.
+        """Take a port; clients cannot connect to it yet.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE if somebody has it already.
@@ -269,13 +269,13 @@ class Sockets(Protocol):
         ...
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
-        """Wait for a client, `max_time` [s] or for ever; None if none came."""
+        """Wait `max_time` [s] or forever for a client; None if none came."""
         ...
 
     def connect_socket(
         self, address: str, port: int, *, max_time: float | None
     ) -> Connection | None:
-        """Connect to a server, waiting `max_time` [s] or for ever; None if none answered."""
+        """Connect to a server within `max_time` [s], or wait forever; None if none answered."""
         ...
 
     def send_bytes(self, connection: Connection, data: bytes) -> None:
@@ -287,7 +287,7 @@ class Sockets(Protocol):
         ...
 
     def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
-        """Wait until so many bytes have been received or no more will come.
+        """Wait until this many bytes have been received or no more will come.
 
         Returns:
             False if `max_time` [s] ran out first.
@@ -295,7 +295,7 @@ class Sockets(Protocol):
         ...
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
-        """Close what a socket was tied to."""
+        """Close the connection or port of a socket."""
         ...
 
 
@@ -317,11 +317,11 @@ class Interrupts(Protocol):
         ...
 
     def is_connected(self, interrupt: float) -> bool:
-        """Whether an interrupt number belongs to a trap routine, ordered or not."""
+        """Whether an interrupt number is connected to a trap routine, ordered or not."""
         ...
 
     def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
-        """Raise an interrupt once, or every so many seconds."""
+        """Raise an interrupt once, or periodically."""
         ...
 
     def order_signal(
@@ -340,19 +340,19 @@ class Interrupts(Protocol):
         ...
 
     def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
-        """Raise an interrupt each time an entry that is wanted comes into the event log."""
+        """Raise an interrupt at each matching entry in the event log."""
         ...
 
     def log_error(self, entry: LoggedError) -> None:
-        """Put an entry into the event log."""
+        """Add an entry to the event log."""
         ...
 
     def trap_cause(self) -> LoggedError | None:
-        """What made the trap run that runs; None if that is not an entry of the event log."""
+        """The event log entry that made the current trap run; None if something else did."""
         ...
 
     def delete_interrupt(self, interrupt: float) -> None:
-        """Forget an interrupt and its order."""
+        """Delete an interrupt and its order."""
         ...
 
     def sleep_interrupt(self, interrupt: float, *, asleep: bool) -> None:
@@ -360,7 +360,7 @@ class Interrupts(Protocol):
         ...
 
     def make_safe(self, interrupt: float) -> None:
-        r"""Let nobody put an interrupt to sleep that is ordered with \SingleSafe."""
+        r"""Protect an interrupt ordered with \SingleSafe from being put to sleep."""
         ...
 
     def hold_interrupts(self, *, hold: bool) -> None:
@@ -372,7 +372,7 @@ class Signals(Protocol):
     """Inputs and outputs by name, without case, and waiting for what depends on them."""
 
     def read_signal(self, name: str) -> float:
-        """The value of a signal now."""
+        """The current value of a signal."""
         ...
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
@@ -405,9 +405,9 @@ class ErrorNumbers(Protocol):
     errno: float
     """RAPID's ERRNO."""
     retries: int
-    """How often the statement was retried whose ERROR clause runs."""
+    """How often the statement whose ERROR clause runs has been retried."""
     handler: float
-    """Which clause of a routine runs, as ExecHandler says it."""
+    """Which clause of a routine runs, as ExecHandler returns it."""
 
     def book_error_number(self) -> float:
         """The next number that is free, from `error_numbers.FIRST_BOOKED` up."""
@@ -415,11 +415,11 @@ class ErrorNumbers(Protocol):
 
 
 ACCEPTED = "accepted without effect"
-"""How what is done instead begins, where a routine only changes what no run shows."""
+"""How the note begins for a routine that only changes what no run shows."""
 
 
 class Honesty(Protocol):
-    """How a routine says that it did less than the controller would."""
+    """How a routine reports that it did less than a controller would."""
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         """Report that a routine was not simulated and what was done instead."""
@@ -428,7 +428,7 @@ class Honesty(Protocol):
 
 @dataclass(slots=True, eq=False)
 class Controller:
-    """One task's controller: who answers for each concern."""
+    """The controller of one task, with a service for each concern."""
 
     clock: ClockService
     execution: Execution

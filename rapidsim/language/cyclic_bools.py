@@ -25,7 +25,7 @@ class CyclicBools(Protocol):
         ...
 
     def remove(self, name: str) -> None:
-        """Let a persistent be as it is from now on; names without case."""
+        """Leave a persistent alone from now on; its name in any case."""
         ...
 
     def names(self) -> tuple[str, ...]:

@@ -53,11 +53,11 @@ class NotAllowed(Stopped):
 
 
 class NotDeclared(Stopped):
-    """The run comes to what no file given declares; a controller may well have it."""
+    """The run reaches something that no given file declares; a controller may well have it."""
 
 
 class NotSimulated(Stopped):
-    """The run comes to what is not simulated, and whatever it did instead would be wrong."""
+    """The run reaches something that is not simulated, and any substitute would be wrong."""
 
 
 class CycleEnded(Stopped):

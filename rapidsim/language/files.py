@@ -9,7 +9,7 @@ from rapidsim.diagnostics import Source
 
 
 class FileMode(Enum):
-    """What a file is opened for."""
+    """The mode a file is opened in."""
 
     READ = "read"
     WRITE = "write"
@@ -97,7 +97,7 @@ class Files(Protocol):
         ...
 
     def written_s(self, path: str) -> float | None:
-        """When a file was written [s], 0 where it was there before; None if there is none."""
+        """When a file was written [s], 0 if before the run; None if there is none."""
         ...
 
     def loaded_s(self, path: str) -> float:

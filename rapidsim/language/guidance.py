@@ -25,7 +25,7 @@ class Purpose(Enum):
     """What an identity is set up for."""
 
     STREAM = auto()
-    """Only to tell where the robot is."""
+    """Only tells where the robot is."""
     JOINT = auto()
     POSE = auto()
     PATH_CORRECTION = auto()
@@ -39,14 +39,14 @@ class SensorSetup:
     configuration: str
     purpose: Purpose
     silence_s: float
-    """So long it may say nothing."""
+    """How long it may be silent."""
     signals: tuple[str, ...] = ()
     """Signals that guide in place of a device, R1 or x first; empty for one that nothing guides."""
 
 
 @dataclass(frozen=True, slots=True)
 class PoseFrames:
-    """Where poses are meant; types are those of egmframetype."""
+    """The frames poses refer to; types are those of egmframetype."""
 
     correction: Pose
     correction_type: float
@@ -56,7 +56,7 @@ class PoseFrames:
 
 @dataclass(frozen=True, slots=True)
 class Activation:
-    """EGMActJoint and EGMActPose: what the sensor says, and when the robot is there."""
+    """EGMActJoint and EGMActPose: what the sensor sends, and when the robot counts as there."""
 
     bands: tuple[EgmMinMax | None, ...]
     """J1..J7 or x..rz [deg, mm]; None where the call says nothing."""
@@ -101,11 +101,11 @@ class Guidance(Protocol):
         ...
 
     def activate(self, identity: int, activation: Activation) -> None:
-        """Say what the sensor's goals mean."""
+        """Set what the sensor's goals mean."""
         ...
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
-        """Let the sensor guide the robot; returns when it is there, or at once.
+        """Let the sensor guide the robot; returns when the robot is there, or at once.
 
         Raises:
             RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.
@@ -138,11 +138,11 @@ class Guidance(Protocol):
         ...
 
     def stream(self, identity: int, sample_s: float | None) -> None:
-        """Tell the sensor where the robot is, every so many seconds; None ends it."""
+        """Tell the sensor at this interval where the robot is; None ends it."""
         ...
 
     def give_back(self, identity: int) -> None:
-        """End all of it and give the identity back."""
+        """End everything and release the identity."""
         ...
 
     def state(self, identity: int) -> float:

@@ -1,4 +1,4 @@
-"""What data hold before anybody gave them a value: zero, FALSE, "", component by component."""
+"""What data hold before they are given a value: zero, FALSE, "", component by component."""
 
 from __future__ import annotations
 

@@ -88,7 +88,7 @@ class Messages(Protocol):
         ...
 
     def send_message(self, slot: Slot, message: Message) -> None:
-        """Put a message into a queue.
+        """Send a message to a queue.
 
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
@@ -98,7 +98,7 @@ class Messages(Protocol):
     def await_answer(
         self, slot: Slot, message: Message, answer: MessageKind, *, max_time: float | None
     ) -> Message | None:
-        """Put a message into a queue and wait for an answer from there; None if none came in time.
+        """Send a message to a queue and wait for an answer; None if none came in time.
 
         Raises:
             RapidError: See `send_message`.
@@ -106,7 +106,7 @@ class Messages(Protocol):
         ...
 
     def await_message(self, *, max_time: float | None) -> Message | None:
-        """Take the next message, waiting for it; None if none came in time."""
+        """Wait for the next message and take it; None if none came in time."""
         ...
 
     def next_message(self) -> Message | None:
@@ -114,7 +114,7 @@ class Messages(Protocol):
         ...
 
     def empty_queue(self) -> None:
-        """Throw all messages away."""
+        """Discard all messages."""
         ...
 
     def order_message(self, interrupt: float, kind: MessageKind) -> None:

@@ -33,9 +33,9 @@ from rapidsim.values import dataclass
 
 LEAST_RAMP_PERCENT = 10.0
 CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)
-"""How far axes 1, 4 and 6 may turn with ConfJ and ConfL on, as C_MOTSET tells it."""
+"""How far axes 1, 4 and 6 may turn with ConfJ and ConfL on, as C_MOTSET gives it."""
 NO_LIMIT = -1.0
-"""What C_MOTSET tells of a limit that is off."""
+"""What C_MOTSET gives for a limit that is off."""
 NO_OFFSETS = ExtJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
@@ -48,7 +48,7 @@ class Place:
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
     is_lasting: bool = field(default=True, compare=False)
-    """Whether it is the same when the statement is executed again; not so in a run of moves."""
+    """Whether it stays the same when the statement is executed again; not in runs of moves."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -77,7 +77,7 @@ class Interpolation(Enum):
 
 @dataclass(frozen=True, slots=True)
 class StopTime:
-    """How long a stop point lasts at least."""
+    """The shortest time at a stop point."""
 
     seconds: float
     program_waits: bool
@@ -85,7 +85,7 @@ class StopTime:
 
 
 class Sensed(Enum):
-    """What a sensor has to do with the path of a move."""
+    """Whether a sensor affects the path of a move."""
 
     NEVER = auto()
     """Nothing: all moves but EGMMoveL and EGMMoveC."""
@@ -178,11 +178,11 @@ class MotionSettings:
     path_resolution_percent: float = 100.0
     motion_supervision: bool = True
     supervision_tune_percent: float = 100.0
-    """PathResol and MotionSup: kept for whoever reads them, without effect."""
+    """PathResol and MotionSup: kept to be read back, without effect."""
 
     @property
     def speed_share(self) -> float:
-        """What both overrides leave of programmed speeds."""
+        """The share of programmed speeds that both overrides leave."""
         return self.speed_override_percent * self.speed_refresh_percent / 1e4
 
     @property
@@ -225,7 +225,7 @@ class MotionSettings:
 
 
 class Flank(Enum):
-    """What a search waits for."""
+    """The signal change a search waits for."""
 
     RISING = "rising"
     """The signal goes to 1; it must not be 1 at the start."""

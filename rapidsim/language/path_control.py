@@ -1,4 +1,4 @@
-"""What a running task may ask of its robot beside moving it: stopping, searching, world zones."""
+"""What a running task may ask of its robot besides moving it: stopping, searching, world zones."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.language.path_events import ZoneShape
 
 
 class PathControl(Protocol):
-    """Stopping the robot on its path, and other paths meanwhile."""
+    """Stopping the robot on its path, and travelling other paths meanwhile."""
 
     @property
     def path_level(self) -> float:
@@ -53,7 +53,7 @@ class PathControl(Protocol):
 
 
 class PathRecorder(Protocol):
-    """Going back on the moves that were made, and forth again; places have identifiers."""
+    """Going back along recorded moves and forward again; places have identifiers."""
 
     def start_recording(self) -> int:
         """Record the moves from here on; the number of the identifier of this place."""
@@ -68,7 +68,7 @@ class PathRecorder(Protocol):
         ...
 
     def may_go_forth(self, identifier: int | None) -> bool:
-        """Whether the robot has gone back, and can go forth to a place."""
+        """Whether the robot has gone back and can go forward to a place."""
         ...
 
     def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
@@ -85,7 +85,7 @@ class PathRecorder(Protocol):
         ...
 
     def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
-        """Go forth again to a place, None for where the way back began.
+        """Go forward again to a place; None for where the way back began.
 
         Raises:
             RapidError: ERR_PATH, where the robot has not gone back.

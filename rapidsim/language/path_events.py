@@ -30,7 +30,7 @@ class RaiseInterrupt:
 
 @dataclass(frozen=True, slots=True)
 class CheckSignal:
-    """A signal is looked at; where it is not as wanted, an interrupt is raised."""
+    """A signal is checked; an interrupt is raised if it is not as required."""
 
     signal: str
     wanted: Callable[[float], bool]
@@ -41,7 +41,7 @@ class CheckSignal:
 
 @dataclass(frozen=True, slots=True)
 class RampOutput:
-    """An analog output goes evenly to a value."""
+    """An analog output ramps linearly to a value."""
 
     signal: str
     value: float
@@ -57,7 +57,7 @@ class FollowSpeed:
     signal: str
     per_mm_s: float
     lag_s: float
-    """It is so long ahead of the speed [s]."""
+    """How far [s] the output leads the speed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ class Trigger:
     from_start: bool = False
     by_time: bool = False
     lag_s: float = 0.0
-    """So long before the robot is there: what the equipment takes to follow."""
+    """How long [s] before the robot gets there: what the equipment takes to follow."""
     inhibited: Reference[bool] | None = None
     """While TRUE the trigger does nothing, or writes `inhibited_value`."""
     inhibited_value: Reference[object] | None = None

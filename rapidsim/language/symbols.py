@@ -18,7 +18,7 @@ class DataName:
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """Which data are looked for."""
+    """Which data to look for."""
 
     type: str
     """Name of the type; "" for any."""
@@ -53,7 +53,7 @@ class Symbols(Protocol):
         ...
 
     def search(self, search: Search) -> tuple[DataName, ...]:
-        """All data that are looked for, in order of writing."""
+        """All matching data, in the order they are written."""
         ...
 
     def begin_search(self, search: Search | None) -> None:

@@ -12,7 +12,7 @@ class QuaternionNotUnit(Violation, code="M501"):
     target: str
     length: float
     refused: bool = False
-    """A move asks for it, and it is so far off that the move cannot be made."""
+    """Whether a move asks for it and it is too far off for the move to be made."""
 
     @property
     def severity(self) -> Severity:

@@ -28,7 +28,7 @@ class TaskService(Protocol):
 
     @property
     def robot_task(self) -> str:
-        """Name of the task whose robot this one looks at: its own, or the first that has one."""
+        """Name of the task whose robot this one reads: its own, or the first that has one."""
         ...
 
     def has_task(self, name: str) -> bool:
@@ -87,7 +87,7 @@ class TaskService(Protocol):
         ...
 
     def start_other_robots(self) -> None:
-        """Let the robots of all other tasks go on."""
+        """Let the robots of all other tasks continue."""
         ...
 
 
@@ -110,7 +110,7 @@ class SyncMoves(Protocol):
         ...
 
     def leave_team(self) -> None:
-        """Let all that move together move alone, without waiting for anybody."""
+        """Let all robots of the team move alone, without waiting for any of them."""
         ...
 
     def suspend_team(self) -> None:

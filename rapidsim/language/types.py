@@ -16,7 +16,7 @@ from rapidsim.values import dataclass
 
 
 class Kind(Enum):
-    """What can be done with a type's data."""
+    """What can be done with data of a type."""
 
     VALUE = "value"
     """Assigned, compared, passed by value."""
@@ -108,7 +108,7 @@ OPAQUE = tuple(
         *("syncident", "taskid", "trapdata", "triggdata"),
     )
 )
-"""Types that only routines which are not simulated look into."""
+"""Types whose content only routines that are not simulated use."""
 
 
 def resolved(of: Type) -> Atomic | Record | ArrayOf:

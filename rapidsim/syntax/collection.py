@@ -1,4 +1,4 @@
-"""When Python looks for garbage: seldom where there is little, often where it would pile up."""
+"""How often Python collects garbage: rarely where there is little, often where it would pile up."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 _SELDOM = 70_000
-"""So many objects are made and not dropped before the collector looks through them."""
+"""The number of new objects after which the collector runs."""
 _OFTEN = 700
-"""The same where a process stays on."""
+"""The same for a process that stays on."""
 
 
 @contextmanager
@@ -52,7 +52,7 @@ def staying_on() -> Iterator[None]:
 
 @contextmanager
 def _collected_every(objects: int) -> Iterator[None]:
-    """Look for garbage after so many new objects, where Python looks for it at all."""
+    """Collect garbage after this many new objects, if Python collects it at all."""
     thresholds = gc.get_threshold()
     if thresholds[0]:
         gc.set_threshold(objects, *thresholds[1:])

@@ -20,7 +20,7 @@ from rapidsim.syntax.table import ACCEPT
 from rapidsim.syntax.terminals import TERMINALS
 
 _FIRST_OF_SHAPES = frozenset({"NAME", "CONST"})
-"""What lines begin with of which generated programs have thousands: calls, data."""
+"""How the lines begin that generated programs have by the thousand: calls, data."""
 
 
 class _Reduction(NamedTuple):

@@ -65,7 +65,7 @@ _LARGE_EXPONENT = re.compile(r"[eE]\+?[0-9]{3}")
 _LONG_PREFIXED = re.compile(r"0[xXoObB]\w{200}")
 _EVERY = 10
 _MANY_DIGITS = re.compile(f"[0-9]{{{300 // _EVERY}}}")
-"""Of each so many characters one: 300 digits in a row show there, and little else does."""
+"""The stride of a quick look: 300 digits in a row show in it, and little else does."""
 
 
 def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, ...]]:
@@ -92,7 +92,7 @@ def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, .
 
 
 def _too_deep(kinds: list[str], begin: int, blocks: list[int]) -> tuple[int, int, str] | None:
-    """The next stretch that nests too deep, with the kind of token that shall stand for it.
+    """The next stretch that nests too deep, with the kind of token that is to replace it.
 
     Args:
         kinds: Of all tokens.

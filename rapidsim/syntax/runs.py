@@ -99,7 +99,7 @@ class _Alike:
 
 
 def stretches(text: str, *, keeps_data: bool = False) -> tuple[Stretch, ...]:
-    """The runs of a text, in order; with `keeps_data` those alone that declare and name nothing."""
+    """The runs of a text, in order; with `keeps_data` only those that declare and name nothing."""
     written: list[Stretch] = []
     declarations: list[_Alike] = []
     by_name: list[_Alike] = []
@@ -181,7 +181,7 @@ def _numbers(targets: str) -> Numbers:
 
 
 def _is_plain(numbers: Numbers) -> Mask:
-    """The lines of whose numbers, as they are written, no check has anything to say."""
+    """The lines whose numbers, as they are written, no check objects to."""
     size = np.abs(numbers)
     single = ((size <= _LARGEST) & ((size >= _SMALLEST) | (size == 0.0))).all(axis=1)
     away = np.sqrt((numbers[:, :3] ** 2).sum(axis=1)) >= _NEAREST_MM
@@ -279,7 +279,7 @@ def _joined(
 def _left_out(
     written: Sequence[Stretch], runs: Sequence[_Alike], masks: Sequence[Mask]
 ) -> list[tuple[int, int]]:
-    """What of a text would not be parsed, in order."""
+    """The parts of a text that would not be parsed, in order."""
     places = [(int(one.lines[0]), int(one.lines[-1])) for one in written]
     for run, mask in zip(runs, masks, strict=True):
         edges = np.flatnonzero(np.diff(mask, prepend=False, append=False))

@@ -18,9 +18,9 @@ from rapidsim.syntax.terminals import TERMINALS
 from rapidsim.values import dataclass
 
 LONGEST = 60
-"""Tokens that a shape may have."""
+"""The most tokens of a shape."""
 _OFTEN = 50
-"""After so many statements of one shape it is compiled, which takes as long as building twenty."""
+"""The number of statements after which their shape is compiled, at the cost of building twenty."""
 _MOST = 1000
 
 Build: TypeAlias = Callable[[Sequence[Any], list[int], list[int], str, int], list[Any]]

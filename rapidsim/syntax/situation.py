@@ -132,7 +132,7 @@ class Situation:
 def insertion(
     row: Row, index: int, kind: str, violation: Violation, related: tuple[Related, ...] = ()
 ) -> Patch:
-    """Put one token in before another one; the place is the end of the token before."""
+    """Insert a token before another one; its place is the end of the token before."""
     place = row.place_before(index)
     span = Span(row.source, place, place)
     return Patch(index, index, ((kind, place, place),), Diagnostic(violation, span, related))
@@ -141,12 +141,12 @@ def insertion(
 def replacement(
     row: Row, start: int, stop: int, kind: str, violation: Violation, fix: Fix | None = None
 ) -> Patch:
-    """Let one token stand for some."""
+    """Replace some tokens by one."""
     span = row.span(start, stop)
     token = (kind, span.start, span.end)
     return Patch(start, stop, (token,), Diagnostic(violation, span, fix=fix))
 
 
 def deletion(row: Row, start: int, stop: int, violation: Violation) -> Patch:
-    """Leave some tokens out."""
+    """Remove some tokens."""
     return Patch(start, stop, (), Diagnostic(violation, row.span(start, stop)))

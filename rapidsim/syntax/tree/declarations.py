@@ -119,7 +119,7 @@ class Module(Node):
     attributes: tuple[Name, ...]
     items: tuple[Item, ...]
     runs: tuple[Run, ...] = ()
-    """What is not in the tree because a statement of it stands for it; in the order of the text."""
+    """Statements not in the tree because one of them stands for all; in the order of the text."""
 
     def span(self, node: Node) -> Span:
         """The place of a node of this module."""
