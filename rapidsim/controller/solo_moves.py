@@ -88,6 +88,7 @@ class SoloMoves:
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
         last = queue.moves[-1] if queue.is_open else None
         queue.append(queued, now_s)
+        self.journal.moves_given = len(queue.moves)
         if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
             self.table.error_logged(CORNER_PATH_FAILURE, now_s)
         before(queued)

@@ -148,6 +148,7 @@ class TaskTeam:
                 f"{move.instruction} without \\ID between SyncMoveOn and SyncMoveOff",
             )
         queued = self._in_step(seat, move, move.sync_id)
+        self.journal.moves_given = len(self.unit.own.moves)
         before(queued)
         self._say_what_a_team_ignores(move, queued)
         self.state.use(move, self.clock.place.arguments)

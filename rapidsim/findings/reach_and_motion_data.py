@@ -30,7 +30,9 @@ class UnreachableTarget(Violation, code="K601"):
         return self.taken_by_default
 
     def with_others(self, others: Sequence[Violation]) -> UnreachableTarget:
-        """This one, and how many more there are."""
+        """This one and, where all are one finding, how many more there are."""
+        if not self.taken_by_default:
+            return self
         return UnreachableTarget(self.target, self.robot, self.why, self.cure, True, len(others))
 
     @property

@@ -12,6 +12,7 @@ from laws import examples
 from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.rules.control_flow.conditions import ConstantCondition
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
+from rapidsim.findings.reach_and_motion_data import UnreachableTarget
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.jobs.selectors import is_selected
 from rapidsim.report.findings.merging import merged
@@ -146,6 +147,17 @@ def test_repeats_become_one_finding() -> None:
     ]
     assert len(merged(findings, merge=False)) == 4
     assert summary_line(merged(findings), files=1, seconds=None) == "Found 4 warnings in 1 file."
+
+
+@pytest.mark.parametrize("by_default", [False, True])
+def test_only_a_guessed_arm_is_called_one(by_default: bool) -> None:
+    text = "p;\nq;\np;\n"
+    target = UnreachableTarget("p", "an arm", "too far", "move it closer", by_default)
+    found = shown(*(Diagnostic(target, span(text, "p", n)) for n in (0, 1)))
+    assert ("nothing names the arm" in found) is by_default
+    assert ("move it closer" in found) is not by_default
+    assert ("1 more target" in found) is by_default
+    assert "and 1 more like it" in found
 
 
 def test_rules_are_selected_by_code_family_and_name() -> None:

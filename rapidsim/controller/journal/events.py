@@ -36,6 +36,8 @@ class Event:
     message: str
     details: Mapping[str, object] = field(default_factory=dict)
     """What a program wants to read: signal name and value, file name, interrupt number."""
+    moves_given: int = 0
+    """How many moves the task's robot had been given before."""
 
     def __repr__(self) -> str:
         """One line."""

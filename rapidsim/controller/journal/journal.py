@@ -60,6 +60,19 @@ class _Entry:
     place: Place | None
     message: str
     details: Mapping[str, object]
+    moves_given: int
+
+    def dated(self) -> Event:
+        """The event, when its time is known."""
+        return Event(
+            self.moment.time_s,
+            self.task,
+            self.kind,
+            self.place,
+            self.message,
+            self.details,
+            self.moves_given,
+        )
 
 
 @dataclass(slots=True)
@@ -69,6 +82,8 @@ class Journal:
     task: str
     keeps_all: bool = True
     """Whether statements, waits and findings are kept, which grow without bound."""
+    moves_given: int = 0
+    """How many moves the task's robot has been given."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _waits: list[Wait] = field(default_factory=list)
@@ -102,7 +117,8 @@ class Journal:
             raise EventLimitReached(
                 f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
             )
-        self._events.append(_Entry(self.task, moment, kind, place, message, details))
+        given = self.moves_given
+        self._events.append(_Entry(self.task, moment, kind, place, message, details, given))
 
     def take(self) -> tuple[Event, ...]:
         """Remove and return the events of the cell whose time is known."""
@@ -113,7 +129,15 @@ class Journal:
     def put_back(self, events: Iterable[Event]) -> None:
         """Record again what was taken."""
         self._events[:0] = [
-            _Entry(e.task, Moment(Instant(e.time_s)), e.kind, e.place, e.message, e.details)
+            _Entry(
+                e.task,
+                Moment(Instant(e.time_s)),
+                e.kind,
+                e.place,
+                e.message,
+                e.details,
+                e.moves_given,
+            )
             for e in events
         ]
 
@@ -181,11 +205,7 @@ class Journal:
 
     def events(self) -> tuple[Event, ...]:
         """All events of the cell in order of time; at the same time, in the order of recording."""
-        dated = [
-            Event(e.moment.time_s, e.task, e.kind, e.place, e.message, e.details)
-            for e in self._events
-            if e.moment.instant.time is not None
-        ]
+        dated = [one.dated() for one in self._events if one.moment.instant.time is not None]
         return tuple(sorted(dated, key=lambda event: event.time_s))
 
     def lines(self) -> tuple[ExecutedLine, ...]:

@@ -78,6 +78,9 @@ def _early(events: Sequence[Event], one: RobotRun, traps: AbstractSet[str]) -> I
             # What a move does itself, it does where it should.
             continue
         number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
+        while number >= 0 and one.moves[number].index >= event.moves_given:
+            # It began at this very instant, but the program said it later.
+            number -= 1
         if number < 0:
             continue
         move = one.moves[number]
