@@ -21,7 +21,7 @@ from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import simulate, simulate_tasks
 from rapidsim.simulation.task_run import TaskSetup
 
-WALL_S = 0.2
+WALL_S = 0.1
 BEYOND_S = 2.0
 
 DATA = """
@@ -171,7 +171,7 @@ def test_several_tasks(tmp_path: Path) -> None:
 
 
 def test_what_was_done_before_is_told(tmp_path: Path) -> None:
-    it = cut_off(forever("      here:=CRobT();", first=SLOW_FLY_BY), tmp_path, wall_s=0.5)
+    it = cut_off(forever("      here:=CRobT();", first=SLOW_FLY_BY), tmp_path, wall_s=0.25)
     assert it.moves
     assert it.time_s > it.moves[0].end_s
     assert it.only.trajectory.duration > 0.0
@@ -183,10 +183,10 @@ def test_what_was_noted_is_written_in_time_too(
     """The more events there are, the earlier the run is over."""
     file = tmp_path / "job.mod"
     file.write_text(forever('      TPWrite "again";\n      Set doLamp;\n      Reset doLamp;'))
-    given = ("--max-wall", 0.4, "--no-record", "--events", tmp_path / "e.jsonl", "--format", "json")
+    given = ("--max-wall", 0.2, "--no-record", "--events", tmp_path / "e.jsonl", "--format", "json")
     began_s = time.process_time()
     assert run_commands(["run", str(file), *map(str, given)]) == 3
-    assert time.process_time() - began_s < 0.4 + BEYOND_S
+    assert time.process_time() - began_s < 0.2 + BEYOND_S
     assert len(json.loads(capsys.readouterr().out)["events"]) > 1000
 
 
