@@ -43,13 +43,13 @@ def interrupted(instant: int, folder: Path, *arguments: str) -> subprocess.Compl
     )
 
 
-@pytest.mark.parametrize("instant", [1, 2, 3, 5, 8, 13, 21, 34, 55, 89, 144, 200])
+@pytest.mark.parametrize("instant", [1, 3, 8, 21, 55, 89, 144, 200])
 def test_while_the_command_line_loads_and_checks(instant: int, tmp_path: Path) -> None:
     done = interrupted(instant, tmp_path, "check", "job.mod")
     assert (done.returncode, done.stderr, done.stdout) == (130, "interrupted\n", "")
 
 
-@pytest.mark.parametrize("instant", [250, 300, 350, 400, 450, 500, 600, 700, 900, 1200])
+@pytest.mark.parametrize("instant", [250, 350, 450, 600, 900, 1200])
 def test_while_a_program_runs_and_is_recorded(instant: int, tmp_path: Path) -> None:
     done = interrupted(instant, tmp_path, "run", "job.mod")
     said = re.fullmatch(r"interrupted(| at .*| after the run .*)\n|", done.stderr)
@@ -82,7 +82,7 @@ def audited(event, arguments):
 sys.addaudithook(audited)
 main()
 """
-_MOVES = 60
+_MOVES = 45
 
 
 def _large_run(instant: tuple[str, int], folder: Path) -> subprocess.CompletedProcess[str]:
@@ -128,7 +128,7 @@ def test_while_the_outputs_of_a_large_program_are_written(tmp_path: Path) -> Non
         done = _large_run(("file", number), tmp_path / f"file {number}")
         assert done.returncode == 130, done.stderr
         assert re.fullmatch(
-            r"interrupted after the run \([0-9.]+ s, 60 moves\): "
+            rf"interrupted after the run \([0-9.]+ s, {_MOVES} moves\): "
             r"not all outputs were written\n",
             done.stderr,
         ), done.stderr
