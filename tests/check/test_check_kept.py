@@ -29,13 +29,12 @@ from rapidsim.jobs.result_store import ResultStore, cache_folder
 PROGRAMS = Path(__file__).parents[2] / "programs"
 CASES: list[tuple[str, ...]] = [
     (str(PROGRAMS / "cell"),),
-    (str(PROGRAMS / "two_robots"),),
     (str(PROGRAMS / "shared_machine"),),
     (str(PROGRAMS / "out_of_reach.mod"), "--robot", "irb1600"),
     (str(CORPUS / "backup"),),
     (str(CORPUS / "handling"),),
     (str(HERE / "planted" / "welding_cell.mod"), "--extend-select", "S,F4,T3,M5"),
-    ("--each", *(str(PROGRAMS / name) for name in ("cell", "pentagon.mod", "shared_machine"))),
+    ("--each", *(str(PROGRAMS / name) for name in ("cell", "pentagon.mod"))),
     ("--each", str(CORPUS / "unicode.mod"), str(CORPUS / "several.mod"), "--extend-select", "S"),
 ]
 """The last is tried in every format."""
@@ -197,10 +196,10 @@ def test_what_a_backup_says_of_its_cell_is_seen(tmp_path: Path) -> None:
 @pytest.mark.usefixtures("installed")
 def test_a_task_that_did_not_change_is_not_looked_at_again(tmp_path: Path) -> None:
     folder, kept = tmp_path / "two", tmp_path / "kept"
-    shutil.copytree(PROGRAMS / "two_robots", folder)
+    shutil.copytree(PROGRAMS / "shared_machine", folder)
     check(kept, folder, ".")
-    right = folder / "Right.mod"
-    right.write_text(right.read_text() + "! a comment\n")
+    unload = folder / "Unload.mod"
+    unload.write_text(unload.read_text() + "! a comment\n")
     looked_at = []
     made = check_many._Watched.record
 

@@ -124,18 +124,17 @@ def test_while_the_outputs_of_a_large_program_are_written(tmp_path: Path) -> Non
     assert whole.returncode == 0, whole.stderr
     complete = {one.name: one.read_bytes() for one in (tmp_path / "whole").iterdir()}
     assert {"r.rrd", "t.csv", "r.html", "e.jsonl"} <= set(complete)
-    for number in (1, 2):
-        done = _large_run(("file", number), tmp_path / f"file {number}")
-        assert done.returncode == 130, done.stderr
-        assert re.fullmatch(
-            rf"interrupted after the run \([0-9.]+ s, {_MOVES} moves\): "
-            r"not all outputs were written\n",
-            done.stderr,
-        ), done.stderr
-        there = {one.name: one.read_bytes() for one in (tmp_path / f"file {number}").iterdir()}
-        assert there.keys() < complete.keys()
-        # Recordings carry an identity of their own.
-        assert all(there[name] == complete[name] for name in there if name != "r.rrd")
+    done = _large_run(("file", 2), tmp_path / "file 2")
+    assert done.returncode == 130, done.stderr
+    assert re.fullmatch(
+        rf"interrupted after the run \([0-9.]+ s, {_MOVES} moves\): not all outputs were written\n",
+        done.stderr,
+    ), done.stderr
+    there = {one.name: one.read_bytes() for one in (tmp_path / "file 2").iterdir()}
+    assert len(there) > 1
+    assert there.keys() < complete.keys()
+    # Recordings carry an identity of their own.
+    assert all(there[name] == complete[name] for name in there if name != "r.rrd")
 
 
 def test_a_command_in_the_background_stays_deaf(tmp_path: Path) -> None:
