@@ -26,7 +26,7 @@ from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
 
 ROOT = Path(__file__).parents[2]
-LOOK_AT_AXES = cases(1_500)
+LOOK_AT_AXES = cases(3_000)
 """So many samples of each program with smoothed axes, which take longer."""
 LEAST_MOVING = {"tests/check/corpus": 8, "tests/rapid/motion": 20}
 """So many programs of a folder at least are run to their moves."""
