@@ -26,7 +26,7 @@ def examples(asked: int = 100) -> settings:
 
 
 def some(asked: Sequence[_T], every: int) -> Sequence[_T]:
-    """Of many that are much alike all, in `fast` one of so many."""
+    """Of many that are much alike: all, in `fast` one of each `every`."""
     return asked[::every] if PROFILE == "fast" else asked
 
 
