@@ -25,6 +25,11 @@ def examples(asked: int = 100) -> settings:
     return settings(max_examples=cases(asked))
 
 
+def some(asked: Sequence[_T], every: int) -> Sequence[_T]:
+    """Of many that are much alike: all, in `fast` one of each `every`."""
+    return asked[::every] if PROFILE == "fast" else asked
+
+
 def in_turn(ways: Sequence[_T], turn: int, few: int) -> Sequence[_T]:
     """Of the ways in which each of many is asked: all, in `fast` a few, others each turn."""
     if PROFILE != "fast":

@@ -249,7 +249,7 @@ def seen(text: str) -> object:
     return repr((cell.texts, cell.instants, places, values, ended))
 
 
-@examples(150)
+@examples(75)
 @given(bodies, handlers, st.tuples(starts, starts, starts), results)
 def test_nobody_can_tell(
     body: list[str], handler: str, start: tuple[str, str, str], result: str

@@ -26,7 +26,7 @@ from rapidsim.report.run.json_report import run_json
 from rapidsim.simulation.options import RunOptions
 
 ROOT = Path(__file__).parents[2]
-LONGEST_S = 10.0
+LONGEST_S = 3.0
 PROGRAMS = (
     "programs/algorithms.mod",
     "programs/circle.mod",

@@ -179,18 +179,18 @@ def test_a_robot_that_moves_for_ever_leaves_nothing_behind_of_its_motion(program
     forgets, keeps = Live(program), Live(program)
     keeps.controller.keeps_all = True
     kept = []
-    for seconds in range(1, 121):
+    for seconds in range(1, 81):
         for live in (forgets, keeps):
-            if live.controller.now_s in (31.0, 61.0):
+            if live.controller.now_s in (21.0, 41.0):
                 live.controller.stop()
-            if not live.controller.executes and live.controller.now_s not in (31.0, 61.0):
+            if not live.controller.executes and live.controller.now_s not in (21.0, 41.0):
                 live.controller.start()
             live.after(1.0)
         # What is forgotten changes nothing, to the last bit.
         assert (forgets.axis_1(), forgets.line) == (keeps.axis_1(), keeps.line)
-        kept.append(_kept(forgets) if seconds > 20 else 0)
-    assert max(kept[80:]) <= 1.5 * max(kept[20:60])
-    assert _kept(keeps) > 3 * max(kept)
+        kept.append(_kept(forgets) if seconds > 14 else 0)
+    assert max(kept[54:]) <= 1.5 * max(kept[14:40])
+    assert _kept(keeps) > 2 * max(kept)
 
 
 def test_what_a_program_may_go_back_on_is_not_forgotten() -> None:

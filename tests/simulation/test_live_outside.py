@@ -23,7 +23,7 @@ def test_a_signal_from_outside_ends_a_loop_that_looks_for_it() -> None:
     body = "WHILE diGo = 0 DO ENDWHILE n := 1; WaitTime 100;"
     live = Live(module(body, "PERS num n := 0;"))
     live.controller.start()
-    live.after(100.0)
+    live.after(10.0)
     assert live.value("n") == "0"
     signals.write(live.controller, "diGo", 1.0)
     live.after(0.02)

@@ -155,7 +155,7 @@ def test_accelerations_that_the_station_gives_stay(stops: LoggedRun) -> None:
 
 
 def test_corners_alone_do_not_show_the_dwell(corners: LoggedRun) -> None:
-    found = calibrate([corners], ROBOT, MotionModel())
+    found = calibrate([corners], ROBOT, MODELS["1"])
     (dwell,) = (one for one in found.parameters if one.name == "fine_dwell")
     assert not dwell.seen
     assert dwell.value == pytest.approx(dwell.known, abs=0.01)

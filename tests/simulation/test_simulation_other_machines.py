@@ -56,12 +56,6 @@ def run(program: str, folder: Path, *, without: str = "") -> tuple[str, str]:
     return done.stdout.decode().replace(str(folder), "its folder"), trace.read_text()
 
 
-def test_a_machine_repeats_itself_to_the_last_bit(tmp_path: Path) -> None:
-    """In processes of their own: each orders its sets in its own way."""
-    program, (folder, other) = PROGRAMS_RUN[0], folders(tmp_path)
-    assert run(program, folder) == run(program, other)
-
-
 @needs_a_choice
 @pytest.mark.parametrize("program", PROGRAMS_RUN)
 def test_another_machine_agrees_within_a_ten_millionth(program: str, tmp_path: Path) -> None:

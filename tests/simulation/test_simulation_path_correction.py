@@ -23,7 +23,7 @@ HEAD = r"""MODULE corrected
     EGMGetId id;
     EGMSetupUC ROB_1, id, "default", "UCdevice:" \PathCorr \APTR \CommTimeout:=0.5;
     MoveL p1, v500, fine, tool0;
-    EGMActMove id, [[0,0,0],[1,0,0,0]] \SampleRate:=24;
+    EGMActMove id, [[0,0,0],[1,0,0,0]] \SampleRate:=48;
   ENDPROC
 """
 # The tool points down: with the path along +y of the base, y of the path is +x of the base, and z
@@ -81,7 +81,7 @@ def test_the_tcp_goes_beside_its_path_and_stays_there() -> None:
     assert not it.run.diagnostics
     assert it.texts == ["state 1", "[805,100,603]", "[800,-100,600]"]
     heard = devices.sensor.heard
-    assert np.allclose(np.diff([one.time_s for one in heard[:-1]]), 0.024, atol=1e-12)
+    assert np.allclose(np.diff([one.time_s for one in heard[:-1]]), 0.048, atol=1e-12)
     assert {one.guided for one in heard[:-1]} == {Guided.RUNNING}
     assert heard[-1].guided is Guided.STOPPED
     # What the sensor is told is where the robot is.
@@ -112,7 +112,7 @@ def test_an_arc_is_left_by_as_much_everywhere() -> None:
     EGMMoveC id, Offs(p1, 100, 100, 0), p2, v100, fine, tool0;""",
         by(4.0),
     )
-    times = np.array([one.time_s for one in devices.sensor.heard[60:-1]])
+    times = np.array([one.time_s for one in devices.sensor.heard[30:-1]])
     radius = np.linalg.norm(tcp_mm(it, times)[:, :2] - (800.0, 0.0), axis=1)
     assert np.allclose(radius, 104.0, atol=0.05)
     assert Course(it).has_no_jump()

@@ -7,6 +7,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from laws import some
 from simulation_program import arm
 
 from rapidsim.diagnostics import Diagnostic, Severity
@@ -51,7 +52,7 @@ def errors(report: ReachReport) -> list[Diagnostic]:
 def test_no_error_is_a_false_one(rule_programs: list[Path]) -> None:
     """By value: the arm's own solver says so of a target, and of no other one."""
     checked = 0
-    for path in filter(names_a_move, [*PROGRAMS, *rule_programs]):
+    for path in filter(names_a_move, [*PROGRAMS, *some(rule_programs, 3)]):
         loaded = read(path)
         if loaded is None or loaded.program is None:
             continue

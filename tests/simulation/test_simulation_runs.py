@@ -15,10 +15,10 @@ from rapidsim.files import SourceFile
 from rapidsim.jobs import load_tasks
 from rapidsim.module_files import TaskFiles
 
-_COUNT = 24
-_FEW = 12
+_COUNT = 16
+_FEW = 10
 """Moves beyond which they are executed as runs here."""
-_AT = 13
+_AT = 8
 """The move that something is done to."""
 _SIGNALS = '[signals]\ndo1 = { type = "do" }\ndo2 = { type = "do" }\n'
 _FAR = (r"\[\[[0-9.]+", "[[9000.000")
