@@ -15,6 +15,7 @@ from recording_cell import cell, two_robots
 
 from rapidsim.recording.layout.write import record
 
+pytestmark = pytest.mark.screen
 TIMES_S = tuple(np.random.default_rng(8).uniform(0.3, 9.0, 2).round(3).tolist())
 
 

@@ -177,6 +177,7 @@ def test_the_older_report_stays_when_the_folder_is_gone(
         write_report(simulation, (), tmp_path / "nowhere" / "report.html")
 
 
+@pytest.mark.screen
 @pytest.mark.skipif(CHROMIUM is None, reason="there is no Chromium here")
 def test_it_opens_in_a_browser(simulation: Simulation, tmp_path: Path) -> None:
     path = write_report(simulation, simulation.diagnostics, tmp_path / "report.html")

@@ -107,6 +107,7 @@ def test_nothing_is_done_by_get_or_for_a_page_from_elsewhere(tmp_path: Path) -> 
 
 
 @pytest.mark.process
+@pytest.mark.screen
 @pytest.mark.skipif(CHROMIUM is None, reason="no browser is here")
 def test_a_browser_shows_the_controller_and_its_buttons_do_what_they_say(tmp_path: Path) -> None:
     async def use(served: Served) -> None:
