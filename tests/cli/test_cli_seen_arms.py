@@ -32,7 +32,6 @@ def entities(recording: Path) -> set[str]:
 @pytest.mark.parametrize(
     ("arguments", "pictures"),
     [
-        (("fk", "--joints", "0,10,20,30,40,50"), {"pose", "matrix"}),
         (("fk", "--robot", "rvm1", "--joints", "10,20,-30,40,50"), {"pose", "matrix"}),
         (("ik", "--position", "600,200,500", "--euler", "20,0,180", "--all"), {"pose", "matrix"}),
         (("jacobian", "--joints", "0,10,20,30,1,50"), {"pose", "matrix", "jacobian"}),
