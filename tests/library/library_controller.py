@@ -450,7 +450,6 @@ class RecordingController(NoSockets, Undisturbed):
     robot_task = "T_ROB1"
     task_number = 1
     robot_number = 1
-    others_stopped = False
     team: tuple[str, ...] = ()
 
     def has_task(self, name: str) -> bool:
@@ -481,11 +480,12 @@ class RecordingController(NoSockets, Undisturbed):
 
     def resume_team(self) -> None: ...
 
-    def stop_other_robots(self) -> None:
-        self.others_stopped = True
+    def stop_robots(self, *, every: bool, quick: bool) -> None: ...
 
-    def start_other_robots(self) -> None:
-        self.others_stopped = False
+    def start_robots(self, *, every: bool) -> None: ...
+
+    def robot_held(self) -> tuple[bool, bool]:
+        return self.is_stopped(), False
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         return TOOL0, WOBJ0
