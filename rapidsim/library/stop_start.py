@@ -91,20 +91,27 @@ def _is_watching(controller: Controller, instruction: str, all_motion_tasks: boo
     return False
 
 
-def clear_path(controller: PathControl) -> None:
+def _path_of(controller: Controller, instruction: str) -> PathControl:
+    """The path of the task's own robot."""
+    if not controller.tasks.robot_number:
+        raise NotAllowed(f"{instruction}: the task {controller.tasks.task_name} has no robot")
+    return controller.path_control
+
+
+def clear_path(controller: Controller) -> None:
     """Drop the rest of the path."""
-    controller.clear_path()
+    _path_of(controller, "ClearPath").clear_path()
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
     """Store the rest of the path and begin a new one."""
     ignored(controller.honesty, "StorePath", {r"\KeepSync": keep_sync})
-    controller.path_control.store_path()
+    _path_of(controller, "StorePath").store_path()
 
 
-def resto_path(controller: PathControl) -> None:
+def resto_path(controller: Controller) -> None:
     """Restore the stored path; StartMove continues on it."""
-    controller.restore_path()
+    _path_of(controller, "RestoPath").restore_path()
 
 
 def path_level(controller: PathControl) -> Num:
