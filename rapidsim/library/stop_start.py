@@ -155,7 +155,6 @@ STOP_START = table(
         procerr_recovery,
         r"\SyncOrgMoveInst|\SyncLastMoveInst \ProcSignal",
         does=Does.HOLD_ROBOT,
-        back="StartMove",
     ),
     routine("ClearPath", clear_path, does=Does.LEAVE_PATH),
     routine("StorePath", store_path, does=Does.LEAVE_PATH),
