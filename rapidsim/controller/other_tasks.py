@@ -33,6 +33,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.motion.configurations.targets import world_from_base_at
+from rapidsim.motion.timing.braking import PROGRAM_STOP_S
 
 _ROUNDING_S = 1e-9
 
@@ -154,21 +155,42 @@ class TaskOthers:
         self.clock.come_up()
         return other.state.tool, other.state.wobj
 
-    def stop_other_robots(self) -> None:
-        """Stop the robots of all other tasks on their paths."""
-        now_s = self.clock.come_up()
-        for other in self.all_tasks().values():
-            if other is not self and other.has_robot:
-                other.stop_robot(now_s)
+    def stop_robots(self, *, every: bool, quick: bool) -> None:
+        """Stop the robot that this task watches, or all; returns when they are at rest."""
+        self.clock.note_line()
+        now_s = rest_s = self.clock.observe()
+        for unit in self._watched(every):
+            unit.held_by_task = unit.held_by_task or (
+                unit.queue.is_halted and not unit.held_by_watcher
+            )
+            unit.held_by_watcher = True
+            if not unit.queue.is_halted:
+                stood_s = unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
+                rest_s = max(rest_s, unit.queue.trajectory.seen_s(stood_s))
+        self.clock.tell()
+        self.clock.pass_time(rest_s)
+
+    def start_robots(self, *, every: bool) -> None:
+        """Restart the robot that this task watches, or all, but for those their own tasks hold."""
+        self.clock.note_line()
+        now_s = self.clock.observe()
+        for unit in self._watched(every):
+            unit.held_by_watcher = False
+            if unit.queue.is_halted and not unit.held_by_task:
+                unit.queue.resume(now_s)
         self.clock.tell()
 
-    def start_other_robots(self) -> None:
-        """Restart the robots of all other tasks."""
-        now_s = self.clock.come_up()
-        for other in self.all_tasks().values():
-            if other is not self and other.unit.queue.is_halted:
-                other.unit.queue.resume(now_s)
-        self.clock.tell()
+    def robot_held(self) -> tuple[bool, bool]:
+        """Whether its own task holds the robot, or that which is watched, and whether a watcher."""
+        (unit, *_) = self._watched(every=False) or (self.unit,)
+        watched = unit.held_by_watcher
+        return unit.queue.is_halted and (unit.held_by_task or not watched), watched
+
+    def _watched(self, every: bool) -> list[MechanicalUnit]:
+        """The robot that a task without one refers to, or all robots of the cell."""
+        meant = self.robot_task
+        tasks = self.all_tasks().values()
+        return [one.unit for one in tasks if one.has_robot and (every or one.task_name == meant)]
 
     def stop_robot(self, time_s: float) -> None:
         """Stop the robot at a time [s]: another task has failed, or the run is over."""

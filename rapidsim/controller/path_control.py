@@ -42,6 +42,7 @@ class TaskPathControl:
         """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
         self.clock.note_line()
         now_s = self.clock.observe()
+        self.unit.held_by_task = True
         if not self.unit.queue.is_halted:
             rest_s = self.unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
             self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
@@ -75,7 +76,9 @@ class TaskPathControl:
                 f"the robot stands {too_far} off where it left its path; move it back before "
                 "RestoPath",
             )
-        self.unit.queue.resume(now_s)
+        self.unit.held_by_task = False
+        if not self.unit.held_by_watcher:
+            self.unit.queue.resume(now_s)
         self.clock.tell()
 
     def is_stopped(self) -> bool:

@@ -26,6 +26,7 @@ from rapidsim.controller.solo_moves import PutMove
 from rapidsim.frames import quaternion
 from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.geometry.segments import Waypoint
 
@@ -101,7 +102,7 @@ class TaskPathRecorder:
         Raises:
             RapidError: ERR_PATH, where no such path is recorded.
         """
-        self.clock.note_line()
+        self._require_stored_path()
         way = self._way_back(identifier) if self._ids else []
         if not way or (identifier is not None and identifier not in self._ids):
             raise rapid_error(ERR_PATH, "no path is recorded that leads back there")
@@ -129,7 +130,7 @@ class TaskPathRecorder:
         Raises:
             RapidError: ERR_PATH, where the robot has not gone back.
         """
-        self.clock.note_line()
+        self._require_stored_path()
         if not self.may_go_forth(identifier):
             raise rapid_error(ERR_PATH, "the robot has not gone back on a recorded path")
         self.clock.come_to_rest()
@@ -145,6 +146,11 @@ class TaskPathRecorder:
         self._left = to
         if to == len(self._given):
             self._origin = None
+
+    def _require_stored_path(self) -> None:
+        self.clock.note_line()
+        if not self.unit.own.stored:
+            raise NotAllowed("a recorded path is not travelled on the base level; StorePath first")
 
     def _begun(self) -> list[QueuedMove]:
         """The recorded moves that the robot has started."""

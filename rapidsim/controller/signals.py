@@ -72,6 +72,10 @@ class TaskSignals:
         if heard:
             self.clock.pass_time(now_s)
 
+    def is_missing(self, name: str) -> bool:
+        """Whether a cell that declares its signals has none of this name."""
+        return self.cell.signals.is_missing(name)
+
     def require_within(self, name: str, value: float) -> None:
         """Refuse a value outside the limits of an analog signal or a group."""
         self.cell.signals.require_within(name, value)

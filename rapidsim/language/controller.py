@@ -379,6 +379,10 @@ class Signals(Protocol):
         """Set an output now or after a delay, without waiting for it."""
         ...
 
+    def is_missing(self, name: str) -> bool:
+        """Whether a cell that declares its signals has none of this name."""
+        ...
+
     def require_within(self, name: str, value: float) -> None:
         """Refuse a value outside the limits of an analog signal or a group."""
         ...

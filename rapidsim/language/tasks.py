@@ -82,12 +82,16 @@ class TaskService(Protocol):
         """
         ...
 
-    def stop_other_robots(self) -> None:
-        """Stop the robots of all other tasks on their paths."""
+    def stop_robots(self, *, every: bool, quick: bool) -> None:
+        """Stop the robot that a task without one watches, or all; returns when they stand."""
         ...
 
-    def start_other_robots(self) -> None:
-        """Let the robots of all other tasks continue."""
+    def start_robots(self, *, every: bool) -> None:
+        """Let the robot that a task without one watches go on, or all."""
+        ...
+
+    def robot_held(self) -> tuple[bool, bool]:
+        """Whether the robot's own task keeps it where it is, and whether one that watches does."""
         ...
 
 

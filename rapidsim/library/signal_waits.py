@@ -32,7 +32,7 @@ from rapidsim.language.error_numbers import ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
-from rapidsim.library.timing import Window, no_window, report_timeout
+from rapidsim.library.timing import Window, report_timeout, waited
 
 
 def wait_di(
@@ -45,8 +45,7 @@ def wait_di(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a digital input has a value."""
-    no_window(controller.honesty, "WaitDI", window)
-    _wait_digital(controller.signals, "WaitDI", signal, value, max_time, time_flag)
+    _wait_digital(controller, "WaitDI", signal, value, max_time, time_flag, window)
 
 
 def wait_do(
@@ -59,8 +58,7 @@ def wait_do(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a digital output has a value."""
-    no_window(controller.honesty, "WaitDO", window)
-    _wait_digital(controller.signals, "WaitDO", signal, value, max_time, time_flag)
+    _wait_digital(controller, "WaitDO", signal, value, max_time, time_flag, window)
 
 
 def wait_ai(
@@ -75,9 +73,8 @@ def wait_ai(
     **window: Unpack[Window],
 ) -> None:
     """Wait until an analog input equals a value, is below it, or above it."""
-    no_window(controller.honesty, "WaitAI", window)
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt)
-    _wait_value(controller.signals, "WaitAI", signal, condition, max_time, value_at_timeout)
+    _wait_value(controller, "WaitAI", signal, condition, max_time, value_at_timeout, window)
 
 
 def wait_ao(
@@ -92,9 +89,8 @@ def wait_ao(
     **window: Unpack[Window],
 ) -> None:
     """Wait until an analog output equals a value, is below it, or above it."""
-    no_window(controller.honesty, "WaitAO", window)
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt)
-    _wait_value(controller.signals, "WaitAO", signal, condition, max_time, value_at_timeout)
+    _wait_value(controller, "WaitAO", signal, condition, max_time, value_at_timeout, window)
 
 
 def wait_gi(
@@ -111,10 +107,9 @@ def wait_gi(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a group of inputs stands in a relation to a value."""
-    no_window(controller.honesty, "WaitGI", window)
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
-    _wait_value(controller.signals, "WaitGI", signal, condition, max_time, at_timeout)
+    _wait_value(controller, "WaitGI", signal, condition, max_time, at_timeout, window)
 
 
 def wait_go(
@@ -131,10 +126,9 @@ def wait_go(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a group of outputs stands in a relation to a value."""
-    no_window(controller.honesty, "WaitGO", window)
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
-    _wait_value(controller.signals, "WaitGO", signal, condition, max_time, at_timeout)
+    _wait_value(controller, "WaitGO", signal, condition, max_time, at_timeout, window)
 
 
 def _within(
@@ -162,33 +156,49 @@ def _relation(value: float, *, lt: bool, gt: bool, noteq: bool = False) -> Calla
 
 
 def _wait_digital(
-    controller: Signals,
+    controller: Controller,
     name: str,
     signal: Reference[Signal],
     value: float,
     max_time: float | None,
     time_flag: Reference[bool] | None,
+    window: Window,
 ) -> None:
     wanted = _relation(0.0 if value == 0.0 else 1.0, lt=False, gt=False)
-    in_time = controller.wait_for_signal(connected(signal), wanted, max_time=max_time)
+    in_time = _waited(controller, name, signal, wanted, max_time, window)
     report_timeout(in_time, time_flag, f"{name} {connected(signal)}", max_time)
 
 
 def _wait_value(
-    controller: Signals,
+    controller: Controller,
     name: str,
     signal: Reference[Signal],
     condition: Callable[[float], bool],
     max_time: float | None,
     at_timeout: Reference[float] | None,
+    window: Window,
 ) -> None:
-    if controller.wait_for_signal(connected(signal), condition, max_time=max_time):
+    if _waited(controller, name, signal, condition, max_time, window):
         return
     if at_timeout is not None:
-        at_timeout.value = controller.read_signal(connected(signal))
+        at_timeout.value = controller.signals.read_signal(connected(signal))
     raise rapid_error(
         ERR_WAIT_MAXTIME, f"{name} {connected(signal)} waited {max_time or 0.0:g} s in vain"
     )
+
+
+def _waited(
+    controller: Controller,
+    name: str,
+    signal: Reference[Signal],
+    condition: Callable[[float], bool],
+    max_time: float | None,
+    window: Window,
+) -> bool:
+    def wait(limit_s: float | None) -> bool:
+        return controller.signals.wait_for_signal(connected(signal), condition, max_time=limit_s)
+
+    return waited(controller, name, window, wait, max_time)
 
 
 _WINDOW = r"\Visualize \Header \Message|\MsgArray \Wrap \Icon \Image \VisualizeTime \UIActiveSignal"

@@ -171,6 +171,7 @@ def valid_io(signal: Var[AnySignal]) -> Bool:
 
 
 def alias_io(
+    controller: Signals,
     from_signal: Ref[SignalOrName],
     to_signal: Var[AnySignal],
     *,
@@ -185,6 +186,8 @@ def alias_io(
     if isinstance(source, Signal) and of != to:
         told = f"{source.name or 'a signal'} is a {of.name}; a {to.name} cannot mean it"
         raise rapid_error(ERR_ALIASIO_TYPE, told)
+    if not isinstance(source, Signal) and controller.is_missing(name):
+        raise rapid_error(ERR_ALIASIO_DEF, f"`{name}` is no signal of the cell")
     if to_signal.value.is_configured:
         told = f"{to_signal.value.name} is itself a signal of the cell; AliasIO connects variables"
         raise rapid_error(ERR_ALIASIO_DEF, told)

@@ -36,6 +36,7 @@ from rapidsim.language.error_numbers import (
     ERR_SOCK_NOT_BOUND,
     ERR_SOCK_NOT_CONN,
     ERR_SOCK_TIMEOUT,
+    ERR_SOCK_UNSPEC,
     rapid_error,
 )
 from rapidsim.language.reference import Reference
@@ -72,7 +73,7 @@ def socket_bind(
     state = _created(socket)
     if state.port:
         raise rapid_error(ERR_SOCK_IS_BOUND, f"the socket is bound to port {state.port} already")
-    listener = controller.bind_port(local_address, _port(local_port))
+    listener = controller.bind_port(_host(local_address), _port(local_port))
     socket.value = replace(
         state, status=BOUND, address=local_address, port=listener.port, listener=listener
     )
@@ -130,7 +131,9 @@ def socket_connect(
         )
     if not address:
         raise rapid_error(ERR_SOCK_ADDR_INVALID, "the address to connect to is empty")
-    connection = controller.connect_socket(address, _port(port), max_time=_limit(time))
+    if state.status == LISTENING:
+        raise rapid_error(ERR_SOCK_UNSPEC, f"the socket listens on port {state.port}")
+    connection = controller.connect_socket(_host(address), _port(port), max_time=_limit(time))
     if connection is None:
         raise _too_late(f"nobody answers at {address}:{port:g}", time)
     socket.value = replace(state, status=CONNECTED, connection=connection)
@@ -289,6 +292,18 @@ def _port(value: float) -> int:
             ERR_SOCK_ADDR_INVALID, f"there is no port {value:.7g}; ports are 1..{_LARGEST_PORT}"
         )
     return int(value)
+
+
+def _host(address: str) -> str:
+    """An address as controllers take them: four numbers, no name; empty is any of its own."""
+    numbers = address.split(".")
+    if address in ("", "localhost") or (
+        len(numbers) == 4 and all(one.isdecimal() and int(one) <= 255 for one in numbers)
+    ):
+        return address
+    raise rapid_error(
+        ERR_SOCK_ADDR_INVALID, f'"{address}" is no address; one is made of four numbers, 0..255'
+    )
 
 
 def _count(value: float, most: int) -> int:

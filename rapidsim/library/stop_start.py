@@ -25,6 +25,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import PathControl
+from rapidsim.language.tasks import TaskService
 from rapidsim.library.honesty import ignored
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
@@ -35,18 +36,18 @@ def stop_move(
     controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
 ) -> None:
     """Stop the robot on its path; the program continues when it is at rest."""
-    if all_motion_tasks:
-        _require_no_robot(controller, "StopMove")
-        controller.tasks.stop_other_robots()
-    controller.path_control.stop_move(quick=quick)
+    if _is_watching(controller, "StopMove", all_motion_tasks):
+        controller.tasks.stop_robots(every=all_motion_tasks, quick=quick)
+    else:
+        controller.path_control.stop_move(quick=quick)
 
 
 def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Restart the robot on its path."""
-    if all_motion_tasks:
-        _require_no_robot(controller, "StartMove")
-        controller.tasks.start_other_robots()
-    controller.path_control.start_move()
+    if _is_watching(controller, "StartMove", all_motion_tasks):
+        controller.tasks.start_robots(every=all_motion_tasks)
+    else:
+        controller.path_control.start_move()
 
 
 def start_move_retry(controller: PathControl) -> None:
@@ -56,10 +57,9 @@ def start_move_retry(controller: PathControl) -> None:
 
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
-    if all_motion_tasks:
-        _require_no_robot(controller, "StopMoveReset")
-        controller.tasks.start_other_robots()
-    if controller.path_control.is_stopped():
+    if _is_watching(controller, "StopMoveReset", all_motion_tasks):
+        controller.tasks.start_robots(every=all_motion_tasks)
+    elif controller.path_control.is_stopped():
         controller.path_control.start_move()
 
 
@@ -80,27 +80,38 @@ def procerr_recovery(
     )
 
 
-def _require_no_robot(controller: Controller, instruction: str) -> None:
-    if controller.tasks.robot_number:
+def _is_watching(controller: Controller, instruction: str, all_motion_tasks: bool) -> bool:
+    """Whether the task has no robot of its own to stop and to start."""
+    if not controller.tasks.robot_number:
+        return True
+    if all_motion_tasks:
         raise NotAllowed(
             rf"{instruction} \AllMotionTasks in the task of a robot; it is for tasks that watch"
         )
+    return False
 
 
-def clear_path(controller: PathControl) -> None:
+def _path_of(controller: Controller, instruction: str) -> PathControl:
+    """The path of the task's own robot."""
+    if not controller.tasks.robot_number:
+        raise NotAllowed(f"{instruction}: the task {controller.tasks.task_name} has no robot")
+    return controller.path_control
+
+
+def clear_path(controller: Controller) -> None:
     """Drop the rest of the path."""
-    controller.clear_path()
+    _path_of(controller, "ClearPath").clear_path()
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
     """Store the rest of the path and begin a new one."""
     ignored(controller.honesty, "StorePath", {r"\KeepSync": keep_sync})
-    controller.path_control.store_path()
+    _path_of(controller, "StorePath").store_path()
 
 
-def resto_path(controller: PathControl) -> None:
+def resto_path(controller: Controller) -> None:
     """Restore the stored path; StartMove continues on it."""
-    controller.restore_path()
+    _path_of(controller, "RestoPath").restore_path()
 
 
 def path_level(controller: PathControl) -> Num:
@@ -109,12 +120,13 @@ def path_level(controller: PathControl) -> Num:
 
 
 def is_stop_move_act(
-    controller: PathControl, *, from_move_task: Switch = False, from_non_move_task: Switch = False
+    controller: TaskService, *, from_move_task: Switch = False, from_non_move_task: Switch = False
 ) -> Bool:
-    """Whether StopMove is holding the robot."""
-    if from_non_move_task and not from_move_task:
-        return False
-    return controller.is_stopped()
+    """Whether StopMove of the robot's own task, or of one without a robot, is holding the robot."""
+    by_own, by_watcher = controller.robot_held()
+    if from_move_task or from_non_move_task:
+        return by_own if from_move_task else by_watcher
+    return by_own or by_watcher
 
 
 def trigg_stop_proc(
@@ -143,7 +155,6 @@ STOP_START = table(
         procerr_recovery,
         r"\SyncOrgMoveInst|\SyncLastMoveInst \ProcSignal",
         does=Does.HOLD_ROBOT,
-        back="StartMove",
     ),
     routine("ClearPath", clear_path, does=Does.LEAVE_PATH),
     routine("StorePath", store_path, does=Does.LEAVE_PATH),

@@ -163,6 +163,11 @@ def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) ->
     """The names of a list, without those that are not in the run."""
     names = [task.taskname for task in tasks if task.taskname]
     present = [name for name in names if controller.tasks.has_task(name)]
+    if present and controller.tasks.task_name.lower() not in {name.lower() for name in names}:
+        raise rapid_error(
+            ERR_ARGVALERR,
+            f"{instruction}: {controller.tasks.task_name} is not in its own list of tasks",
+        )
     missing = [name for name in names if not controller.tasks.has_task(name)]
     if missing:
         controller.honesty.not_simulated(

@@ -9,6 +9,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import (
@@ -23,7 +24,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import ClockService, Controller, Honesty, Signals
+from rapidsim.language.controller import ClockService, Controller, Signals
 from rapidsim.language.data import ClockState
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
@@ -34,6 +35,8 @@ from rapidsim.library.traits import Does
 DEFAULT_POLL_S = 0.1
 LEAST_POLL_S = 0.04
 """WaitUntil looks no more often than this [s]."""
+WINDOW_AFTER_S = 5.0
+"""The window of a wait is shown when it has lasted so long [s], unless it says otherwise."""
 CLOCK_RESOLUTION_S = 0.001
 FINE_CLOCK_RESOLUTION_S = 0.000001
 """ClkRead counts in these steps [s]; the finer ones with \\HighRes."""
@@ -53,13 +56,31 @@ class Window(TypedDict, total=False):
     ui_active_signal: Var[SignalDo]
 
 
-def no_window(controller: Honesty, name: str, window: Window) -> None:
-    """Report a window that nobody will see."""
-    shown = {
-        r"\Visualize": window.get("visualize"),
-        r"\UIActiveSignal": window.get("ui_active_signal"),
-    }
-    ignored(controller, name, shown)
+def waited(
+    controller: Controller,
+    name: str,
+    window: Window,
+    wait: Callable[[float | None], bool],
+    max_time: float | None,
+) -> bool:
+    """Wait for so long [s] at most, and show a window where it takes long; whether it was in time.
+
+    Args:
+        controller: Of the task.
+        name: The instruction.
+        window: What to show.
+        wait: Waits so long at most, None for ever.
+        max_time: The limit, None for none.
+    """
+    ignored(controller.honesty, name, {r"\UIActiveSignal": window.get("ui_active_signal")})
+    shown_s = window.get("visualize_time", WINDOW_AFTER_S)
+    if not window.get("visualize") or (max_time is not None and max_time <= shown_s):
+        return wait(max_time)
+    if wait(shown_s):
+        return True
+    lines = (window.get("header"), window.get("message"), *(window.get("msg_array") or ()))
+    controller.operator.show(" / ".join(line for line in lines if line))
+    return wait(None if max_time is None else max_time - shown_s)
 
 
 def wait_time(controller: ClockService, time: Num, *, in_pos: Switch = False) -> None:
@@ -80,11 +101,14 @@ def wait_until(
     **window: Unpack[Window],
 ) -> None:
     """Wait until a condition holds, looking again and again."""
-    no_window(controller.honesty, "WaitUntil", window)
     if in_pos:
         controller.clock.wait(0.0, in_position=True)
     poll_s = DEFAULT_POLL_S if poll_rate is None else max(poll_rate, LEAST_POLL_S)
-    in_time = controller.signals.wait_until(cond, max_time=max_time, poll_s=poll_s)
+
+    def wait(limit_s: float | None) -> bool:
+        return controller.signals.wait_until(cond, max_time=limit_s, poll_s=poll_s)
+
+    in_time = waited(controller, "WaitUntil", window, wait, max_time)
     report_timeout(in_time, time_flag, "WaitUntil", max_time)
 
 

@@ -134,9 +134,9 @@ def _error_of_main(
     """
     if len(options.cell_tasks) > 1:
         return (), ""
-    if why := why_left_out(program, walked):
+    if why := why_left_out(walked):
         return (), why
-    return run_for_error(program, robot, options, walked), ""
+    return run_for_error(program, robot, options, walked)
 
 
 def _unrun_collisions(

@@ -18,7 +18,13 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
 from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
-from rapidsim.findings.runs import EndlessWait, NotDeclaredHere, is_of_runs
+from rapidsim.findings.runs import (
+    EndlessWait,
+    NotDeclaredHere,
+    QuestionUnanswered,
+    is_of_runs,
+)
+from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
@@ -44,6 +50,8 @@ LONGEST_WORK_FOR_ERRORS_S = 2.0
 """Time on the computer's clock that such a run may take."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
 """Settings whose findings the run makes itself."""
+_NOBODY_THERE = (NobodyAnswers, NobodyConnects, EndlessWait)
+"""What a run of sockets says where a check cannot know who would have been at the other end."""
 _ENDS = {
     End.ENDED: "it ended without coming here",
     End.STOPPED: "the program stopped before, or asked the operator something",
@@ -145,30 +153,37 @@ def run_for_moves(
 
 def run_for_error(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
-) -> tuple[Diagnostic, ...]:
-    """The error that ends a run of main, for a program whose moves are known without one."""
+) -> tuple[tuple[Diagnostic, ...], str]:
+    """The error that ends a run of main, for a program whose moves are known without one.
+
+    Returns:
+        The findings, and why there are none where a check has not what main asks for.
+    """
     if program.routines.get(options.entry.lower()) is None:
-        return ()
+        return (), ""
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
-        asked = replace(limited, home=None, network=None, guesses_frames=_is_all(options))
-        run = simulate(program, robot, options=asked)
+        with TemporaryDirectory(prefix="rapidsim-") as home:
+            asked = _alone(limited, home, guesses_frames=_is_all(options))
+            run = simulate(program, robot, options=asked)
     except (InputError, NotExecutableError):
-        return ()
+        return (), ""
+    if _lacked(run, (program,)):
+        return (), "main needs files, sockets, cameras or modules, which a check does not have"
+    if _was_to_be_answered(run):
+        return (), ""
     moves = [module.span(call) for call, module in walked.written]
     errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
     found = tuple(_doubted(one, run, (program,), options) for one in errors)
     # What follows from a move that this arm cannot make is as sure as the arm is.
     unmade = any(one.failed_moves for one in run.robots)
-    return tuple(replace(one, assumed=one.assumed or unmade) for one in found)
+    return tuple(replace(one, assumed=one.assumed or unmade) for one in found), ""
 
 
-def why_left_out(program: Program, walked: WalkedProgram) -> str:
+def why_left_out(walked: WalkedProgram) -> str:
     """Why main is not run just for its errors; empty if it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
         return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
-    if asks_outside(program):
-        return "main needs files, sockets, cameras or modules, which a check does not have"
     return ""
 
 
@@ -178,13 +193,16 @@ def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diag
     It cannot if the run would depend on what it does not have, or takes too long.
     """
     programs = [setup.program for setup in setups]
-    if any(map(asks_outside, programs)):
-        return None
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
-        run = run_tasks(setups, replace(limited, home=None, network=None)).simulation
+        with TemporaryDirectory(prefix="rapidsim-") as home:
+            run = run_tasks(setups, _alone(limited, home)).simulation
     except (InputError, NotExecutableError):
         return None
+    if _lacked(run, programs):
+        return None
+    if _was_to_be_answered(run):
+        return ()
     errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
     if run.end is End.TIME_LIMIT and not errors:
         return None
@@ -200,6 +218,34 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
         max_time_s=min(options.max_time_s, longest_s),
         max_wall_s=work_s,
     )
+
+
+def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> RunOptions:
+    """A run that has nothing but an empty home folder; questions that end by themselves do so."""
+    return replace(
+        options,
+        answers=None,
+        home=Path(home),
+        ramdisk=None,
+        network=None,
+        guesses_frames=guesses_frames,
+    )
+
+
+def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:
+    """Whether a run asked for what is outside of it, and was not given it."""
+    nobody = any(isinstance(one.violation, _NOBODY_THERE) for one in run.diagnostics)
+    return (run.lacked_files or nobody) and any(map(asks_outside, programs))
+
+
+def _was_to_be_answered(run: Simulation) -> bool:
+    """Whether a run came to a question that only an answer ends."""
+    return any(isinstance(one.violation, QuestionUnanswered) for one in run.diagnostics)
+
+
+def _was_asked(run: Simulation) -> bool:
+    """Whether it came to a question that somebody could have answered."""
+    return any("prompt" in event.details for event in run.events)
 
 
 def _is_all(options: RunOptions) -> bool:
@@ -250,7 +296,8 @@ def _doubted(
         or len(options.cell_tasks) > len(programs)
         or any(one.cell.refers_late for one in programs)
         or (len(programs) == 1 and is_given_values(programs[0]))
-        or any(map(asks_outside, programs))
+        or _lacked(run, programs)
+        or _was_asked(run)
     )
     if not options.io.stimuli:
         in_vain = isinstance(found.violation, EndlessWait) and found.violation.cure is None

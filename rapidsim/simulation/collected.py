@@ -136,6 +136,7 @@ def _simulation(
         diagnostics=findings,
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
+        lacked_files=cell.home.lacks,
         # Now, not when each task ended: others may have gone on with what they share.
         persistents=told_once(
             one

@@ -433,8 +433,7 @@ class RecordingController(NoSockets, Undisturbed):
         if not delay_s:
             self.signals[name.lower()] = value
 
-    def require_within(self, name: str, value: float) -> None:
-        """All signals take any value."""
+    def require_within(self, name: str, value: float) -> None: ...
 
     def wait_for_signal(
         self, name: str, condition: Callable[[float], bool], *, max_time: float | None = None
@@ -450,8 +449,8 @@ class RecordingController(NoSockets, Undisturbed):
     robot_task = "T_ROB1"
     task_number = 1
     robot_number = 1
-    others_stopped = False
     team: tuple[str, ...] = ()
+    is_missing = staticmethod(lambda name: False)
 
     def has_task(self, name: str) -> bool:
         return name.lower() == "t_rob1"
@@ -481,11 +480,12 @@ class RecordingController(NoSockets, Undisturbed):
 
     def resume_team(self) -> None: ...
 
-    def stop_other_robots(self) -> None:
-        self.others_stopped = True
+    def stop_robots(self, *, every: bool, quick: bool) -> None: ...
 
-    def start_other_robots(self) -> None:
-        self.others_stopped = False
+    def start_robots(self, *, every: bool) -> None: ...
+
+    def robot_held(self) -> tuple[bool, bool]:
+        return self.is_stopped(), False
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         return TOOL0, WOBJ0

@@ -77,9 +77,10 @@ def test_waits_for_signals(controller: RecordingController) -> None:
     assert reached.value == 1.0
 
 
-def test_a_window_of_a_wait_is_reported(controller: RecordingController) -> None:
-    controller.call("WaitDI", PART, 0.0, visualize=True, header="Waiting")
-    assert controller.unsimulated == [(r"WaitDI \Visualize", "ignored")]
+def test_a_window_of_a_wait_is_shown_where_it_takes_long(controller: RecordingController) -> None:
+    controller.call("WaitDI", PART, 0.0, visualize=True, header="Waiting", visualize_time=2.0)
+    assert controller.log[-1] == "wait for diPart, max 2.0"
+    assert not controller.unsimulated
 
 
 def test_signal_variables_mean_what_they_are_connected_to(controller: RecordingController) -> None:

@@ -28,8 +28,8 @@ STOPPED = [
 WAITS = "R106"
 """A check cannot know that nobody ever sets an input: to it this is a warning."""
 
-UNSURE = {"operator/key_timeout_again"}
-"""What a check cannot be sure of: its run ends at a question, for somebody may answer it."""
+UNSURE = {"operator/key_timeout_again", "operator/number_uncaught"}
+"""What a check cannot be sure of, and warns of: somebody may answer the question."""
 
 Error = tuple[str, int, int, str, str]
 """File, line, column, code and words of an error."""

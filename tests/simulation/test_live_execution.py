@@ -201,7 +201,10 @@ def test_what_a_program_may_go_back_on_is_not_forgotten() -> None:
         MoveAbsJ [[10*i,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v1000, fine, tool0;
         WaitTime 5;
     ENDFOR
+    StopMove;
+    StorePath;
     PathRecMoveBwd \\ID:=a;
+    RestoPath;
     n := 1;""",
         "VAR pathrecid a;\nPERS num n := 0;",
     )

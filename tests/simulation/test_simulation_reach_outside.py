@@ -66,13 +66,23 @@ def test_what_a_run_tells_without_inputs_is_an_error(tmp_path: Path) -> None:
         ("by:=place{3};", [("R101", "error")]),
         ("by:=place{giPlace};", [("R101", "warning")]),
         ('TPReadNum by,"which?"; by:=place{by};', []),
+        ('TPReadNum by,"which?"\\MaxTime:=3;', [("R101", "warning")]),
+        ('Open "HOME:/own.txt",f\\Write; Close f; by:=ReadNum(f);', [("R101", "error")]),
+        ('Open "HOME:/others.txt",f\\Read;', []),
+        ('IF NOT IsFile("HOME:/others.txt") by:=place{3};', []),
+        ("SocketCreate s; SocketCreate s;", [("R101", "error")]),
+        ('SocketCreate s; SocketConnect s,"10.0.0.1",5000;', []),
     ],
-    ids=["known", "input", "question"],
+    ids=[
+        *("known", "input", "question", "question that ends", "file of its own"),
+        *("file of others", "asks for a file", "own socket", "socket of others"),
+    ],
 )
 def test_an_error_of_main_is_one_unless_it_follows_from_outside(
     statement: str, told: list[tuple[str, str]], tmp_path: Path
 ) -> None:
-    module = "MODULE m\n VAR num by;\n VAR num place{2};\n PROC main()\n {}\n ENDPROC\nENDMODULE\n"
+    data = "VAR num by;\n VAR iodev f;\n VAR socketdev s;\n VAR num place{2};\n"
+    module = f"MODULE m\n {data} PROC main()\n {{}}\n ENDPROC\nENDMODULE\n"
     (tmp_path / "main.mod").write_text(module.replace("{}", statement))
     ended = call("check", "main.mod", "--output-format", "json", cwd=tmp_path)
     found = json.loads(ended.out)["diagnostics"]

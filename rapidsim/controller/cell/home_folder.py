@@ -155,6 +155,8 @@ class HomeFolder:
         self._loaded: dict[Path, float] = {}
         """For each program file that was read, when it had been written [s]."""
         self._disk = _Disk()
+        self.lacks = False
+        """Whether somebody asked for what is not there."""
 
     def open_file(
         self, path: str, mode: FileMode, now_s: float = 0.0, owner: object = None
@@ -179,6 +181,7 @@ class HomeFolder:
                 raise RapidError(ERR_FILEOPEN, f"{path} is not a regular file")
             stream = os.fdopen(descriptor, _MODES[mode])
         except OSError as error:
+            self._look_for(place)
             reason = (error.strerror or "cannot be opened").lower()
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
@@ -200,6 +203,7 @@ class HomeFolder:
             raise rapid_error(ERR_FILNOTFND, error.message) from None
         for file in self._files:
             file.flush()
+        self._look_for(place)
         if not place.is_file():
             raise rapid_error(ERR_FILNOTFND, f"there is no file {path} in {self._folder}")
         try:
@@ -257,12 +261,15 @@ class HomeFolder:
 
     def remove_folder(self, path: str) -> None:
         """Delete an empty folder."""
+        place = self._place(path)
+        self._look_for(place)
         with _refusals(path):
-            self._place(path).rmdir()
+            place.rmdir()
 
     def names_in(self, path: str) -> tuple[str, ...]:
         """The names of the entries of a folder, sorted."""
         place = self._place(path, or_root=True)
+        self.lacks = self.lacks or self._is_disk(place) or not place.exists()
         if not place.exists() and self._is_disk(place):
             return ()
         with _refusals(path):
@@ -271,11 +278,15 @@ class HomeFolder:
     def is_folder(self, path: str) -> bool:
         """Whether a folder exists; a disk always does."""
         place = self._place(path, or_root=True)
-        return self._is_disk(place) or place.is_dir()
+        if self._is_disk(place):
+            return True
+        self._look_for(place)
+        return place.is_dir()
 
     def size(self, path: str) -> int | None:
         """Size of a file [bytes]; None if there is no such file."""
         place = self._place(path, or_root=True)
+        self._look_for(place)
         for file in self._files:
             file.flush()
         return place.stat().st_size if place.is_file() else None
@@ -283,6 +294,7 @@ class HomeFolder:
     def written_s(self, path: str) -> float | None:
         """When the run wrote a file, 0 if it did not; None if there is no such file."""
         place = self._place(path, or_root=True)
+        self._look_for(place)
         return self._written.get(place, 0.0) if place.exists() else None
 
     def loaded_s(self, path: str) -> float:
@@ -309,9 +321,14 @@ class HomeFolder:
         for file in self._files:
             file.flush()
         place = self._place(path)
+        self._look_for(place)
         if not place.is_file():
             raise rapid_error(ERR_FILEACC, f"there is no file {path}")
         return place
+
+    def _look_for(self, place: Path) -> None:
+        """Note where somebody asks for what is not there."""
+        self.lacks = self.lacks or not place.exists()
 
     def _free(self, path: str) -> Path:
         """The place of a file that does not exist yet."""

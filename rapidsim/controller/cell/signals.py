@@ -29,6 +29,10 @@ class SignalTable:
         self._values[name.lower()] = value
         return changed
 
+    def is_missing(self, name: str) -> bool:
+        """Whether signals are declared, and none of this name."""
+        return bool(self._declared) and name.lower() not in self._declared
+
     def require_output(self, name: str, value: float) -> None:
         """Refuse what the I/O configuration forbids a program to write.
 

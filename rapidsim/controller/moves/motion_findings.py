@@ -96,6 +96,8 @@ def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
         programmed_s, started_s = queued.move.duration_s, queued.started.time
         if programmed_s is None or started_s is None or queued.ended_s is None:
             continue
+        if queued.was_stopped:
+            continue
         needed_s = queued.ended_s - started_s
         if needed_s > _EXCESS * programmed_s:
             violation = TooLittleTime(programmed_s, needed_s)

@@ -48,6 +48,8 @@ class QueuedMove:
     """Command time of the start, for the first move of a block only."""
     ended_s: float | None = None
     """Command time of the end, as far as it is planned."""
+    was_stopped: bool = False
+    """StopMove or a search stopped the robot on its way."""
 
     def is_over(self, before_s: float) -> bool:
         """Whether the robot was done with it before a time [s], as far as it made it."""

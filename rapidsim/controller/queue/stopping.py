@@ -71,6 +71,7 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
     index = under_way.first + int(np.searchsorted(starts, to_m, side="right")) - 1
     rest_s = now_s + braking.duration
     block.commit = Commit(rest_s, index, to_m - under_way.start_of(index), 0.0, None)
+    block.moves[index].was_stopped = True
     _take_back(planner, index + 1)
     return rest_s
 

@@ -42,3 +42,19 @@ MODULE near_miss
     StartMove;
   ENDPROC
 ENDMODULE
+! ---
+MODULE handled_elsewhere
+  VAR intnum failed;
+  CONST jointtarget there:=[[40,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    CONNECT failed WITH fail;
+    ITimer\Single,1,failed;
+    MoveAbsJ there,v100,fine,tool0;
+  ERROR
+    ! The error that the trap raises comes here.
+    IF ERRNO=ERR_PATH_STOP StartMoveRetry;
+  ENDPROC
+  TRAP fail
+    ProcerrRecovery\SyncLastMoveInst;
+  ENDTRAP
+ENDMODULE

@@ -13,7 +13,10 @@ MODULE near_miss
   LOCAL CONST num pi:=3.14159;
   ! Controllers without an option do not have its names.
   VAR errnum ERR_HAND_FAILEDGRIP:=54;
+  ! A program books this number itself.
+  VAR errnum ERR_GLUEFLOW:=-1;
   PROC restart()
+    BookErrNo ERR_GLUEFLOW;
     RAISE ERR_HAND_FAILEDGRIP;
   ENDPROC
   PROC main()

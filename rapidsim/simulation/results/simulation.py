@@ -113,6 +113,8 @@ class Simulation:
     diagnostics: tuple[Diagnostic, ...]
     unsimulated: tuple[Unsimulated, ...]
     home_files: tuple[WrittenFile, ...]
+    lacked_files: bool = False
+    """Whether the program asked for files or folders that the home folder does not have."""
     persistents: tuple[PersistentChange, ...] = ()
     """The persistents that ended with another value than their declarations give them."""
     waits: tuple[Wait, ...] = ()

@@ -14,6 +14,7 @@ MODULE record_cleared
     TPWrite "never set "\Bool:=PathRecValidBwd(\ID:=never); ! -> never set FALSE
     PathRecStop \Clear;
     TPWrite "back "\Bool:=PathRecValidBwd();     ! -> back FALSE
+    StorePath;
     PathRecMoveBwd;
   ERROR
     TPWrite "path "\Bool:=ERRNO=ERR_PATH;        ! -> path TRUE

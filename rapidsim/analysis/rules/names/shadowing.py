@@ -14,8 +14,8 @@ from rapidsim.syntax import tree
 _OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
 """Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
 _VOWELS = "aeiou"
-_OF_GRIPPER = "err_hand_"
-"""How the error names of an option begin whose modules declare them."""
+_OF_OTHERS = ("err_hand_", "err_glueflow")
+"""How the error names begin that modules of an option declare, or programs that book them."""
 
 
 class ShadowedName(Violation, code="N203"):
@@ -62,7 +62,7 @@ def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
             declared = [(name, True) for name, _ in declared]
             declared.append((part.routine.name, False))
         for name, is_local in declared:
-            if name.key in OF_OPTIONS or name.key.startswith(_OF_GRIPPER):
+            if name.key in OF_OPTIONS or name.key.startswith(_OF_OTHERS):
                 continue
             match installed_symbol(name.key):
                 case DataSymbol(type=of) if not is_local or of.name in _OF_MOTION:

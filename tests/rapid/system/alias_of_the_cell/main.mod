@@ -7,8 +7,11 @@ MODULE alias_of_the_cell
     SetDO lamp,1;
     TPWrite ValToStr(DOutput(doGun));       ! -> 1
     AliasIO doGun,doLamp;
+    AliasIO "doGone",lamp;
   ERROR
-    TPWrite ValToStr(ERRNO=ERR_ALIASIO_DEF); ! -> TRUE
+    TPWrite ValToStr(ERRNO=ERR_ALIASIO_DEF);
+    ! -> TRUE
+    ! -> TRUE
     TRYNEXT;
   ENDPROC
 ENDMODULE
