@@ -16,7 +16,7 @@ def give_large_blocks_back() -> bool:
     """Let the C library give large blocks back to the system as soon as they are free.
 
     glibc does so only until the first one is freed; from then on it takes blocks of that size from
-    its heap, in which files of all sizes that come and go leave more holes by the hour.
+    its heap, in which files of all sizes that come and go leave holes.
 
     Returns:
         Whether this C library knows of it; others have no such habit.
