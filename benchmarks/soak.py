@@ -2,11 +2,12 @@
 
     python benchmarks/soak.py --minutes 60
 
-Four random clients on this computer send garbage, half requests and uploads that break off, open
-more sessions than there are, subscribe and vanish, start and stop programs. Meanwhile this script
-looks at the memory of the controller's processes, at what it says on standard error, and at whether
-each file that was uploaded is one of those that somebody sent whole. At the end it is killed in the
-midst of uploads, and the files must still be whole. It ends with 1 where anything was not so.
+Random clients of both generations on this computer send garbage, half requests and uploads that
+break off, open more sessions than there are, subscribe and vanish, start and stop programs.
+Meanwhile this script looks at the memory of the controller's processes, at what it says on standard
+error, and at whether each file that was uploaded is one of those that somebody sent whole. At the
+end it is killed in the midst of uploads, and the files must still be whole. It ends with 1 where
+anything was not so.
 """
 
 from __future__ import annotations
@@ -16,12 +17,14 @@ import asyncio
 import contextlib
 import hashlib
 import json
+import os
 import random
 import re
 import signal
 import sys
 import tempfile
 import time
+from base64 import b64encode
 from pathlib import Path
 
 import aiohttp
@@ -60,9 +63,9 @@ def is_whole(data: bytes) -> bool:
 class Soak:
     """What the clients share."""
 
-    def __init__(self, port: int, home: Path, until: float) -> None:
-        """Begin."""
-        self.port, self.home, self.until = port, home, until
+    def __init__(self, port: int, second: str, home: Path, until: float) -> None:
+        """Begin; `second` is the address of Robot Web Services 2.0."""
+        self.port, self.second, self.home, self.until = port, second, home, until
         self.base = f"http://127.0.0.1:{port}"
         self.counts: dict[str, int] = {}
         self.faults: list[str] = []
@@ -198,6 +201,54 @@ async def uploader(soak: Soak, dice: random.Random) -> None:
             await asyncio.sleep(dice.uniform(0.0, 0.1))
 
 
+async def modern(soak: Soak, dice: random.Random) -> None:
+    """Comes in by TLS, does a little, and leaves in the midst of it or as one should."""
+    accepted = {"Accept": "application/hal+json;v=2.0"}
+    written = {"Content-Type": "application/x-www-form-urlencoded;v=2.0"}
+    who = {"Authorization": "Basic " + b64encode(":".join(USER).encode()).decode()}
+    gets = ["rw/rapid/execution", "rw/iosystem/signals", "rw/elog/0?lang=en", "rw/none", "rw/cfg"]
+    posts = ["rw/mastership/edit/request", "rw/rapid/execution/resetpp", "rw/panel/speedratio"]
+    while soak.goes_on():
+        jar = aiohttp.CookieJar(unsafe=True)
+        patience, door = aiohttp.ClientTimeout(total=60), aiohttp.TCPConnector(ssl=False)
+        async with aiohttp.ClientSession(
+            headers=who, cookie_jar=jar, timeout=patience, connector=door
+        ) as client:
+            for _ in range(dice.randrange(6)):
+                address = f"{soak.second}/{dice.choice(gets)}"
+                async with client.get(address, headers=accepted) as response:
+                    if dice.random() < 0.8:
+                        await response.read()
+                    soak.note(f"2.0 {response.status}")
+                    if response.status == 500:
+                        soak.faults.append(address)
+                address = f"{soak.second}/{dice.choice(posts)}"
+                async with client.post(address, headers=written, data=b"{") as response:
+                    soak.note(f"2.0 {response.status}")
+            form = {"resources": "1", "1": "/rw/iosystem/signals/diGo;state", "1-p": "1"}
+            data = aiohttp.FormData(form)()
+            address = f"{soak.second}/subscription"
+            async with client.post(address, headers=written, data=data) as response:
+                soak.note(f"2.0 {response.status}")
+                where = response.headers.get("Location", "")
+            if response.status == 201 and dice.random() < 0.8:
+                with contextlib.suppress(aiohttp.ClientError, TimeoutError):
+                    socket = await client.ws_connect(where, protocols=("rws_subscription",))
+                    await asyncio.wait_for(socket.receive(), 1.0)
+                    soak.note("2.0 events")
+            if dice.random() < 0.7:
+                async with client.get(f"{soak.second}/logout", headers=accepted) as response:
+                    await response.read()
+        with contextlib.suppress(OSError):
+            # Half of a handshake.
+            _, writer = await asyncio.open_connection(
+                "127.0.0.1", int(soak.second.rpartition(":")[2])
+            )
+            writer.write(b"\x16\x03\x01\x02\x00\x01\x00"[: dice.randrange(8)])
+            writer.close()
+        await asyncio.sleep(dice.uniform(0.1, 0.5))
+
+
 def memory_mb(pid: int) -> list[float]:
     """Resident memory of a process and its children, the greatest first."""
     found = []
@@ -229,18 +280,19 @@ async def soaked(folder: Path, minutes: float, speed: str, seed: int) -> list[st
     errors = (folder / "errors.txt").open("w")
     process = await asyncio.create_subprocess_exec(
         *(sys.executable, "-m", "rapidsim", "serve", str(folder / "cell"), "--home", str(home)),
-        *("--rws1-port", "0", "--rws2-port", "off", "--speed", speed, "--session-timeout", "20"),
+        *("--rws1-port", "0", "--rws2-port", "0", "--speed", speed, "--session-timeout", "20"),
         *("--journal", str(folder / "journal.jsonl")),
+        env=os.environ | {"XDG_STATE_HOME": str(folder / "state")},
         stdout=asyncio.subprocess.PIPE,
         stderr=errors,
     )
     assert process.stdout is not None
     ready = json.loads(await process.stdout.readline())
     until = time.monotonic() + 60.0 * minutes
-    soak = Soak(int(ready["rws1"].rpartition(":")[2]), home, until)
+    soak = Soak(int(ready["rws1"].rpartition(":")[2]), ready["rws2"], home, until)
     workers = [
         one(soak, random.Random(seed + k))
-        for k, one in enumerate((worker, babbler, crowd, uploader))
+        for k, one in enumerate((worker, babbler, crowd, uploader, modern))
     ]
     results = await asyncio.gather(*workers, watch(soak, ready["pid"]), return_exceptions=True)
     faults = soak.faults + [repr(one) for one in results if isinstance(one, BaseException)]

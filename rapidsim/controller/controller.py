@@ -6,7 +6,7 @@ Each concern has its file here and is given what it uses; what tasks share is th
 from __future__ import annotations
 
 from rapidsim.controller.cameras import TaskCameras
-from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
@@ -34,6 +34,7 @@ from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
 from rapidsim.controller.sockets import TaskSockets
 from rapidsim.controller.solo_moves import SoloMoves
+from rapidsim.controller.standstill import StandstillOutputs
 from rapidsim.controller.stop_processes import StopProcesses
 from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.controller.triggers import Triggers
@@ -88,11 +89,13 @@ def virtual_controller(
     execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
-    clock.happenings = (execution, cell, guidance, marks, watched, speeds, interrupts)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts)
     reader = PositionReader(unit, resolver)
     others = TaskOthers(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
     resolver.holders.find = others.holder
+    stands = StandstillOutputs(unit, cell, others, Cause(journal.beside(OUTSIDE)))
+    execution.stopped = stands.program_stopped
+    clock.happenings = (execution, cell, guidance, marks, watched, speeds, stands, interrupts)
     team = TaskTeam(
         clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
     )

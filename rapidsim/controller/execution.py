@@ -51,6 +51,8 @@ class TaskExecution:
     """Stops all tasks, for a reason; None if nobody would start them again."""
     resumed: Callable[[], None] | None = None
     """Called when the program continues."""
+    stopped: Callable[[], None] | None = None
+    """Called when the program stops and its robot has been told to."""
     stands: bool = False
     """Whether the program waits to be started."""
     _asked: _Asked | None = None
@@ -77,6 +79,8 @@ class TaskExecution:
         """The program has stopped for good, and its robot has finished its moves."""
         stood_s = max(self.clock.pointer_s(), self.unit.queue.trajectory.duration)
         self.processes.stop(stood_s, stood_s, on_path=False)
+        if self.stopped is not None:
+            self.stopped()
 
     def ask_to_stop(self, at_s: float, *, on_path: bool) -> None:
         """Stop at the present time [s], before the program does anything more."""
@@ -114,6 +118,8 @@ class TaskExecution:
             with suppress(MotionError):
                 stood_s = queue.halt(since_s)
         self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)
+        if self.stopped is not None:
+            self.stopped()
         waited = self.table.waiting()
         self.stands, now_s = True, since_s
         while self.stands:

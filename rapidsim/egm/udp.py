@@ -43,7 +43,7 @@ class Ports:
             stream.setblocking(False)
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
-        fresh = SensorSocket(address, self._streams[address])
+        fresh = SensorSocket(_numeric(address), self._streams[address])
         fresh.hear()
         fresh.take()
         return fresh
@@ -60,9 +60,10 @@ class SensorSocket:
     """Datagrams to and from one sensor."""
 
     address: Address
+    """Its host in figures, as incoming datagrams name it."""
     stream: socket.socket
     dropped: int = 0
-    """Datagrams that were no message."""
+    """Datagrams that were no message, or came from another host."""
     _number: int = 0
     _answer: SensorAnswer | None = None
     _has_guided: bool = False
@@ -78,11 +79,15 @@ class SensorSocket:
         answers = 0
         for _ in range(_MOST_AT_ONCE):
             try:
-                data, _ = self.stream.recvfrom(_LARGEST)
+                data, sender = self.stream.recvfrom(_LARGEST)
             except BlockingIOError:
                 break
             except OSError:
                 # Some systems tell here that nobody has heard the last word.
+                continue
+            if sender[0] != self.address.host:
+                # Nobody else on the network may guide the robot.
+                self.dropped += 1
                 continue
             try:
                 self._answer = sensor_answer(data)
@@ -105,6 +110,13 @@ class SensorSocket:
         if self._has_guided:
             self._answer = None
         self._has_guided = True
+
+
+def _numeric(address: Address) -> Address:
+    """The address with its host in figures; as it is, if nobody knows that host."""
+    with suppress(OSError):
+        return Address(socket.gethostbyname(address.host), address.port)
+    return address
 
 
 @dataclass(slots=True, eq=False)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TypeAlias
 
-from rapidsim.controller.cell.description import SignalDeclaration
+from rapidsim.controller.cell.description import SignalDeclaration, Status
 from rapidsim.language.equipment import Attributes, Configured
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.simulation.options import RunOptions
@@ -145,6 +145,8 @@ def _io(signals: Iterable[SignalDeclaration]) -> _Types:
             Attributes({"Name": one.name, "SignalType": one.kind.value.upper(), "Access": level})
         )
         if one.status is not None:
-            task = {"Arg2": one.task} if one.task else {}
-            shown.append(Attributes({"Status": one.status.value, "Signal": one.name, **task}))
+            of = {"Arg2": one.task} if one.task else {}
+            if one.status in (Status.UNIT_ACTIVE, Status.UNIT_NOT_MOVING):
+                of["Arg1"] = one.unit
+            shown.append(Attributes({"Status": one.status.value, "Signal": one.name, **of}))
     return {"EIO_SIGNAL": declared, "SYSSIG_OUT": shown}

@@ -148,6 +148,8 @@ class Change:
     """A change that a group of subscriptions is told."""
 
     group: int
+    resource: str
+    """What has changed, by the address that was subscribed to."""
     items: tuple[Item, ...]
 
 

@@ -32,6 +32,7 @@ from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
+from rapidsim.server.memory import give_large_blocks_back
 from rapidsim.server.messages import Inquiry, Note, Reply, Told
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
@@ -176,6 +177,7 @@ def _run(
     # Ctrl-C goes to all processes of a terminal; the other one says when to end.
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), signal.SIG_IGN)
+    give_large_blocks_back()
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
         try:
             made = ready(asked)

@@ -19,6 +19,7 @@ from rapidsim.server.http.digest import DigestAuthentication
 from rapidsim.server.http.first import FirstGeneration
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.second import SecondGeneration
+from rapidsim.server.memory import give_large_blocks_back
 from rapidsim.server.messages import Note, Told
 from rapidsim.server.process import EngineProcess
 from rapidsim.server.settings import ServerSettings
@@ -53,6 +54,7 @@ def serve(
     Raises:
         InputError: If a port is taken.
     """
+    give_large_blocks_back()
     try:
         with staying_on():
             return asyncio.run(_serve(engine, settings, is_ready, noted))

@@ -29,6 +29,7 @@ Look = Callable[[], tuple[Item, ...]]
 class _Watched:
     """A resource that a group has subscribed to."""
 
+    resource: str
     look: Look
     """What the group is told of it now."""
     last: tuple[Item, ...]
@@ -83,13 +84,13 @@ class Subscriptions:
                 made.queues.append(name)
             else:
                 look = self._look(resource)
-                made.values.append(_Watched(look, look()))
+                made.values.append(_Watched(resource, look, look()))
         self._groups[group] = made
         for name, resource in heard:
             self._signals.setdefault(name, []).append((group, resource))
-            self.told(Change(group, (self._signal_item(name, resource),)))
+            self.told(Change(group, resource, (self._signal_item(name, resource),)))
         for one in made.values:
-            self.told(Change(group, one.last))
+            self.told(Change(group, one.resource, one.last))
 
     def end(self, group: int) -> None:
         """End a group."""
@@ -108,7 +109,7 @@ class Subscriptions:
                 now = watched.look()
                 if now != watched.last:
                     watched.last = now
-                    self.told(Change(group, now))
+                    self.told(Change(group, watched.resource, now))
             for name in one.queues:
                 self._take(group, name)
 
@@ -117,7 +118,7 @@ class Subscriptions:
         queue = self.context.queues.get(name)
         while queue is not None and queue.messages:
             item = message_item(name, queue.messages.pop(0), "dipc-msg-ev")
-            self.told(Change(group, (item,)))
+            self.told(Change(group, item.href, (item,)))
 
     def logged(self, entry: LogEntry) -> None:
         """Tell of an entry of the event log."""
@@ -127,7 +128,7 @@ class Subscriptions:
                     address = f"/rw/elog/{domain}/{entry.number}"
                     fields = {"seqnum": str(entry.number)}
                     item = Item("elog-message-ev", "", fields, href=address)
-                    self.told(Change(group, (item,)))
+                    self.told(Change(group, f"{_LOG}{domain}", (item,)))
 
     def listens_to(self, signal: str) -> bool:
         """See `cell.Listener`."""
@@ -137,7 +138,7 @@ class Subscriptions:
         """See `cell.Listener`."""
         del old, value, now_s
         for group, resource in self._signals.get(signal.lower(), ()):
-            self.told(Change(group, (self._signal_item(signal, resource),)))
+            self.told(Change(group, resource, (self._signal_item(signal, resource),)))
 
     def _signal_item(self, name: str, resource: str) -> Item:
         try:

@@ -7,7 +7,12 @@ import math
 import re
 from collections.abc import Iterator
 
-from rapidsim.controller.cell.description import GROUP_WIDTH, SignalDeclaration, SignalKind
+from rapidsim.controller.cell.description import (
+    FIRST_ROBOT,
+    GROUP_WIDTH,
+    SignalDeclaration,
+    SignalKind,
+)
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import dataclass
 
@@ -99,6 +104,7 @@ def _signal(signal: SignalDeclaration) -> str:
     if signal.status is not None:
         parts.append(f"system = {json.dumps(signal.status.value)}")
         parts += [] if signal.task is None else [f"task = {json.dumps(signal.task)}"]
+        parts += [] if signal.unit == FIRST_ROBOT else [f"unit = {json.dumps(signal.unit)}"]
     elif signal.value:
         parts.append(f"value = {signal.value:.10g}")
     if signal.kind in _GROUPS and signal.highest is not None:

@@ -17,6 +17,7 @@ from collections.abc import Sequence
 
 from rapidsim.controller.cell.conditions import Condition, ConditionError, read_condition
 from rapidsim.controller.cell.description import (
+    FIRST_ROBOT,
     GROUP_WIDTH,
     CrossConnection,
     SignalDeclaration,
@@ -25,7 +26,7 @@ from rapidsim.controller.cell.description import (
 )
 from rapidsim.station.toml_reader import Reader, Table, is_number
 
-_KEYS = ("type", "value", "width", "min", "max", "system", "task")
+_KEYS = ("type", "value", "width", "min", "max", "system", "task", "unit")
 _CROSS_KEYS = ("set", "from", "after")
 _KINDS = ", ".join(kind.value for kind in SignalKind)
 
@@ -93,17 +94,19 @@ def _signal(reader: Reader, path: str, name: str, table: Table) -> SignalDeclara
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
     status = _status(reader, path, table)
     task = reader.text(table, path, "task")
+    unit = reader.text(table, path, "unit") or FIRST_ROBOT
     if status is None:
         return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
-    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task)
+    return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
 
 
 def _status(reader: Reader, path: str, table: Table) -> Status | None:
     """What a system output shows."""
     text = reader.text(table, path, "system")
     if text is None:
-        if "task" in table:
-            reader.wrong(f"{path}.task", 'it needs `system`, as in system = "TaskExecuting"')
+        for key in ("task", "unit"):
+            if key in table:
+                reader.wrong(f"{path}.{key}", 'it needs `system`, as in system = "TaskExecuting"')
         return None
     for status in Status:
         if status.lower() == text.lower():

@@ -23,6 +23,7 @@ SIGNALS = (
     SignalDeclaration("doDone", SignalKind.DO),
     SignalDeclaration("doRuns", SignalKind.DO, status=Status.CYCLE_ON),
     SignalDeclaration("doFault", SignalKind.DO, status=Status.ERROR),
+    SignalDeclaration("doStands", SignalKind.DO, 1.0, status=Status.UNIT_NOT_MOVING),
     SignalDeclaration("aoFlow", SignalKind.AO, lowest=0.0, highest=10.0),
 )
 
@@ -61,11 +62,11 @@ class Live:
         """Let so much time pass."""
         self.controller.advance(self.controller.now_s + seconds)
 
-    def axis_1(self) -> float:
-        """Where axis 1 is now [rad]."""
+    def axis_1(self, at_s: float | None = None) -> float:
+        """Where axis 1 is now, or was at a time [rad]."""
         task = self.controller.task("T_ROB1")
         now_s = self.controller.now_s
-        samples = task.unit.queue.seen(now_s, np.array([now_s]))
+        samples = task.unit.queue.seen(now_s, np.array([now_s if at_s is None else at_s]))
         return float(samples.joints[0, 0])
 
     @property

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from live_controller import Live, module
 
+from rapidsim.controller.journal.events import Event
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode
 
@@ -76,6 +77,35 @@ def test_a_stop_brakes_on_the_path_and_a_start_goes_on_to_the_end() -> None:
     live.after(10.0)
     assert live.axis_1() == pytest.approx(1.0471975512)
     assert live.value("n") == "1"
+
+
+def test_a_system_output_tells_whether_the_robot_stands() -> None:
+    def changes() -> list[tuple[float, str]]:
+        return [(one.time_s, one.message) for one in happened if "doStands" in one.message]
+
+    move = "MoveAbsJ [[60,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]], v200, fine, tool0;"
+    live, happened = Live(module(f"WaitTime 0.5;\n{move}\nWaitTime 1;")), list[Event]()
+    live.controller.happened = happened.append
+    live.after(1.0)
+    live.controller.start(Cycle.ONCE)
+    live.after(1.0)
+    assert changes() == [(1.5, "doStands = 0")]
+    live.controller.stop()
+    live.after(1.0)
+    (_, (stood_s, stands)) = changes()
+    assert stands == "doStands = 1"
+    assert 2.0 < stood_s < 2.4
+    assert live.axis_1(2.0) < live.axis_1(stood_s - 0.01) < live.axis_1(stood_s) == live.axis_1()
+    live.controller.start()
+    live.after(0.1)
+    live.controller.stop()
+    live.controller.reset_pointers()
+    live.after(1.0)
+    assert [text for _, text in changes()[2:]] == ["doStands = 0", "doStands = 1"]
+    live.controller.start(Cycle.ONCE)
+    live.after(20.0)
+    assert [text for _, text in changes()[4:]] == ["doStands = 0", "doStands = 1"]
+    assert changes()[4][0] == pytest.approx(live.controller.now_s - 20.0 + 0.5)
 
 
 def test_a_stop_after_the_instruction_lets_the_robot_make_its_move() -> None:

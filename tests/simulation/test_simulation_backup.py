@@ -214,14 +214,28 @@ SYSSIG_OUT:
 
       -Status "EmStop" -Signal "goJob"
 
-      -Status "MechUnitNotMoving" -Signal "aoFlow" -Arg1 "ROB_1"
+      -Status "MechUnitNotMoving" -Signal "doStands" -Arg1 "ROB_1"
+
+      -Status "MechUnitActive" -Signal "doTable" -Arg1 "STN1"
+
+      -Status "SimMode" -Signal "aoFlow"
+#
+EIO_SIGNAL:
+
+      -Name "doStands" -SignalType "DO"
+
+      -Name "doTable" -SignalType "DO"
 """
     said = station(tmp_path, {"SYSPAR/EIO.cfg": f"{EIO}\n{shown}"})
     signals = {one.name: one for one in said.io.signals}
     grip, job = signals["doGrip"], signals["goJob"]
     assert (grip.status, grip.task, grip.value) == (Status.TASK_EXECUTING, "T_ROB1", 1.0)
     assert (job.status, job.value) == (Status.EMERGENCY_STOP, 0.0)
-    assert "MechUnitNotMoving is not simulated: `aoFlow`" in said.remarks[-1]
+    stands = signals["doStands"]
+    assert (stands.status, stands.unit, stands.value) == (Status.UNIT_NOT_MOVING, "ROB_1", 1.0)
+    # Tables are switched on and off, which is not shown.
+    assert "MechUnitActive is not simulated: `doTable`" in said.remarks[-2]
+    assert "SimMode is not simulated: `aoFlow`" in said.remarks[-1]
 
 
 @pytest.mark.parametrize(

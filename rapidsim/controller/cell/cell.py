@@ -15,7 +15,12 @@ from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import camera_state
 from rapidsim.controller.cell.conveyors import ConveyorState
-from rapidsim.controller.cell.description import CrossConnection, Status, Stimulus
+from rapidsim.controller.cell.description import (
+    CrossConnection,
+    SignalDeclaration,
+    Status,
+    Stimulus,
+)
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.message_queues import MessageQueues
@@ -204,6 +209,11 @@ class Cell:
         self._sources = {name.lower() for source in sources for name in source.signals()}
         self._begin()
 
+    @property
+    def declared(self) -> tuple[SignalDeclaration, ...]:
+        """The signals of its I/O configuration."""
+        return self._io.signals
+
     def share(self, turns: Turns) -> None:
         """Let several tasks take turns."""
         self.turns, self.is_shared = turns, True
@@ -280,7 +290,7 @@ class Cell:
                 continue
             if signal.status is Status.TASK_EXECUTING and signal.task is not None:
                 self.set_signal(self._outside, moment, signal.name, 0.0)
-            elif signal.status is Status.ERROR and failed:
+            elif signal.status in (Status.ERROR, Status.EXECUTION_ERROR) and failed:
                 self.set_signal(self._outside, moment, signal.name, 1.0)
 
     def last_change(self, names: Iterable[str], since_s: float) -> str:

@@ -52,12 +52,16 @@ def _is_bit(word: str) -> bool:
     return word.isascii() and word.isdecimal() and len(word) < _LONGEST_NUMBER
 
 
+FIRST_ROBOT = "ROB_1"
+
+
 class Status(StrEnum):
     """What of a controller's state a system output shows, in the words of its configuration."""
 
     TASK_EXECUTING = "TaskExecuting"
     CYCLE_ON = "CycleOn"
     ERROR = "Error"
+    EXECUTION_ERROR = "ExecutionError"
     MOTOR_ON = "MotorOn"
     MOTOR_ON_STATE = "MotOnState"
     MOTOR_OFF = "MotorOff"
@@ -65,14 +69,22 @@ class Status(StrEnum):
     AUTO_ON = "AutoOn"
     RUN_CHAIN_OK = "RunchOk"
     EMERGENCY_STOP = "EmStop"
+    UNIT_ACTIVE = "MechUnitActive"
+    UNIT_NOT_MOVING = "MechUnitNotMoving"
 
     @property
     def at_start(self) -> float:
-        """Its value while a run goes on: in automatic mode, with motors on and no error."""
+        """Its value as a run begins: automatic mode, motors on, no error, robots at rest."""
         return float(self not in _NOT_IN_A_RUN)
 
 
-_NOT_IN_A_RUN = (Status.ERROR, Status.MOTOR_OFF, Status.MOTOR_OFF_STATE, Status.EMERGENCY_STOP)
+_NOT_IN_A_RUN = (
+    Status.ERROR,
+    Status.EXECUTION_ERROR,
+    Status.MOTOR_OFF,
+    Status.MOTOR_OFF_STATE,
+    Status.EMERGENCY_STOP,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +102,8 @@ class SignalDeclaration:
     """What it shows, if it is a system output."""
     task: str | None = None
     """The task whose state it shows; None for any."""
+    unit: str = FIRST_ROBOT
+    """The mechanical unit whose state it shows."""
 
 
 @dataclass(frozen=True, slots=True)

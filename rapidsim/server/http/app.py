@@ -19,11 +19,11 @@ from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.guard import Guard
 from rapidsim.server.http.people import shown_to_people
 from rapidsim.server.http.sessions import Session, Sessions
+from rapidsim.server.http.waiting import Waiting
 from rapidsim.server.link import EngineEndedError, Link
 from rapidsim.server.messages import (
     Answer,
     Change,
-    Item,
     Refusal,
     Request,
     SessionEnded,
@@ -39,8 +39,6 @@ MOST_GROUPS: Final = 64
 """Subscriptions at one time."""
 MOST_RESOURCES: Final = 1000
 """Of one group."""
-MOST_WAITING: Final = 1000
-"""Events that wait for a slow reader; the oldest are dropped first."""
 _PARTING_S: Final = 1.0
 """How long [s] a client may take to confirm that its websocket is closed."""
 _LAST_S: Final = 0.2
@@ -72,7 +70,7 @@ class _Group:
 
     number: int
     session: int
-    waiting: list[tuple[Item, ...]] = field(default_factory=list)
+    waiting: Waiting = field(default_factory=Waiting)
     told: asyncio.Event = field(default_factory=asyncio.Event)
     is_over: bool = False
 
@@ -110,9 +108,7 @@ class Face:
             return
         group = self._groups.get(told.group)
         if group is not None:
-            group.waiting.append(told.items)
-            if len(group.waiting) > MOST_WAITING:
-                del group.waiting[0]
+            group.waiting.add(told)
             group.told.set()
 
     @property
@@ -281,9 +277,8 @@ async def _send(group: _Group, socket: web.WebSocketResponse) -> None:
     while True:
         await group.told.wait()
         group.told.clear()
-        waiting, group.waiting = group.waiting, []
-        for items in waiting:
-            await socket.send_str(event_text(group.number, items))
+        while group.waiting:
+            await socket.send_str(event_text(group.number, group.waiting.next()))
         if group.is_over:
             await socket.close()
             return

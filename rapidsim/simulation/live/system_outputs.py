@@ -23,7 +23,7 @@ def status_value(
             return None
         case Status.TASK_EXECUTING | Status.CYCLE_ON:
             return float(executes)
-        case Status.ERROR:
+        case Status.ERROR | Status.EXECUTION_ERROR:
             return float(failed)
         case Status.MOTOR_ON | Status.MOTOR_ON_STATE:
             return float(motors is Motors.ON)
@@ -31,5 +31,6 @@ def status_value(
             return float(motors is Motors.OFF)
         case Status.AUTO_ON:
             return float(mode is Mode.AUTO)
-        case Status.RUN_CHAIN_OK | Status.EMERGENCY_STOP:
+        case _:
+            # The safety chain never opens; what shows a robot's state is written as it moves.
             return None

@@ -6,11 +6,14 @@ does not need to know which bus and device carries a signal.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from rapidsim.controller.cell.conditions import Condition, Term
 from rapidsim.controller.cell.description import (
+    FIRST_ROBOT,
     GROUP_WIDTH,
     CellIo,
     CrossConnection,
@@ -23,6 +26,17 @@ from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instanc
 from rapidsim.station.signals import follows_itself
 
 _MOST_ACTORS = 5
+_OF_UNITS = (Status.UNIT_ACTIVE, Status.UNIT_NOT_MOVING)
+_ROBOT = re.compile(r"ROB_\d+", re.IGNORECASE)
+"""The units whose states are shown."""
+
+
+class _Shown(NamedTuple):
+    """What a system output shows, and of what."""
+
+    status: Status
+    task: str | None
+    unit: str
 
 
 def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
@@ -41,15 +55,16 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
 
 def _system_outputs(
     instances: Iterable[Instance],
-) -> tuple[Mapping[str, tuple[Status, str | None]], tuple[str, ...]]:
-    """What signals show, by folded name, with the task; and a remark for what no run shows."""
+) -> tuple[Mapping[str, _Shown], tuple[str, ...]]:
+    """What signals show, by folded name; and a remark for what no run shows."""
     known = {status.lower(): status for status in Status}
-    shown: dict[str, tuple[Status, str | None]] = {}
+    shown: dict[str, _Shown] = {}
     others: dict[str, list[str]] = {}
     for instance in instances:
         name, word = instance.get("signal", ""), instance.get("status", "")
-        if word.lower() in known:
-            shown.setdefault(name.lower(), (known[word.lower()], instance.get("arg2")))
+        status, unit = known.get(word.lower()), _unit(instance)
+        if status is not None and (status not in _OF_UNITS or _ROBOT.fullmatch(unit)):
+            shown.setdefault(name.lower(), _Shown(status, instance.get("arg2"), unit))
         else:
             others.setdefault(word, []).append(f"`{name}`")
     return shown, tuple(
@@ -58,13 +73,17 @@ def _system_outputs(
     )
 
 
-def _showing(
-    signal: SignalDeclaration, shown: Mapping[str, tuple[Status, str | None]]
-) -> SignalDeclaration:
+def _unit(instance: Instance) -> str:
+    """The unit of a system output; which argument names it differs between statuses."""
+    arguments = (instance.get(f"arg{number}") for number in (1, 3, 4, 2))
+    return next((one for one in arguments if one), FIRST_ROBOT)
+
+
+def _showing(signal: SignalDeclaration, shown: Mapping[str, _Shown]) -> SignalDeclaration:
     if signal.name.lower() not in shown:
         return signal
-    status, task = shown[signal.name.lower()]
-    return replace(signal, value=status.at_start, status=status, task=task)
+    status, task, unit = shown[signal.name.lower()]
+    return replace(signal, value=status.at_start, status=status, task=task, unit=unit)
 
 
 def _signal(instance: Instance) -> SignalDeclaration | None:

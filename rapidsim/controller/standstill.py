@@ -1,0 +1,88 @@
+"""System outputs that tell whether a robot stands still."""
+
+from __future__ import annotations
+
+import math
+from functools import cached_property
+from typing import ClassVar, Final
+
+from rapidsim.controller.cell.cell import Cause, Cell
+from rapidsim.controller.cell.description import Status
+from rapidsim.controller.journal.journal import Instant, Moment
+from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+
+_ROUNDING_S: Final = 1e-9
+
+
+class StandstillOutputs:
+    """Those of the robot of one task: a `happening.Happening`.
+
+    A guided robot moves as long as it is guided.
+    """
+
+    on_path: ClassVar = True
+
+    def __init__(self, unit: MechanicalUnit, cell: Cell, others: TaskOthers, cause: Cause) -> None:
+        """The robot stands, or still comes to rest from what the program before has done."""
+        self._unit, self._cell, self._others, self._cause = unit, cell, others, cause
+        self._moves = unit.own.trajectory.duration > 0.0
+        self._stood_s = 0.0
+        """When it last came to rest [s]."""
+
+    @cached_property
+    def _signals(self) -> tuple[str, ...]:
+        # Asked when all tasks are known to each other.
+        return tuple(
+            one.name
+            for one in self._cell.declared
+            if one.status is Status.UNIT_NOT_MOVING
+            and self._others.robot_of(one.unit) is self._others
+        )
+
+    def _ends_s(self) -> float:
+        """When the robot stands [s] if nothing more is said."""
+        if self._unit.own.guided is not None:
+            return math.inf
+        return self._unit.queue.preview().duration
+
+    def _starts_s(self) -> float:
+        """When it first moves after it last came to rest [s]."""
+        path = self._unit.queue.preview()
+        starts = *(one.start_time for one in path.pieces), *(one.start_s for one in path.guided)
+        after = (start_s for start_s in starts if start_s >= self._stood_s - _ROUNDING_S)
+        return min(after, default=self._stood_s)
+
+    def next_s(self) -> float | None:
+        """When the robot starts or comes to rest [s]; None while nothing is to come."""
+        if not self._signals:
+            return None
+        ends_s = self._ends_s()
+        if self._moves:
+            return None if math.isinf(ends_s) else ends_s
+        return self._starts_s() if ends_s > self._stood_s + _ROUNDING_S else None
+
+    def pass_next(self, passed_s: float, until_s: float) -> float:
+        """Write the signals; see `happening.Happening`."""
+        del until_s
+        time_s = max(self.next_s() or 0.0, passed_s)
+        self._write(time_s)
+        return time_s
+
+    def program_stopped(self) -> None:
+        """Let the signals tell when the robot has come to rest, though the task looks no more."""
+        ends_s = self._ends_s() if self._signals else 0.0
+        if self._stood_s + _ROUNDING_S < ends_s < math.inf:
+            self._cell.happen(ends_s, self._write)
+
+    def _write(self, time_s: float) -> None:
+        ends_s = self._ends_s()
+        self._moves = ends_s > time_s + _ROUNDING_S
+        if not self._moves:
+            self._stood_s = max(time_s, ends_s)
+        moment = Moment(Instant(time_s))
+        for name in self._signals:
+            self._cell.set_signal(self._cause, moment, name, float(not self._moves))
+
+    def look_from(self, time_s: float) -> None:
+        """The path tells when the robot moves."""
