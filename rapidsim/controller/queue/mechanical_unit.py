@@ -23,15 +23,11 @@ class MechanicalUnit:
 
     own: SoloQueue
     seat: TeamQueue | None = None
-<<<<<<< HEAD
     """Its place in the team it moves with; None while it moves alone."""
-=======
-    """Its place in the team with which it moves; None while it moves alone."""
     held_by_task: bool = False
     """StopMove of its own task holds it, in addition to a task that watches."""
     held_by_watcher: bool = False
     """StopMove of a task without a robot holds it."""
->>>>>>> ctrl
     _changes: int = 0
 
     @property
