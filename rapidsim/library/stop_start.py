@@ -31,6 +31,8 @@ from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
+_NOTHING_CLEARED = "nothing is cleared"
+
 
 def stop_move(
     controller: Controller, *, quick: Switch = False, all_motion_tasks: Switch = False
@@ -99,8 +101,15 @@ def _path_of(controller: Controller, instruction: str) -> PathControl:
 
 
 def clear_path(controller: Controller) -> None:
-    """Drop the rest of the path."""
-    _path_of(controller, "ClearPath").clear_path()
+    """Drop the rest of the path.
+
+    A controller goes on where the task has no robot, as servers that watch rely on; what it clears
+    then no source says.
+    """
+    if controller.tasks.robot_number:
+        controller.path_control.clear_path()
+    else:
+        controller.honesty.not_simulated("ClearPath in a task without a robot", _NOTHING_CLEARED)
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
