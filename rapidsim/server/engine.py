@@ -138,24 +138,34 @@ class WallPace:
 class FullPace:
     """Virtual time passes as fast as the computer allows while there is anything to do."""
 
+    _began_s: float = 0.0
+    """When it started, on a wall clock that stands while there is nothing to do [s]."""
+    _idle_since_s: float | None = None
+
     def begin(self) -> None:
-        """Nothing is measured."""
+        """Start the wall clock now."""
+        self._began_s = monotonic()
 
     def horizon_s(self) -> float:
         """Without limit."""
+        if self._idle_since_s is not None:
+            self._began_s += monotonic() - self._idle_since_s
+            self._idle_since_s = None
         return math.inf
 
     def wait_s(self, virtual_s: float) -> float | None:
         """No time; for ever if nothing more can happen."""
-        return 0.0 if virtual_s < math.inf else None
+        if virtual_s < math.inf:
+            return 0.0
+        self._idle_since_s = monotonic()
+        return None
 
     def asked(self) -> None:
         """Time passes by itself."""
 
     def lag_s(self, now_s: float) -> float:
-        """There is nothing to be behind."""
-        del now_s
-        return 0.0
+        """Behind the wall clock: the computer is slower than the controller would be."""
+        return max(0.0, monotonic() - self._began_s - now_s)
 
 
 @dataclass(slots=True)
@@ -369,4 +379,5 @@ class Engine:
         lag_s = self.pace.lag_s(self.live.now_s)
         if lag_s > self._lag_told_s:
             self._lag_told_s = 2.0 * lag_s
-            self.told(Note(f"note: virtual time is {lag_s:.1f} s behind its pace"))
+            pace = "real time" if isinstance(self.pace, FullPace) else "its pace"
+            self.told(Note(f"note: virtual time is {lag_s:.1f} s behind {pace}"))

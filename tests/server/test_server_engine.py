@@ -1,8 +1,11 @@
 """How the engine's time passes, and what takes effect when."""
 
 import math
+import re
 from dataclasses import dataclass
 from pathlib import Path
+
+import pytest
 
 from rapidsim.jobs.asked import Asked
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace
@@ -107,6 +110,27 @@ def test_at_full_speed_everything_happens_that_can(tmp_path: Path) -> None:
     assert value(served, "rounds") == 3.0
     assert served.wait_s() is None
     assert any(isinstance(one, Note) and one.text.startswith("error: ") for one in told)
+
+
+def test_who_is_slower_than_real_time_at_full_speed_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wall_s = 100.0
+    monkeypatch.setattr("rapidsim.server.engine.monotonic", lambda: wall_s)
+    served, told = engine(tmp_path, FullPace())
+    assert served.wait_s() is None
+    # Nobody counts the time before there is anything to do.
+    wall_s = 200.0
+    served.reply(START)
+    served.reply(GO)
+    assert served.step()
+    assert [one for one in told if isinstance(one, Note)] == []
+    wall_s = 220.0
+    assert served.step()
+    notes = [one.text for one in told if isinstance(one, Note)]
+    assert any(
+        re.fullmatch(r"note: virtual time is 1\d\.\d s behind real time", one) for one in notes
+    )
 
 
 def test_what_is_not_simulated_is_told_once(tmp_path: Path) -> None:
