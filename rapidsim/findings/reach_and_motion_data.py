@@ -30,9 +30,7 @@ class UnreachableTarget(Violation, code="K601"):
         return self.taken_by_default
 
     def with_others(self, others: Sequence[Violation]) -> UnreachableTarget:
-        """This one and, where all are one finding, how many more there are."""
-        if not self.taken_by_default:
-            return self
+        """This one, and how many more there are."""
         return UnreachableTarget(self.target, self.robot, self.why, self.cure, True, len(others))
 
     @property

@@ -55,9 +55,10 @@ def merged(
 
 
 def _finding(first: Diagnostic, repeats: Sequence[Diagnostic]) -> Finding:
-    others = [one.violation for one in repeats]
-    told = first.violation.with_others(others) if others else first.violation
-    return Finding(replace(first, violation=told), tuple(repeats))
+    if first.violation.is_told_once and repeats:
+        told = first.violation.with_others([one.violation for one in repeats])
+        first = replace(first, violation=told)
+    return Finding(first, tuple(repeats))
 
 
 def _order(diagnostic: Diagnostic) -> tuple[str, int, str, str]:
