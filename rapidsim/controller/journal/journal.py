@@ -7,8 +7,9 @@ time until it is; entries refer to it and are dated when the run is over.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import field
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import field, replace
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
@@ -54,25 +55,13 @@ class Moment:
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    task: str
     moment: Moment
-    kind: EventKind
-    place: Place | None
-    message: str
-    details: Mapping[str, object]
-    moves_given: int
+    event: Event
+    """Its time counts for nothing."""
 
     def dated(self) -> Event:
         """The event, when its time is known."""
-        return Event(
-            self.moment.time_s,
-            self.task,
-            self.kind,
-            self.place,
-            self.message,
-            self.details,
-            self.moves_given,
-        )
+        return replace(self.event, time_s=self.moment.time_s)
 
 
 @dataclass(slots=True)
@@ -117,8 +106,8 @@ class Journal:
             raise EventLimitReached(
                 f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
             )
-        given = self.moves_given
-        self._events.append(_Entry(self.task, moment, kind, place, message, details, given))
+        event = Event(math.nan, self.task, kind, place, message, details, self.moves_given)
+        self._events.append(_Entry(moment, event))
 
     def take(self) -> tuple[Event, ...]:
         """Remove and return the events of the cell whose time is known."""
@@ -128,18 +117,7 @@ class Journal:
 
     def put_back(self, events: Iterable[Event]) -> None:
         """Record again what was taken."""
-        self._events[:0] = [
-            _Entry(
-                e.task,
-                Moment(Instant(e.time_s)),
-                e.kind,
-                e.place,
-                e.message,
-                e.details,
-                e.moves_given,
-            )
-            for e in events
-        ]
+        self._events[:0] = [_Entry(Moment(Instant(one.time_s)), one) for one in events]
 
     def line(self, moment: Moment, place: Place) -> None:
         """Record that the program pointer reached a statement."""
