@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NoReturn
 import click
 
 from rapidsim import __version__
-from rapidsim.cli.broken_off import Terminated
+from rapidsim.cli.broken_off import Terminated, TimeOverError
 from rapidsim.cli.completion import COMPLETE, complete
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
@@ -82,6 +82,9 @@ def _code_of(arguments: Sequence[str]) -> int:
     except InputError as error:
         _say(error.message, error.help)
         return ExitCode.USAGE
+    except TimeOverError as over:
+        _say(f"--max-wall ended the command{over}", None)
+        return ExitCode.LIMIT
     except (BrokenPipeError, KeyboardInterrupt, click.Abort, SystemExit, Terminated):
         raise
     except BaseException as error:

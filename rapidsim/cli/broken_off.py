@@ -2,8 +2,16 @@
 
 from __future__ import annotations
 
+import ctypes
+import os
+import signal
+import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from time import sleep
+
+_ARRIVAL_S = 0.05
+"""Time [s] within which an interrupt that has been sent arrives."""
 
 
 class Terminated(BaseException):
@@ -22,3 +30,56 @@ def told_if_broken_off(so_far: Callable[[], str]) -> Iterator[None]:
     except (KeyboardInterrupt, Terminated) as broken_off:
         broken_off.args = (so_far(),)
         raise
+
+
+class TimeOverError(Exception):
+    """The work has taken longer than it may."""
+
+
+@contextmanager
+def limited_to(seconds: float | None) -> Iterator[None]:
+    """Interrupt the work in here, as Ctrl-C does, after a time on the computer's clock.
+
+    Args:
+        seconds: None for no limit.
+
+    Raises:
+        TimeOverError: If it was interrupted; its argument says how far the work was.
+    """
+    if seconds is None:
+        yield
+        return
+    lock, state = threading.Lock(), {"over": False, "done": False}
+    thread = threading.get_ident()
+
+    def interrupt() -> None:
+        with lock:
+            if not state["done"]:
+                state["over"] = True
+                _interrupt(thread)
+
+    timer = threading.Timer(seconds, interrupt)
+    timer.daemon = True
+    timer.start()
+    try:
+        try:
+            yield
+        finally:
+            timer.cancel()
+            with lock:
+                state["done"] = True
+        if state["over"]:
+            sleep(_ARRIVAL_S)
+    except KeyboardInterrupt as interrupted:
+        if not state["over"]:
+            raise
+        raise TimeOverError("".join(map(str, interrupted.args))) from None
+
+
+def _interrupt(thread: int) -> None:
+    """Raise KeyboardInterrupt in a thread, even in the main thread while it waits for processes."""
+    if os.name == "posix" and thread == threading.main_thread().ident:
+        signal.pthread_kill(thread, signal.SIGINT)
+        return
+    exception = ctypes.py_object(KeyboardInterrupt)
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)

@@ -15,8 +15,8 @@ MAX_EXPRESSION = 200
 """Depth of an expression."""
 MAX_BRANCHES = 1000
 """ELSEIF or CASE branches of one statement, which nest in Python."""
-MAX_ELEMENTS = 10_000_000
-"""Elements of all arrays that a program declares; a list takes eight bytes for each at least."""
+MAX_ARRAY_BYTES = 500_000_000
+"""Memory of all arrays that a program declares, once each element has a value of its own."""
 RUNNING_DEPTH = 10_000
 """How deep Python calls may nest while a program runs; those of RAPID routines use no C stack."""
 TRANSLATING_DEPTH = 10_000

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rapidsim.language import types
 from rapidsim.language.data import ClockState, Signal
 from rapidsim.language.types import Alias, ArrayOf, Atomic, Record, Type
@@ -21,8 +23,8 @@ _ATOMS: dict[str, object] = {
 def initial_value(of: Type) -> object:
     """The value of data of a type that were declared without one.
 
-    Records are new tuples and arrays new nested lists. Types that nothing looks into start as None,
-    as does a device that is not open.
+    Records are tuples and arrays new nested lists, whose elements, immutable as they are, share one
+    value. Types that nothing looks into start as None, as does a device that is not open.
 
     Raises:
         ValueError: If an array has an open dimension; only parameters have those.
@@ -34,10 +36,15 @@ def initial_value(of: Type) -> object:
             return initial_value(base)
         case Record(components=components, python=python):
             return tuple.__new__(python, [initial_value(part.type) for part in components])
-        case ArrayOf(element=element, dimensions=(size, *inner)):
-            if size is None:
+        case ArrayOf(element=element, dimensions=dimensions):
+            sizes = [size for size in dimensions if size is not None]
+            if len(sizes) < len(dimensions):
                 raise ValueError(f"an array of type {of.name} has no size of its own")
-            part: Type = ArrayOf(element, tuple(inner)) if inner else element
-            return [initial_value(part) for _ in range(size)]
+            return _rows(sizes, initial_value(element))
         case _:
             raise ValueError(f"{of} is not a type of data")
+
+
+def _rows(sizes: Sequence[int], element: object) -> list[object]:
+    size, *inner = sizes
+    return [_rows(inner, element) for _ in range(size)] if inner else [element] * size

@@ -166,7 +166,9 @@ def run_for_error(
         with TemporaryDirectory(prefix="rapidsim-") as home:
             asked = _alone(limited, home, guesses_frames=_is_all(options))
             run = simulate(program, robot, options=asked)
-    except (InputError, NotExecutableError):
+    except NotExecutableError as error:
+        return (error.diagnostic,), ""
+    except InputError:
         return (), ""
     if _lacked(run, (program,)):
         return (), "main needs files, sockets, cameras or modules, which a check does not have"
@@ -210,7 +212,12 @@ def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diag
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
-    """One cycle that is over after so much virtual time, and so much on the computer's clock."""
+    """One cycle that is over after so much virtual time, and so much on the computer's clock.
+
+    Where the check itself is limited, half of its time remains for all else.
+    """
+    if options.max_wall_s is not None:
+        work_s = min(work_s, 0.5 * options.max_wall_s)
     return replace(
         options,
         answers=_nobody,

@@ -267,6 +267,37 @@ def _out_of_time(original: Callable[..., None], ends: list[str]) -> Callable[...
     return done
 
 
+def test_a_call_that_never_looks_at_the_clock(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The run is interrupted wherever it is, and says so."""
+
+    def busy(_service: TaskOthers) -> None:
+        while True:
+            pass
+
+    monkeypatch.setattr(TaskOthers, "task_number", property(busy))
+    text = once("    name:=GetTaskName(\\TaskNo:=n);", "  VAR string name;")
+    loaded = load([SourceFile("job.mod", text, "utf-8")])
+    assert loaded.program is not None, loaded.diagnostics
+    run = simulate(loaded.program, load_robot("irb1600"), options=options(tmp_path))
+    assert run.end is End.TIME_LIMIT
+    assert run.diagnostics[-1].code == "R109"
+
+
+@pytest.mark.parametrize("given", [(), ("-j", "2", "--each")], ids=" ".join)
+def test_a_check_may_be_limited(given: tuple[str, ...], tmp_path: Path) -> None:
+    lines = "".join(f"    IF n>{i} n:=n*{i}+Sin(n);\n" for i in range(100_000))
+    for name in ("one.mod", "two.mod"):
+        module = Path(name).stem
+        text = f"MODULE {module}\n  VAR num n;\n  PROC p_{module}()\n{lines}  ENDPROC\nENDMODULE\n"
+        (tmp_path / name).write_text(text)
+    limit = ("--max-wall", "0.3", "--no-cache")
+    ended = call("check", "one.mod", "two.mod", *given, *limit, cwd=tmp_path)
+    assert (ended.code, ended.out) == (3, "")
+    assert ended.err.startswith("error: --max-wall ended the command")
+
+
 def test_a_zone_is_watched_no_longer_than_the_run(tmp_path: Path) -> None:
     program = Path(__file__).with_name("zone_and_a_move_of_days.mod")
     ended = call("run", program, "--no-record", "--max-time", "20", cwd=tmp_path)

@@ -9,9 +9,10 @@ from pathlib import Path
 
 import click
 
+from rapidsim.cli.broken_off import limited_to
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job, open_quietly
-from rapidsim.cli.options.numbers import PROCESSES
+from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
@@ -67,6 +68,12 @@ from rapidsim.values import dataclass
     is_flag=True,
     help="Do not run main to find its errors and the moves that only a run can check.",
 )
+@click.option(
+    "--max-wall",
+    metavar="SECONDS",
+    type=POSITIVE,
+    help="End the check after this much real time; the run of main may take half of it.",
+)
 @click.option("--each", is_flag=True, help="Check each PATH as a program of its own.")
 @click.option(
     "-j",
@@ -106,6 +113,7 @@ def check(
     counted: bool,
     no_reach: bool,
     no_run: bool,
+    max_wall: float | None,
     each: bool,
     processes: int,
     no_cache: bool,
@@ -133,6 +141,7 @@ def check(
         ignore=_listed(ignore),
         reach=not no_reach,
         trial_run=not no_run,
+        max_wall_s=max_wall,
     )
     programs = [(path,) for path in paths] if each else [paths]
     jobs = [asked_job(replace(asked, paths=one), open_robot=open_quietly) for one in programs]
@@ -141,13 +150,14 @@ def check(
         raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
     if update_baseline and None in known:
         raise click.UsageError("--update-baseline needs --baseline FILE")
-    results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
-    if diff:
-        return _show_differences(jobs, results, unsafe=unsafe_fixes)
-    mended = [
-        _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
-        for job, result in zip(jobs, results, strict=True)
-    ]
+    with limited_to(max_wall):
+        results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
+        if diff:
+            return _show_differences(jobs, results, unsafe=unsafe_fixes)
+        mended = [
+            _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
+            for job, result in zip(jobs, results, strict=True)
+        ]
     # A setting alone writes nothing: the repository that holds it is not trusted.
     judged = [
         judged_with(group, update=update_baseline, create=baseline is not None)

@@ -4,7 +4,8 @@ This is the only thing in a run that knows that clock, and it only ends the run.
 reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
 takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. Work that
 cannot look (a module that is loaded passes the parser, the checker and the compiler) is interrupted
-where it stands. What was noted must be written yet: the more it is, the earlier the time is over.
+at once, and so is the whole run if nothing has looked for a second. What was noted must be written
+yet: the more it is, the earlier the time is over.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ import ctypes
 import math
 import sys
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from threading import Event, Lock, Thread, get_ident
 from time import monotonic, sleep
 from typing import ClassVar, Final, Protocol
@@ -24,6 +25,8 @@ from rapidsim.controller.pointer_time import NO_TICKS
 _AGAIN_S: Final = 0.02
 """How long [s] until it takes the ticks of a task away again, in case more were just granted."""
 
+_PATIENCE_S: Final = 1.0
+"""Time [s] from the limit until the run is interrupted, whatever it is doing."""
 _LOOKS_S: Final = 0.1
 """How often [s] it looks how much has been recorded."""
 _WRITING_S: Final = 25e-6
@@ -66,8 +69,12 @@ class Watchdog:
         self._rests = Event()
         self._tasks: list[Ticking] = []
         self._lock = Lock()
+        self._thread = get_ident()
+        """The thread of the run."""
         self._at_work: int | None = None
         """The thread doing work that may be interrupted."""
+        self._is_unresponsive = False
+        """Whether the run was interrupted because nothing in it looked."""
         if limit_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
@@ -121,7 +128,12 @@ class Watchdog:
 
     def rest(self) -> None:
         """Stop watching: the run is over."""
-        self._rests.set()
+        with self._lock:
+            self._rests.set()
+        if self._is_unresponsive:
+            # The exception may arrive as late as this.
+            with suppress(_Interrupted):
+                sleep(_AGAIN_S)
 
     def _watch(self) -> None:
         while (runs_s := self.left_s - max(0.0, self._noted() * _WRITING_S - _FREE_S)) > 0.0:
@@ -129,19 +141,22 @@ class Watchdog:
                 return
         self._is_over = True
         Watchdog.runs_ended += 1
+        interrupt_s = monotonic() + _PATIENCE_S
         while True:
             for task in self._tasks:
                 task.left = NO_TICKS
-            self._interrupt()
+            with self._lock:
+                if self._rests.is_set():
+                    return
+                if monotonic() > interrupt_s:
+                    self._is_unresponsive = True
+                    interrupt_s += _PATIENCE_S
+                    _interrupt(self._thread)
+                elif self._at_work is not None:
+                    _interrupt(self._at_work)
+                self._at_work = None
             if self._rests.wait(_AGAIN_S):
                 return
-
-    def _interrupt(self) -> None:
-        with self._lock:
-            thread, self._at_work = self._at_work, None
-            if thread is not None:
-                exception = ctypes.py_object(_Interrupted)
-                ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)
 
     def _no_longer(self) -> None:
         """End interruptible work; an exception on its way is raised in here or before."""
@@ -151,3 +166,8 @@ class Watchdog:
             # One that is raised in this thread by now comes up when the sleep is over. If none
             # does, it has come before and another took its place; `look` ends the run then.
             sleep(_AGAIN_S)
+
+
+def _interrupt(thread: int) -> None:
+    exception = ctypes.py_object(_Interrupted)
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ast
 import math
+import sys
 from collections.abc import Mapping, Sequence, Set
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
@@ -25,19 +26,22 @@ from rapidsim.interpreter.codegen.routines import (
     translate_routine,
 )
 from rapidsim.interpreter.limits import (
-    MAX_ELEMENTS,
+    MAX_ARRAY_BYTES,
     TRANSLATING_DEPTH,
     NotExecutableError,
     recursion_limit,
 )
 from rapidsim.interpreter.linking.constants import Constants
 from rapidsim.interpreter.runtime.memory import initial_literal
+from rapidsim.language.initial import initial_value
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 INITIALISE = "_initialise"
 """The function that gives module variables the initial values that are more than literals."""
+
+_POINTER_BYTES = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +164,7 @@ def _translate_module(
 
 
 def _refuse_huge_arrays(program: Program) -> None:
-    declared = 0
+    declared_bytes = 0
     for module in program.modules:
         for data in data_of(module):
             symbol = program.symbol_of[data]
@@ -168,13 +172,19 @@ def _refuse_huge_arrays(program: Program) -> None:
             if not isinstance(of, ArrayOf):
                 continue
             elements = math.prod(size or 0 for size in of.dimensions)
-            declared += elements
-            if declared > MAX_ELEMENTS:
+            declared_bytes += elements * (_POINTER_BYTES + _bytes_of(initial_value(of.element)))
+            if declared_bytes > MAX_ARRAY_BYTES:
                 raise NotExecutableError(
                     f"the array `{data.name.text}` of {elements} elements, with more than "
-                    f"{MAX_ELEMENTS} in all arrays together,",
+                    f"{MAX_ARRAY_BYTES // 1_000_000} MB in all arrays together,",
                     module.span(data.name),
                 )
+
+
+def _bytes_of(value: object) -> int:
+    """Memory of a value with its components."""
+    components = value if isinstance(value, tuple) else ()
+    return sys.getsizeof(value) + sum(map(_bytes_of, components))
 
 
 def _initialise(module: tree.Module, context: ModuleContext) -> ast.FunctionDef | None:

@@ -105,11 +105,12 @@ def dimension(array: list[Any] | Absent, number: float) -> float:
     Raises:
         RapidError: ERR_ILLDIM when the array has no such dimension.
     """
-    value: object = array
     if isinstance(array, Absent):
         not_present("of this routine")
-    for _ in range(int(number) - 1):
-        value = value[0] if isinstance(value, list) else None
-    if number < 1 or not isinstance(value, list):
+    value: object = array
+    remaining = number
+    while remaining >= 2.0 and isinstance(value, list):
+        value, remaining = value[0], remaining - 1.0
+    if not number >= 1.0 or not isinstance(value, list):
         raise rapid_error(ERR_ILLDIM, f"the array has no dimension {number:g}")
     return float(len(value))
