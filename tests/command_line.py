@@ -21,6 +21,9 @@ from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.exit_codes import ExitCode
 
 SWITCH = "COMMAND_LINE"
+PASSED_ON = ("PATH", "HOME", "OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE")
+"""Variables that a process takes from this one; the last choose how NumPy's library computes, and
+so the last digit of what it computes."""
 PROCESS = "process"
 
 
@@ -51,7 +54,7 @@ def call(
     """
     words = [str(argument) for argument in arguments]
     variables = {
-        **{name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ},
+        **{name: os.environ[name] for name in PASSED_ON if name in os.environ},
         "COLUMNS": str(columns),
         "PYTHONIOENCODING": "utf-8",
         "RAPIDSIM_NO_CACHE": "1",

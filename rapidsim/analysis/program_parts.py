@@ -53,6 +53,10 @@ class Part:
         """A related location in this part that explains a finding."""
         return Related(self.module.span(node), message)
 
+    def contains(self, node: tree.Node) -> bool:
+        """Whether a node of the same module lies in the routine."""
+        return self.routine is not None and self.routine.start <= node.start < self.routine.end
+
     @property
     def calls(self) -> tuple[tree.Call | tree.FunctionCall, ...]:
         """The calls of this part: statements first, then functions."""
@@ -152,6 +156,15 @@ class Facts:
                 if joined != reached[part]:
                     reached[part], changed = joined, True
         return reached
+
+    @cached_property
+    def moving(self) -> int:
+        """The bits of the routines with a move instruction."""
+        bits = 0
+        for part, bit in self.bit_of.items():
+            if any(Does.MOVE in self.does(call) for call in part.all(tree.Call)):
+                bits |= bit
+        return bits
 
     @cached_property
     def names(self) -> frozenset[str]:

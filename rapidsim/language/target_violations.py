@@ -15,6 +15,13 @@ class QuaternionNotUnit(Violation, code="M501"):
     """Whether a move asks for it and it is too far off for the move to be made."""
 
     @property
+    def help(self) -> str | None:
+        """What to write instead; zeros have no direction that could be kept."""
+        if self.length < TOLERATED_NORM_ERROR:
+            return "teach it again, or write `[1,0,0,0]` for the orientation of the frame itself"
+        return super().help
+
+    @property
     def severity(self) -> Severity:
         """The controller stops at a move to no orientation."""
         return Severity.ERROR if self.refused else super().severity

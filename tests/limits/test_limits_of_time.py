@@ -302,4 +302,5 @@ def test_a_zone_is_watched_no_longer_than_the_run(tmp_path: Path) -> None:
     program = Path(__file__).with_name("zone_and_a_move_of_days.mod")
     ended = call("run", program, "--no-record", "--max-time", "20", cwd=tmp_path)
     assert ended.code == 3
-    assert call("check", program, cwd=tmp_path).code == 0
+    # A thousandth of a millimetre a second is meant.
+    assert call("check", program, "--ignore", "M516", cwd=tmp_path).code == 0

@@ -35,6 +35,7 @@ from rapidsim.analysis.rules.names import (
 )
 from rapidsim.analysis.rules.text import (
     array_loops,
+    digital_values,
     numbers,
     strings,
     style,
@@ -68,6 +69,7 @@ DETECTORS = (
     Detector(numbers.find_long_integers, (numbers.NumIntegerPrecision,)),
     Detector(numbers.find_zero_divisors, (numbers.DivisionByConstantZero,)),
     Detector(array_loops.find_loops_beyond_arrays, (array_loops.LoopBeyondArray,)),
+    Detector(digital_values.find_digital_values, (digital_values.DigitalValue,)),
     Detector(strings.find_long_texts, (strings.TextTooLong,)),
     Detector(world_zones.find_world_zones, (world_zones.WorldZoneOfRoutine,)),
     Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
@@ -76,6 +78,7 @@ DETECTORS = (
     Detector(unchanging.find_unchanging_conditions, (unchanging.UnchangingCondition,)),
     Detector(open_files.find_opened_in_loops, (open_files.OpenedInLoop,)),
     Detector(conditions.find_not_before_and, (conditions.NotBeforeAnd,)),
+    Detector(conditions.find_duplicate_cases, (conditions.DuplicateCase,)),
     Detector(conditions.find_tests_without_default, (conditions.TestWithoutDefault,)),
     Detector(
         handlers.find_careless_handlers, (handlers.RetryWithoutChange, handlers.SwallowedError)
@@ -86,6 +89,7 @@ DETECTORS = (
     Detector(left_held.find_robot_left_stopped, (left_held.RobotLeftStopped,)),
     Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
+    Detector(traps.find_never_connected, (traps.NeverConnected,)),
     Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),
     Detector(zones.find_behind_zones, (zones.ZoneBeforeWait, zones.OutputInZone)),
     Detector(tools.find_mixed_frames, (tools.ToolOrWobjMissing,)),
@@ -95,6 +99,7 @@ DETECTORS = (
     Detector(target_data.find_bad_confdata, (target_data.BadConfdata,)),
     Detector(target_data.find_duplicates, (target_data.DuplicateTargets,)),
     Detector(units.find_metres, (units.MetresOrRadians,)),
+    Detector(units.find_slow_speeds, (units.MetresOrRadians,)),
     Detector(units.find_radians, (units.MetresOrRadians,)),
     Detector(drifting.find_drifting_targets, (drifting.DriftingTarget,)),
     Detector(first_move.find_first_move, (first_move.FirstMoveLinear,)),

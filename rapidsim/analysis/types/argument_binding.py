@@ -129,13 +129,13 @@ def _likely_missing(
     kept = min(
         combinations(required, len(values)),
         key=lambda way: sum(
-            not _fits(value, formals[k], context) for value, k in zip(values, way, strict=True)
+            not fits(value, formals[k], context) for value, k in zip(values, way, strict=True)
         ),
     )
     return frozenset(required) - frozenset(kept)
 
 
-def _fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
+def fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
     """Whether an argument looks like one for a parameter; True where nothing speaks against it."""
     found = _evident_type(value, context)
     if found is not None:

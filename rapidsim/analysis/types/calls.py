@@ -8,7 +8,8 @@ from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.names.names import find, routine_named, take_for_unknown
 from rapidsim.analysis.parameters import Callee, Formal, Wanted
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol
-from rapidsim.analysis.types.argument_binding import bind
+from rapidsim.analysis.types.argument_binding import Bound, bind
+from rapidsim.analysis.types.argument_order import without_exchange
 from rapidsim.analysis.types.argument_violations import BadOption
 from rapidsim.analysis.types.arguments import check_argument
 from rapidsim.analysis.types.callees import callee_of
@@ -81,6 +82,7 @@ def _check_arguments(
 ) -> None:
     bound, unbound = bind(call, arguments, callee, context)
     check_unbound(unbound, context, type_of)
+    bound = without_exchange(bound, callee, context)
     given: dict[int, tree.Argument] = {}
     beside: Type | None = None
     for argument, formal in bound:
@@ -108,7 +110,7 @@ def _check_arguments(
 
 
 def _signal_beside(
-    argument: tree.Required, bound: Sequence[tuple[tree.Argument, Formal]], context: Context
+    argument: tree.Required, bound: Sequence[Bound], context: Context
 ) -> Type | None:
     """The kind of signal that another argument is, where a call connects two of any kind.
 

@@ -26,3 +26,22 @@ MODULE bad
     ENDWHILE
   ENDPROC
 ENDMODULE
+! ---
+MODULE jumps
+  VAR num count;
+  PROC main()
+    again:
+    count:=count+1;
+    IF count>3 THEN
+      inner:
+      count:=0;
+      GOTO inner; ! found
+    ENDIF
+    GOTO again;
+  ENDPROC
+  PROC other()
+    again:
+    Incr count;
+    GOTO again; ! found
+  ENDPROC
+ENDMODULE

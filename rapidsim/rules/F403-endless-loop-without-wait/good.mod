@@ -30,3 +30,23 @@ MODULE near_miss
     ENDWHILE
   ENDPROC
 ENDMODULE
+! ---
+MODULE jumps
+  VAR num count;
+  PROC main()
+    again:
+    Incr count;
+    WaitTime 0.1;
+    GOTO again;
+  ENDPROC
+  PROC other()
+    again:
+    Incr count;
+    IF count<3 GOTO again;
+    IF count<5 THEN
+      GOTO again;
+    ENDIF
+    GOTO last;
+    last:
+  ENDPROC
+ENDMODULE

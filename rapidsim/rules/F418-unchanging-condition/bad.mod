@@ -38,3 +38,20 @@ MODULE bad
     ENDWHILE
   ENDPROC
 ENDMODULE
+! ---
+MODULE parts
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PERS num parts:=5;
+  LOCAL PERS num layer:=1;
+  PROC main()
+    WHILE parts>0 DO                  ! found
+      MoveJ p10,v500,fine,tool0;
+    ENDWHILE
+    WHILE layer<=4 DO                 ! found
+      go_there;
+    ENDWHILE
+  ENDPROC
+  PROC go_there()
+    MoveJ Offs(p10,0,0,50*layer),v500,fine,tool0;
+  ENDPROC
+ENDMODULE

@@ -68,3 +68,25 @@ MODULE near_miss
     IF tries>3 held:=FALSE;
   ENDPROC
 ENDMODULE
+! ---
+MODULE parts
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PERS num job:=0;
+  PERS num parts:=5;
+  PERS bool run:=TRUE;
+  PROC main()
+    WHILE job<1 DO
+      WaitTime 0.1;
+    ENDWHILE
+    WHILE run DO
+      MoveJ p10,v500,fine,tool0;
+    ENDWHILE
+    WHILE parts>0 DO
+      MoveJ p10,v500,fine,tool0;
+      take_one;
+    ENDWHILE
+  ENDPROC
+  PROC take_one()
+    Decr parts;
+  ENDPROC
+ENDMODULE

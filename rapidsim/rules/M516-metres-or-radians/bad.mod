@@ -20,3 +20,13 @@ MODULE bad
     reg1:=100*Sin(2*pi*reg2);                              ! found
   ENDPROC
 ENDMODULE
+! ---
+MODULE slow
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST speeddata gentle:=[0.25,500,5000,1000]; ! found
+  PROC main()
+    MoveJ p10,gentle,fine,tool0;
+    MoveL Offs(p10,50,0,0),v100\V:=0.1,fine,tool0; ! found
+    MoveL p10,[0.2,500,5000,1000],fine,tool0;      ! found
+  ENDPROC
+ENDMODULE

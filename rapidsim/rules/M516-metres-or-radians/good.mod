@@ -21,3 +21,13 @@ MODULE near_miss
     reg1:=Sin(reg2*180/pi)+Cos(90)+pi*Sin(30);
   ENDPROC
 ENDMODULE
+! ---
+MODULE slow
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST speeddata gentle:=[1,500,5000,1000];
+  CONST speeddata turning:=[0,30,0,10];
+  PROC main()
+    MoveJ p10,gentle,fine,tool0;
+    MoveL Offs(p10,50,0,0),v100\V:=1.5,fine,tool0;
+  ENDPROC
+ENDMODULE

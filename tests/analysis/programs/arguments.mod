@@ -26,7 +26,7 @@ MODULE arguments
     MoveL p1,v100\V:=50\T:=2,fine,tool0;    ! error: T315
     MoveL p1,v100\T,fine,tool0;             ! error: T315
     MoveL\Conc:=TRUE,p1,v100,fine,tool0;    ! error: T315
-    MoveL p1,fine,v100,tool0;               ! error: T301, T301
+    MoveL p1,fine,v100,tool0;               ! error: T302
     MoveL p1,v100,fine,tool0\WObj:=wobj0\WObj:=wobj0; ! error: T315
     ConfL\On\Off;                           ! error: T315
     Incr n;

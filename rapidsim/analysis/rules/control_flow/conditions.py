@@ -1,4 +1,4 @@
-"""Rules F402, F403 and F409: constant conditions, endless loops, TEST without DEFAULT."""
+"""Rules F402, F403, F409 and F423: constant conditions, endless loops, TEST and its cases."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
-from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.analysis.tree_walk import blocks, clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Violation
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -31,6 +32,26 @@ class TestWithoutDefault(Violation, code="F409"):
     pass
 
 
+class DuplicateCase(Violation, code="F423"):
+    value: str
+
+
+def find_duplicate_cases(facts: Facts) -> Iterator[Diagnostic]:
+    """Values of a CASE that an earlier CASE of the same TEST has."""
+    for part in facts.parts:
+        for test in part.all(tree.Test):
+            first: dict[object, tree.Expression] = {}
+            for value in (value for case in test.cases for value in case.values):
+                known = known_value(value, facts, persistents=False)
+                if known is None:
+                    continue
+                earlier = first.setdefault(known, value)
+                if earlier is not value:
+                    shown = " ".join(part.module.span(value).text.split())
+                    related = part.place(earlier, "the first one, which is executed")
+                    yield part.finding(DuplicateCase(shown), value, related)
+
+
 def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:
     """Conditions of IF and WHILE that are made of literals alone."""
     for part in facts.parts:
@@ -48,12 +69,15 @@ def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
-    """WHILE TRUE with nothing in it that takes time or leaves."""
+    """WHILE TRUE, and jumps back, with nothing in between that takes time or leaves."""
     for part in facts.parts:
         for loop in part.all(tree.While):
-            if _literal_truth(loop.condition) and not _takes_time(loop, part, facts):
+            if _literal_truth(loop.condition) and not _takes_time(loop.body, facts):
                 keyword = tree.Node(loop.start, loop.condition.end)
                 yield part.finding(EndlessLoop(), keyword)
+        for jump, body in _jumps_back(part):
+            if not _takes_time(body, facts):
+                yield part.finding(EndlessLoop(), jump)
 
 
 def find_not_before_and(facts: Facts) -> Iterator[Diagnostic]:
@@ -117,9 +141,28 @@ def _literal_truth(condition: tree.Expression) -> bool | None:
             return None
 
 
-def _takes_time(loop: tree.While, part: Part, facts: Facts) -> bool:
+def _jumps_back(part: Part) -> Iterator[tuple[tree.Goto, tree.Body]]:
+    """Each GOTO that always follows its label, with the statements in between.
+
+    Both are in one list of statements, so execution that passes the label comes to the jump.
+    """
+    if part.routine is None or not part.all(tree.Goto):
+        return
+    bodies = list(clauses(part.routine))
+    for statement in statements(*bodies):
+        bodies += blocks(statement)
+    for body in bodies:
+        behind: dict[str, int] = {}
+        for position, statement in enumerate(body):
+            if isinstance(statement, tree.Label):
+                behind[statement.name.key] = position + 1
+            elif isinstance(statement, tree.Goto) and statement.name.key in behind:
+                yield statement, body[behind[statement.name.key] : position]
+
+
+def _takes_time(body: tree.Body, facts: Facts) -> bool:
     """Whether something in a loop moves, waits, leaves it, or may do so."""
-    for node in descendants(*loop.body):
+    for node in descendants(*body):
         match node:
             case tree.Call():
                 # A loop of nothing that takes time keeps the task busy.

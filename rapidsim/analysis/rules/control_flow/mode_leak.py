@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
 from rapidsim.analysis.rules.facts.modes_in_force import left_in_force
-from rapidsim.analysis.rules.facts.reached_routines import reached
+from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
@@ -31,12 +31,9 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
         routine = part.routine
         if not isinstance(routine, tree.Proc | tree.Func) or routine in beginning:
             continue
-        moves: list[int] | None = None
         for left in left_in_force(part, facts, _sets_motion):
-            if moves is None:
-                calls = part.all(tree.Call)
-                moves = [call.start for call in calls if Does.MOVE in facts.does(call)]
-            if any(start > left.call.start for start in moves):
+            later = (call for call in part.all(tree.Call) if call.start > left.call.start)
+            if may_move(later, facts):
                 shown = " ".join(part.module.span(left.call).text.split())
                 violation = ModeLeak(shown, routine.name.text, left.ends, left.back)
                 yield part.finding(violation, left.call)

@@ -1,19 +1,71 @@
-"""Rule F413: traps that block other interrupts, and interrupts connected twice."""
+"""Rules F413 and F424: traps that block other interrupts, interrupts connected twice or never."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program import DataSymbol, Storage, Symbol
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.changed_data import changed_by
+from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
+from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.types.data_paths import root_of
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.library.predefined import TYPES
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
+
+_INTERRUPT = TYPES["intnum"]
 
 
 class TrapHazard(Violation, code="F413"):
     problem: str
     cure: str
+
+
+class NeverConnected(Violation, code="F424"):
+    instruction: str
+    interrupt: str
+    nearest: str = ""
+
+    @property
+    def help(self) -> str:
+        """The interrupt that may be meant, or the missing statement."""
+        meant = f"did you mean `{self.nearest}`? else " if self.nearest else ""
+        return f"{meant}write `CONNECT {self.interrupt} WITH` and a TRAP before it"
+
+
+def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
+    """Interrupts that are ordered and that nothing in the task connects to a trap."""
+    if facts.analysis.loads_modules or not facts.is_read:
+        return
+    orders: list[tuple[Part, tree.Call, tree.Expression, Symbol]] = []
+    connected: set[Symbol | None] = set()
+    for part in facts.routine_parts:
+        connected.update(changed_by(part.all(tree.Connect), facts))
+        connected.update(changed_by(part.all(tree.Assignment), facts))
+        connected.update(changed_by(part.all(tree.LateCall), facts))
+        for call in part.calls:
+            row = facts.installed(call)
+            if row is None:
+                # A routine may connect what it is passed by reference.
+                connected.update(changed_by([call], facts))
+                continue
+            if Does.DISCONNECT in row.does or not isinstance(call, tree.Call):
+                continue
+            for formal, value in arguments_of(call, facts):
+                if formal is None or value is None or formal.types[0] != _INTERRUPT:
+                    continue
+                symbol = facts.symbol(root_of(value)) if isinstance(value, tree.DataPath) else None
+                if isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR:
+                    orders.append((part, call, value, symbol))
+    names = {symbol.name.lower(): symbol.name for symbol in connected if symbol is not None}
+    for part, call, value, symbol in orders:
+        if symbol not in connected:
+            nearest = closest(symbol.name.lower(), tuple(names))
+            violation = NeverConnected(call.name.text, symbol.name, names.get(nearest or "", ""))
+            yield part.finding(violation, value)
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:

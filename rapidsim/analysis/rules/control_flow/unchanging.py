@@ -18,19 +18,21 @@ from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.rules.facts.changed_data import changed_by, changed_in
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
+from rapidsim.analysis.rules.facts.reached_routines import bits_where, may_move, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.operators import ORDERING
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import ArrayOf, Record, resolved
+from rapidsim.library.predefined import TYPES
 from rapidsim.library.traits import LIMITS, Does
 from rapidsim.syntax import tree
 
 _FOR_EVER_S = 60.0
 _LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken)
 _VALUES = (types.NUM, types.DNUM, types.BOOL, types.STRING)
+_TASK = TYPES["taskid"]
 _KNOWN = (
     *(tree.Number, tree.String, tree.Bool, tree.Reference, tree.Index, tree.Component, tree.Unary),
     *(tree.Binary, tree.Parenthesised, tree.FunctionCall, tree.Required),
@@ -54,13 +56,14 @@ def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
             inside = list(descendants(*loop.body))
             if any(_leaves(node, facts) for node in inside) or _is_halt(loop, facts):
                 continue
-            data = task.unchanging(loop.condition, [loop.condition, *inside], part)
+            works = may_move(loop.body, facts)
+            data = task.unchanging(loop.condition, [loop.condition, *inside], works=works)
             if data is not None:
                 keyword = tree.Node(loop.start, loop.condition.end)
                 yield part.finding(UnchangingCondition("this loop", data), keyword)
         for call in part.all(tree.Call):
             condition = _awaited(call, facts)
-            data = task.unchanging(condition, [condition], part) if condition else None
+            data = task.unchanging(condition, [condition]) if condition else None
             if condition is not None and data is not None:
                 yield part.finding(UnchangingCondition(call.name.text, data), condition)
 
@@ -105,18 +108,25 @@ class _Task:
         return any(Does.WRITE_BY_NAME in may_do(call, self.facts) for call in calls)
 
     def unchanging(
-        self, condition: tree.Expression, meanwhile: Iterable[tree.Node], part: Part
+        self, condition: tree.Expression, meanwhile: Iterable[tree.Node], *, works: bool = False
     ) -> str | None:
-        """The data of a condition, as text, if nothing changes any of them meanwhile."""
+        """The data of a condition, as text, if nothing changes any of them meanwhile.
+
+        Args:
+            condition: Of a loop or a wait.
+            meanwhile: The condition, and the nodes of the loop.
+            works: Whether the robot moves meanwhile. A loop that only waits may wait for somebody
+                who changes a persistent; one that works counts its turns.
+        """
         if self._is_open:
-            return None
-        found = self._variables(condition)
-        if not found:
             return None
         is_ordering = any(
             isinstance(node, tree.Binary) and node.operator in ORDERING
             for node in descendants(condition)
         )
+        found = self._variables(condition, persistents=works and is_ordering)
+        if not found:
+            return None
         if self._changing.keys().isdisjoint(found) and not is_ordering:
             # A flag that nothing ever changes is another way to write TRUE.
             return None
@@ -134,7 +144,9 @@ class _Task:
                 return None
         return " or ".join(f"`{name}`" for name in sorted({symbol.name for symbol in found}))
 
-    def _variables(self, condition: tree.Expression) -> set[DataSymbol | ParameterSymbol]:
+    def _variables(
+        self, condition: tree.Expression, *, persistents: bool
+    ) -> set[DataSymbol | ParameterSymbol]:
         """The variables that a condition is made of; none if it looks at anything else."""
         found: set[DataSymbol | ParameterSymbol] = set()
         for node in descendants(condition):
@@ -149,11 +161,21 @@ class _Task:
                     pass
                 case DataSymbol(storage=Storage.VAR) as symbol if _has_value(symbol):
                     found.add(symbol)
+                case DataSymbol(storage=Storage.PERS) as symbol if (
+                    persistents and _has_value(symbol) and not self._is_shared(symbol)
+                ):
+                    found.add(symbol)
                 case ParameterSymbol(mode=Mode.IN, is_switch=False) as symbol if _has_value(symbol):
                     found.add(symbol)
                 case _:
                     return set()
         return found
+
+    def _is_shared(self, symbol: DataSymbol) -> bool:
+        """Whether another task of the cell may declare the same persistent."""
+        configured = self.facts.analysis.cell.symbols.values()
+        tasks = sum(one.type == _TASK for one in configured)
+        return tasks > 1 and symbol.scope is not Scope.LOCAL
 
     def _is_pure(self, call: tree.FunctionCall) -> bool:
         """Whether a function computes from its arguments alone."""

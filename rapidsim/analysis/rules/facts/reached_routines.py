@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 
 from rapidsim.analysis.program_parts import Facts, Part
 from rapidsim.analysis.tree_walk import descendants
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
 
@@ -17,6 +18,14 @@ def reached(nodes: Iterable[tree.Node], facts: Facts) -> int:
         if routine is not None and routine in facts.part_of:
             bits |= facts.reached_from[facts.part_of[routine]]
     return bits
+
+
+def may_move(nodes: Iterable[tree.Node], facts: Facts) -> bool:
+    """Whether nodes move the robot, themselves or by the routines that they may call."""
+    listed = list(descendants(*nodes))
+    return any(Does.MOVE in facts.does(node) for node in listed) or bool(
+        reached(listed, facts) & facts.moving
+    )
 
 
 def bits_where(holds: Callable[[Part], bool], facts: Facts) -> int:

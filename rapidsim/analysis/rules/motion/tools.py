@@ -51,7 +51,10 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
     for part in facts.routine_parts:
         for move in moves(part, facts):
             target = move.arguments.get("topoint")
-            symbol = None if target is None else facts.symbol(taught_target(target, facts))
+            if target is None or "tool" not in move.arguments:
+                # A call without its tool is an error of its own.
+                continue
+            symbol = facts.symbol(taught_target(target, facts))
             if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
                 use = _Use(part, move, _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0"))
                 uses.setdefault(symbol, []).append(use)

@@ -1,9 +1,14 @@
-"""Rule M516: metres and radians in place of millimetres and degrees."""
+"""Rule M516: metres and radians in place of millimetres and degrees.
+
+One target may lie anywhere in its work object; what an export in metres cannot hide is that all its
+targets lie within a few millimetres, the approach and the retreat as well.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.analysis.program_parts import Facts, Part
@@ -12,7 +17,7 @@ from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.constant_folding import Value
-from rapidsim.diagnostics import Diagnostic, Related, Violation
+from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
 from rapidsim.library.predefined import DATA
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -20,6 +25,12 @@ from rapidsim.syntax import tree
 _NEAREST_TARGET_MM = 10.0
 """No arm brings a tool so near to the centre of its own foot."""
 _SHORTEST_TOOL_MM = 1.0
+_SLOWEST_MM_S = 1.0
+"""Slower speeds are written by mistake far more often than on purpose."""
+_LARGEST_COORDINATE_MM = 5.0
+_SHORTEST_STEP_MM = 0.02
+_MANY_TARGETS = 20
+"""So many different targets in one routine tell in which unit they are."""
 _LONG_ENOUGH = {
     1.0 / 2.0: 2,
     1.0: 2,
@@ -31,18 +42,30 @@ _LONG_ENOUGH = {
 }
 """Multiples of pi, with the decimals from which on a number is taken for one."""
 _PI = "pi"
+_SPEEDS = frozenset({"speed", "v"})
+"""Parameters of moves that hold a speed of the TCP."""
 
 
 class MetresOrRadians(Violation, code="M516"):
     what: str
     unit: str
     cure: str
+    is_certain: bool = False
+
+    @property
+    def severity(self) -> Severity:
+        """An error where a whole routine shows it."""
+        return Severity.ERROR if self.is_certain else self.rule.severity
 
 
 def find_metres(facts: Facts) -> Iterator[Diagnostic]:
     """Targets at the foot of the arm, and tools shorter than a millimetre."""
     reported: set[object] = set()
     for part in facts.routine_parts:
+        whole = _of_whole_routine(part, facts)
+        if whole is not None:
+            yield whole
+            continue
         for move in moves(part, facts):
             target = move.arguments.get("topoint")
             if target is None or not _is_from_base(move, facts):
@@ -74,6 +97,27 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
                 yield part.finding(_metres(what), node.name)
 
 
+def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
+    """Speeds of the TCP below a millimetre per second."""
+    for part in facts.parts:
+        for node in part.all(tree.Data):
+            if node.type.key == "speeddata" and not node.dimensions and node.value is not None:
+                speed = _slow_speed(known_value(node.value, facts))
+                if speed is not None:
+                    what = f"the speed of the TCP in `{node.name.text}`"
+                    yield part.finding(_metres_per_second(what, speed), node.name)
+        for move in moves(part, facts):
+            for key in _SPEEDS & move.arguments.keys():
+                value = move.arguments[key]
+                speed = _slow_speed(known_value(value, facts))
+                if (
+                    speed is not None
+                    and value is not None
+                    and not isinstance(value, tree.Reference)
+                ):
+                    yield part.finding(_metres_per_second("this speed", speed), value)
+
+
 def find_radians(facts: Facts) -> Iterator[Diagnostic]:
     """Angles that are computed with pi, or are fractions of it."""
     for part in facts.parts:
@@ -96,8 +140,50 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
                     yield part.finding(_radians(what), value)
 
 
-def _metres(what: str) -> MetresOrRadians:
-    return MetresOrRadians(what, "metres", "RAPID counts in millimetres: multiply by 1000")
+def _of_whole_routine(part: Part, facts: Facts) -> Diagnostic | None:
+    """The finding that the targets of a routine are in metres; None if they do not show it."""
+    targets = [target for move in moves(part, facts) if (target := move.arguments.get("topoint"))]
+    values = [known_value(target, facts) for target in targets]
+    positions = [
+        (target, position)
+        for target, value in zip(targets, values, strict=True)
+        if isinstance(value, tuple) and value and (position := numbers(value[0], 3)) is not None
+    ]
+    runs = [run for run in part.module.runs if part.contains(run.like)]
+    if len({position for _, position in positions}) + sum(map(len, runs)) < _MANY_TARGETS:
+        return None
+    count = len(positions)
+    if runs:
+        # Targets near the origin are among the statements, so not all of these are near it.
+        steps_mm = [_longest_step_mm(run) for run in runs]
+        count += sum(map(len, runs))
+    else:
+        steps_mm = [math.dist(one, other) for (_, one), (_, other) in pairwise(positions)]
+    largest_mm = max(abs(coordinate) for _, position in positions for coordinate in position)
+    if not runs and largest_mm < _LARGEST_COORDINATE_MM:
+        what = f"all {count} targets lie within {_LARGEST_COORDINATE_MM:g} mm of an origin"
+    elif max(steps_mm) < _SHORTEST_STEP_MM:
+        what = f"all {count} moves are shorter than {_SHORTEST_STEP_MM:g} mm"
+    else:
+        return None
+    return part.finding(_metres(what, is_certain=True), positions[0][0])
+
+
+def _longest_step_mm(run: tree.Run) -> float:
+    """The longest way from one target of a run to the next."""
+    places = run.numbers[:, :3]
+    squares = ((places[1:] - places[:-1]) ** 2).sum(axis=1)
+    return math.sqrt(squares.max(initial=0.0))
+
+
+def _metres(what: str, *, is_certain: bool = False) -> MetresOrRadians:
+    cure = "RAPID counts in millimetres: multiply by 1000"
+    return MetresOrRadians(what, "metres", cure, is_certain)
+
+
+def _metres_per_second(what: str, speed: float) -> MetresOrRadians:
+    cure = f"RAPID counts in mm/s: {speed:g} m/s are {1000.0 * speed:g}"
+    return MetresOrRadians(f"{what} is {speed:g} mm/s", "metres per second", cure)
 
 
 def _radians(what: str) -> MetresOrRadians:
@@ -118,6 +204,12 @@ def _length(value: object, position: int) -> float | None:
         return None
     place = numbers(value[position], 3)
     return None if place is None else math.hypot(*place)
+
+
+def _slow_speed(value: object) -> float | None:
+    """A speed of the TCP [mm/s], or that of speed data, if it is suspiciously slow."""
+    speed = value[0] if isinstance(value, tuple) and value else value
+    return speed if isinstance(speed, float) and 0.0 < speed < _SLOWEST_MM_S else None
 
 
 def _declared(symbol: object, part: Part) -> tuple[Related, ...]:
