@@ -29,9 +29,10 @@ NO_CLAIMS = (
         "limited to 64 MB",
         "may write 1 GB in total",
         "| 1 GB, 10,000, 100 |",
+        "at most 500 MB in total",
+        "| 500 MB | 1, before it runs |",
     ),
     "a container of about 900 MB",
-    *("may write 1 GB in total", "| 1 GB, 10,000, 100 |"),
 )
 
 
