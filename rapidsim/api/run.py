@@ -34,6 +34,7 @@ from rapidsim.report.run.json_report import run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.verdict import run_verdict
 
 Path_ = str | PathLike[str]
 
@@ -54,8 +55,8 @@ class Run:
 
     @property
     def ok(self) -> bool:
-        """Whether the program reached its end, or ended itself."""
-        return self.simulation.end in (End.ENDED, End.STOPPED, End.CYCLE_LIMIT)
+        """Whether the run succeeded: `rapidsim run` exits with 0."""
+        return run_verdict(self.simulation).ok
 
     @property
     def time_s(self) -> float:

@@ -23,8 +23,9 @@ from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
+from rapidsim.simulation.results.verdict import run_verdict
 
-SCHEMA = 2
+SCHEMA = 3
 _LIGHT_LOAD = 0.01
 """Share of the rated payload that is not worth a word."""
 PROGRAM_POINTER = (
@@ -49,7 +50,10 @@ def run_json(
         judgement: What became of assertions and the cycle budget.
     """
     report = course_json(simulation, findings)
+    verdict = run_verdict(simulation, assertions_fail=judgement.failed)
     ran = {
+        "ok": verdict.ok,
+        "qualifications": list(verdict.qualifications),
         "slowest": [_share(share, "to") for share in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
@@ -115,6 +119,8 @@ def rejected_json(
         "program": list(program),
         "robot": robot,
         **({"robots": robots} if robots else {}),
+        "ok": False,
+        "qualifications": [],
         "end": End.ERROR.value,
         "time_s": 0.0,
         "motion_s": 0.0,

@@ -125,6 +125,8 @@ class Simulation:
     """What the declared signals are at the start; those that a run creates start at 0."""
     named: str = ""
     """What the user named, such as a folder; empty where nobody said."""
+    strict: bool = False
+    """Whether any qualification of the verdict fails the run."""
 
     def __repr__(self) -> str:
         """One line."""
