@@ -29,6 +29,7 @@ from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.values import Value
 from rapidsim.report.html.write import write_report
+from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
@@ -92,6 +93,11 @@ class Run:
     def events(self) -> tuple[Event, ...]:
         """Texts, outputs, interrupts, files and corners, in order of time."""
         return self.simulation.events
+
+    @cached_property
+    def errors(self) -> tuple[ErrorRecord, ...]:
+        """The errors of the program and what became of them, in order of their first times."""
+        return error_records(self.simulation)
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

@@ -145,6 +145,7 @@ def test_json_is_the_contract() -> None:
         "stretches",
         "regions",
         "events",
+        "errors",
         "unsimulated",
         "persistents",
         "assertions",

@@ -14,6 +14,7 @@ from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.collision_records import clearance_records, contact_records
+from rapidsim.report.run.error_records import error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import regions_json, stretches_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
@@ -100,6 +101,7 @@ def course_json(simulation: Simulation, findings: Sequence[Diagnostic]) -> dict[
         "moves": [json_of(move) for move in move_records(simulation)],
         "waits": [json_of(wait) for wait in wait_records(simulation)],
         "events": [event_record(event) for event in simulation.events],
+        "errors": [json_of(error) for error in error_records(simulation)],
         "models": models(simulation),
     }
 
@@ -137,6 +139,7 @@ def rejected_json(
         "stretches": [],
         "regions": [],
         "events": [],
+        "errors": [],
         "unsimulated": [],
         "persistents": [],
         **NOTHING_ASKED.as_json(),

@@ -18,11 +18,13 @@ from rich.text import Text
 from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
+from rapidsim.report.run.error_records import errors_text
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
@@ -269,6 +271,10 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
         rows.append(("interrupts", str(interrupts)))
     if signals := counts[EventKind.SIGNAL]:
         rows.append(("signals", f"{signals} change{'s' if signals > 1 else ''}"))
+    if errors := errors_text(simulation):
+        lost = {ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED}
+        lasting = any(tally.error.outcome in lost for tally in simulation.errors)
+        rows.append(("errors", Text(printable(errors), "yellow" if lasting else "")))
     texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
     if texts:
         shown = Text("\n").join(

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from enum import StrEnum
+from pathlib import Path
 
+from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import dataclass
 
 
@@ -49,7 +52,24 @@ class Verdict:
 
 Qualifier = Callable[[Simulation], Iterator[str]]
 
-_QUALIFIERS: tuple[Qualifier, ...] = ()
+
+def _early_ends(simulation: Simulation) -> Iterator[str]:
+    """Errors at which the ERROR clause of main ended the program."""
+    if simulation.end not in (End.ENDED, End.CYCLE_LIMIT):
+        return
+    normal = (task for task in simulation.tasks if task.kind is TaskKind.NORMAL)
+    entries = {task.name: task.entry.lower() for task in normal}
+    for tally in simulation.errors:
+        error, clause = tally.error, tally.error.clause
+        returned = error.outcome in (ErrorOutcome.RETURNED, ErrorOutcome.FELL_THROUGH)
+        if returned and clause and clause.routine.lower() == entries.get(tally.task):
+            times = f" {tally.count} times" if tally.count > 1 else ""
+            span = error.raised.span
+            place = f"{Path(span.file).name}:{span.line}"
+            yield f"ended early{times}: {shown_name(error)} at {place} {answer_words(error)}"
+
+
+_QUALIFIERS: tuple[Qualifier, ...] = (_early_ends,)
 """Functions that yield the qualifications of a run, in their order in headlines."""
 _WORDS = {
     End.ENDED: "ended as programmed",
