@@ -78,3 +78,31 @@ def _answering(body: tree.Body, effects: Effects, *, is_last: bool = True) -> It
                 yield statement
         else:
             yield statement
+
+
+def falls_through(clause: tree.Body, effects: Effects) -> bool:
+    """Whether some path to the end of a clause answers no error."""
+    return _is_passed(clause, answers(clause, effects).statements)
+
+
+def _is_passed(body: tree.Body, answering: frozenset[tree.Node]) -> bool:
+    """Whether a path leads to the end of a body over no answering statement."""
+    for statement in body:
+        if statement in answering:
+            return False
+        if _is_complete(statement) and not any(
+            _is_passed(block, answering) for block in blocks(statement)
+        ):
+            return False
+    return True
+
+
+def _is_complete(choice: tree.Node) -> bool:
+    """Whether one of the branches of an IF or TEST is always taken."""
+    match choice:
+        case tree.If(otherwise=otherwise):
+            return otherwise is not None
+        case tree.Test(default=default):
+            return default is not None
+        case _:
+            return False
