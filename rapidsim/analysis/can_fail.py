@@ -8,11 +8,11 @@ from rapidsim.language.types import STRING, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
-_FAILING = (
+FAILING = (
     *(tree.Raise, tree.Index, tree.Connect, tree.Placeholder),
     *(tree.LateCall, tree.LateFunctionCall),
 )
-_FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
+FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
 
 
 def can_fail(program: Program) -> bool:
@@ -32,6 +32,6 @@ def _can_fail(node: tree.Node, program: Program) -> bool:
             return not (isinstance(symbol, LibrarySymbol) and Does.TELL in symbol.routine.does)
         case tree.Binary(operator=operator):
             of = program.type_of.get(node)
-            return operator in _FAILING_OPERATORS or of is None or resolved(of) == STRING
+            return operator in FAILING_OPERATORS or of is None or resolved(of) == STRING
         case _:
-            return isinstance(node, _FAILING)
+            return isinstance(node, FAILING)

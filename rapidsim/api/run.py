@@ -29,11 +29,13 @@ from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.values import Value
 from rapidsim.report.html.write import write_report
+from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.verdict import run_verdict
 
 Path_ = str | PathLike[str]
 
@@ -54,8 +56,8 @@ class Run:
 
     @property
     def ok(self) -> bool:
-        """Whether the program reached its end, or ended itself."""
-        return self.simulation.end in (End.ENDED, End.STOPPED, End.CYCLE_LIMIT)
+        """Whether the run succeeded: `rapidsim run` exits with 0."""
+        return run_verdict(self.simulation).ok
 
     @property
     def time_s(self) -> float:
@@ -91,6 +93,11 @@ class Run:
     def events(self) -> tuple[Event, ...]:
         """Texts, outputs, interrupts, files and corners, in order of time."""
         return self.simulation.events
+
+    @cached_property
+    def errors(self) -> tuple[ErrorRecord, ...]:
+        """The errors of the program and what became of them, in order of their first times."""
+        return error_records(self.simulation)
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

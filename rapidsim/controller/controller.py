@@ -11,6 +11,7 @@ from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
 from rapidsim.controller.equipment import TaskEquipment
+from rapidsim.controller.errors import TaskErrors
 from rapidsim.controller.execution import TaskExecution
 from rapidsim.controller.files import FileAccess, TaskTexts
 from rapidsim.controller.guidance import TaskGuidance
@@ -120,6 +121,7 @@ def virtual_controller(
         interrupts=interrupts,
         signals=TaskSignals(clock, unit, cell, table, marks, watched),
         error_numbers=TaskErrorNumbers(),
+        errors=TaskErrors(clock, journal),
         tasks=others,
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),

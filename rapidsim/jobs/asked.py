@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from rapidsim.diagnostics import Severity
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
@@ -52,6 +53,8 @@ class Asked:
     """Rules that a check looks for, and no others."""
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
+    fail_on: Severity | None = None
+    """The lowest severity that fails a check; None takes that of the settings."""
     reach: bool = True
     """Whether a check asks if the robot can make the moves."""
     trial_run: bool = True

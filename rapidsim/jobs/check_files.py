@@ -99,7 +99,9 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
         result.trees,
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )
-    return replace(result, diagnostics=selection.kept(unsuppressed))
+    return replace(
+        result, diagnostics=selection.kept(unsuppressed), fail_on=station.check.fails_from
+    )
 
 
 def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:

@@ -55,7 +55,10 @@ def check_jobs(jobs: Sequence[Job], kept: KeptResults, processes: int = 1) -> It
 
 
 def together(results: Sequence[CheckResult]) -> CheckResult:
-    """Several results as one; what several found at the same place is there once."""
+    """Several results as one; what several found at the same place is there once.
+
+    The settings of the first decide what fails it.
+    """
     if len(results) == 1:
         return results[0]
     return CheckResult(
@@ -64,6 +67,7 @@ def together(results: Sequence[CheckResult]) -> CheckResult:
         trees=(),
         coverage=sum((one.coverage for one in results), Coverage()),
         known=_distinct(found for one in results for found in one.known),
+        fail_on=results[0].fail_on,
     )
 
 
@@ -76,7 +80,10 @@ def _distinct(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 
 def _checked(job: Job, found: Found) -> Checked:
     files = tuple(file.name for file in job.files)
-    return Checked(CheckResult(files, found.diagnostics, (), found.coverage), found.notices)
+    result = CheckResult(
+        files, found.diagnostics, (), found.coverage, fail_on=job.station.check.fails_from
+    )
+    return Checked(result, found.notices)
 
 
 def _only(job: Job, kept: KeptResults, processes: int) -> Record:

@@ -13,6 +13,8 @@ from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
 _FAMILIES_OF_MOVES = "DKM"
+_SEVERITIES = tuple(Severity)
+"""The worst first."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -29,6 +31,14 @@ class CheckResult:
     """How many moves were checked for reach, limits and path, and why others were not."""
     known: tuple[Diagnostic, ...] = ()
     """Findings that a baseline knows."""
+    fail_on: Severity = Severity.WARNING
+    """The lowest severity that fails the check."""
+
+    @property
+    def ok(self) -> bool:
+        """Whether nothing fails the check: the one place that decides its exit code."""
+        failing = _SEVERITIES[: _SEVERITIES.index(self.fail_on) + 1]
+        return all(finding.severity not in failing for finding in self.diagnostics)
 
     @property
     def accepted(self) -> bool:

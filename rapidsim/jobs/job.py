@@ -122,7 +122,10 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
         from rapidsim.station.read import read_io
 
         station = replace(station, io=station.io.and_also(read_io(Path(asked.io))))
-    station = replace(station, check=choose_settings(asked.paths, station.check))
+    settings = choose_settings(asked.paths, station.check)
+    if asked.fail_on is not None:
+        settings = replace(settings, fail_on=asked.fail_on)
+    station = replace(station, check=settings)
     tasks = chosen_tasks(asked.paths, station, asked.task)
     open_robot = open_robot or _of_the_catalogue
     remarks = (*station.remarks, *_remarks(tasks), *_of_another_arm(asked, station, open_robot))

@@ -20,16 +20,13 @@ from rapidsim.language.cameras import Cameras
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
 from rapidsim.language.equipment import Equipment
+from rapidsim.language.error_answers import ErrorReports
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import Files
 from rapidsim.language.guidance import Guidance
 from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
-from rapidsim.language.moves import (
-    MotionSettings,
-    Move,
-    Place,
-)
+from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import PathControl, PathRecorder, Searches, WorldZones
 from rapidsim.language.path_events import Trigger
@@ -448,6 +445,7 @@ class Controller:
     interrupts: Interrupts
     signals: Signals
     error_numbers: ErrorNumbers
+    errors: ErrorReports
     tasks: TaskService
     sync_moves: SyncMoves
     honesty: Honesty
@@ -478,6 +476,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Interrupts: "interrupts",
         Signals: "signals",
         ErrorNumbers: "error_numbers",
+        ErrorReports: "errors",
         TaskService: "tasks",
         SyncMoves: "sync_moves",
         Honesty: "honesty",

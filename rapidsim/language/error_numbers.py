@@ -298,15 +298,21 @@ FIRST_BOOKED: Final = 20501.0
 """BookErrNo hands out numbers from here on."""
 
 
-def rapid_error(errno: float, message: str) -> RapidError:
+def rapid_error(errno: float, message: str, *, name: str | None = None) -> RapidError:
     """An error that ERROR clauses can catch, with the controller's event number where known.
 
     Args:
-        errno: One of the numbers of this file.
+        errno: One of the numbers of this file, or one of the program.
         message: One line for the user: what is wrong and by how much.
+        name: The number as the program writes it.
     """
     event = EVENTS.get(errno)
-    return RapidError(errno, message, cf=None if event is None else f"ABB {event}")
+    return RapidError(errno, message, cf=None if event is None else f"ABB {event}", name=name)
+
+
+def name_of(error: RapidError) -> str:
+    """The name of an error's number: RAPID's, else the program's, else the number as text."""
+    return _NAMES.get(error.errno) or error.name or f"{error.errno:g}"
 
 
 def named(error: RapidError) -> str:

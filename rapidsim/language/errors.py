@@ -10,18 +10,22 @@ from __future__ import annotations
 class RapidError(Exception):
     """A recoverable error: sets ERRNO and goes to the nearest ERROR clause."""
 
-    def __init__(self, errno: float, message: str, *, cf: str | None = None) -> None:
+    def __init__(
+        self, errno: float, message: str, *, cf: str | None = None, name: str | None = None
+    ) -> None:
         """Name the error.
 
         Args:
             errno: The number ERRNO takes.
             message: One line for the user: what is wrong and by how much.
             cf: The controller's event for the same thing, such as "ABB 40194".
+            name: The number as the program writes it, if that is not one of RAPID's names.
         """
         super().__init__(message)
         self.errno = errno
         self.message = message
         self.cf = cf
+        self.name = name
 
 
 class RaisedError(RapidError):

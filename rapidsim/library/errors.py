@@ -95,7 +95,7 @@ def err_raise(
     controller.interrupts.log_error(entry)
     assert isinstance(number, float)
     told = f"{error_name}, which ErrRaise raised: {' / '.join(texts)}"
-    raise RaisedError(number, told)
+    raise RaisedError(number, told, name=error_name)
 
 
 def skip_warn() -> None:

@@ -129,7 +129,12 @@ def _simulation(
         wait_s=max(0.0, time_s - motion_s),
         robots=robots,
         tasks=tuple(
-            TaskEnd(run.setup.name, run.setup.kind, outcome.end)
+            TaskEnd(
+                run.setup.name,
+                run.setup.kind,
+                outcome.end,
+                run.setup.entry or options.entry,
+            )
             for run, outcome in zip(runs, outcomes, strict=True)
         ),
         events=events,
@@ -146,6 +151,12 @@ def _simulation(
         ),
         waits=tuple(
             sorted((one for run in runs for one in run.journal.waits()), key=lambda w: w.start_s)
+        ),
+        errors=tuple(
+            sorted(
+                (one for run in runs for one in run.journal.errors(time_s)),
+                key=lambda tally: tally.time_s,
+            )
         ),
         signal_starts={signal.name: signal.value for signal in options.io.signals},
     )

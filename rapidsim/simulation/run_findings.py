@@ -31,13 +31,24 @@ from rapidsim.findings.runs import (
     WorldZoneReached,
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
-from rapidsim.language.error_numbers import named
+from rapidsim.language.error_answers import AnsweredError, ErrorOutcome
+from rapidsim.language.error_numbers import name_of, named
 from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
 _SHOWN_CALLS = 5
 """Innermost and outermost calls that a finding shows; endless recursion has thousands."""
+
+
+def fatal_answer(fatal: FatalError, place: Place) -> AnsweredError:
+    """The error that nothing caught, as the run lists it; see `fatal_finding`."""
+    routine, span, _ = _where(fatal.stack, place)
+    error = fatal.error
+    raised = Place(span, routine)
+    return AnsweredError(
+        error.errno, name_of(error), error.message, raised, None, ErrorOutcome.ENDED
+    )
 
 
 def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:

@@ -40,6 +40,7 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.run_findings import (
     endless_wait_finding,
+    fatal_answer,
     fatal_finding,
     impossible_move_finding,
     motion_finding,
@@ -237,6 +238,8 @@ def _outcome_of(
     place = controller.clock.place
     match error:
         case FatalError():
+            mark = run.journal.error_mark(controller.clock.moment())
+            run.journal.error(mark, fatal_answer(error, place))
             controller.motion.abandon()
             return Outcome(End.ERROR, (fatal_finding(error, place),))
         case MotionError():

@@ -34,11 +34,16 @@ class CheckSettings:
     """Patterns such as `*Data.mod`, and the rules that are left out in files whose name or path
     fits."""
     fail_on: Severity | None = None
-    """The lowest severity that sets exit code 1."""
+    """The lowest severity that sets exit code 1; None takes warnings."""
     baseline: Path | None = None
     """A file of findings that are known."""
     cycle_budget_s: float | None = None
     """Time that one cycle of main may take; `check` tells, `run` fails."""
+
+    @property
+    def fails_from(self) -> Severity:
+        """The lowest severity that fails a check."""
+        return self.fail_on or Severity.WARNING
 
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:

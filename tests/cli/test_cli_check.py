@@ -31,7 +31,8 @@ def test_json() -> None:
     ended = rapidsim("check", "wrong.mod", "cell.mod", "--output-format", "json")
     assert (ended.code, ended.err) == (1, "")
     report = json.loads(ended.out)
-    assert list(report) == ["schema", "files", "diagnostics", "coverage"]
+    assert list(report) == ["schema", "ok", "files", "diagnostics", "coverage"]
+    assert report["ok"] is False
     assert (report["schema"], report["files"]) == (1, 2)
     for diagnostic in report["diagnostics"]:
         assert diagnostic["severity"] in ("error", "warning", "note")

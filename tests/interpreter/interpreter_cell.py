@@ -10,6 +10,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
 from rapidsim.language.controller import one_for_all
+from rapidsim.language.error_answers import AnsweredError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.syntax.parser import parse
@@ -26,6 +27,7 @@ class RecordingController:
     moves: list[Move] = field(default_factory=list)
     places: list[Place] = field(default_factory=list)
     skipped: list[tuple[str, str]] = field(default_factory=list)
+    answers: list[AnsweredError] = field(default_factory=list)
     signals: dict[str, float] = field(default_factory=dict)
     traps: dict[float, Callable[[], None]] = field(default_factory=dict)
     raise_at_service: list[float] = field(default_factory=list)
@@ -99,6 +101,12 @@ class RecordingController:
 
     def book_error_number(self) -> float:
         return 20501.0
+
+    def error_mark(self) -> object:
+        return None
+
+    def answered(self, mark: object, error: AnsweredError) -> None:
+        self.answers.append(error)
 
     def not_simulated(self, routine: str, treated_as: str) -> None:
         self.skipped.append((routine, treated_as))

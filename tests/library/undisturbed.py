@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rapidsim.language.error_answers import AnsweredError
 from rapidsim.language.errors import RapidError
 
 
@@ -17,6 +18,13 @@ class Undisturbed:
 
     def stays_until(self, time_s: float) -> None:
         """All that is told stays so for ever."""
+
+    def error_mark(self) -> object:
+        """No statement fails."""
+        return None
+
+    def answered(self, mark: object, error: AnsweredError) -> None:
+        """No clause answers."""
 
     def fail(self, error: RapidError) -> None:
         """There is no trap that could wait with it."""

@@ -80,7 +80,7 @@ def command(*arguments: object, cwd: Path, stdin: bytes = b"") -> dict[str, obje
 
 def checked(path: str) -> object:
     result = rapidsim.check([path])
-    text = checked_text("json", merged(result.diagnostics), result, Terminal())
+    text = checked_text("json", merged(result.diagnostics), result, Terminal(), is_ok=result.ok)
     return json.loads(text)
 
 

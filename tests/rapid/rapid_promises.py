@@ -4,6 +4,9 @@
     b:=1;               ! error: T301       checking or running reports exactly this on this line
     n:=1/zero;          ! stops: division by zero
     EXIT;               ! ends: stopped     how the run ends, where it is not by reaching the end
+    n:=1/zero;          ! answered: ERR_DIVZERO next by main
+                                            what became of an error; a program that says it of one
+                                            says it of all
 
 A comment on a line of its own belongs to the line of code above it. A folder with a station file is
 run in that cell; its `answers.txt` holds what the operator answers.
@@ -18,7 +21,7 @@ from functools import cache
 from pathlib import Path
 
 from rapidsim.cli.options.answers import answers_from
-from rapidsim.controller.journal.events import EventKind
+from rapidsim.controller.journal.events import ErrorTally, EventKind
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, decode
 from rapidsim.jobs.asked import Asked
@@ -35,10 +38,11 @@ ROBOT = "irb1600-6-1.2"
 MAX_TIME_S = 60.0
 
 _PROMISE = re.compile(
-    r"! (?:(?P<shows>->)|(?P<severity>error|warning|note):|(?P<stops>stops):|(?P<ends>ends):)"
+    r"! (?:(?P<shows>->)|(?P<severity>error|warning|note):|(?P<stops>stops):"
+    r"|(?P<ends>ends):|(?P<answered>answered):)"
     r" ?(?P<text>.*)"
 )
-_NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:))")
+_NEXT = re.compile(r"\s*(?=! (?:->|error:|warning:|note:|stops:|ends:|answered:))")
 
 MODULES = frozenset({".mod", ".modx", ".sys", ".sysx", ".prg"})
 
@@ -86,6 +90,8 @@ def promises(source: Source) -> list[Fact]:
                 facts += [(source.file, comment.line, match["severity"], code) for code in codes]
             elif match["shows"]:
                 facts.append((source.file, comment.line, "shows", text))
+            elif match["answered"]:
+                facts.append((source.file, comment.line, "answered", text))
             elif match["stops"]:
                 facts.append((source.file, comment.line, "stops", text))
             else:
@@ -122,7 +128,7 @@ def happened_in_cell(folder: Path) -> list[Fact]:
     except ProgramRejectedError as rejected:
         facts = [_finding(diagnostic) for diagnostic in rejected.diagnostics]
     else:
-        facts = _run(run)
+        facts = _run(run, answers=_says_answers(sources(folder)))
     return _ordered((Path(fact[0]).name, *fact[1:]) for fact in facts)
 
 
@@ -132,7 +138,8 @@ def happened(texts: Sequence[Source], home: Path | None = None) -> list[Fact]:
     facts = [_finding(diagnostic) for diagnostic in loaded.diagnostics]
     if loaded.program is not None:
         options = RunOptions(max_time_s=MAX_TIME_S, home=home)
-        facts += _run(simulate(loaded.program, robot(), options=options))
+        run = simulate(loaded.program, robot(), options=options)
+        facts += _run(run, answers=_says_answers(texts))
     return _ordered(facts)
 
 
@@ -142,8 +149,21 @@ def robot() -> Robot:
     return load_robot(ROBOT)
 
 
-def _run(run: Simulation) -> list[Fact]:
-    facts: list[Fact] = []
+def _says_answers(texts: Iterable[Source]) -> bool:
+    """Whether a program says what became of its errors."""
+    return any(fact[2] == "answered" for text in texts for fact in promises(text))
+
+
+def _answered(tally: ErrorTally) -> Fact:
+    error = tally.error
+    text = f"{error.name} {error.outcome}"
+    text += f" by {error.clause.routine}" if error.clause else ""
+    text += f" {tally.count} times" if tally.count > 1 else ""
+    return (error.raised.span.file, error.raised.span.line, "answered", text)
+
+
+def _run(run: Simulation, *, answers: bool) -> list[Fact]:
+    facts: list[Fact] = [_answered(tally) for tally in run.errors] if answers else []
     for event in run.events:
         if event.kind is EventKind.TEXT and event.place is not None:
             span = event.place.span

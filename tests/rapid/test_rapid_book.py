@@ -18,6 +18,7 @@ CHAPTERS = (
     "routines",
     "parameters",
     "errors",
+    "answers",
     "interrupts",
     "waiting",
     "motion",

@@ -18,6 +18,7 @@ from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import models, rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.verdict import run_verdict
 
 RECORDING = Written(Path("cell.rrd"), "recording", "rerun cell.rrd")
 
@@ -26,7 +27,15 @@ def text(simulation: Simulation, *, width: int = 80, bars: Bars = BLOCK_BARS) ->
     stream = io.StringIO()
     console = Console(file=stream, width=width, color_system=None, markup=False, emoji=False)
     found = figures(simulation)
-    shown = summary(simulation, found, robot_reason="by default", written=[RECORDING], bars=bars)
+    verdict = run_verdict(simulation)
+    shown = summary(
+        simulation,
+        verdict,
+        found,
+        robot_reason="by default",
+        written=[RECORDING],
+        bars=bars,
+    )
     console.print(shown)
     return stream.getvalue()
 
@@ -118,6 +127,8 @@ def test_json_is_the_contract() -> None:
         "schema",
         "program",
         "robot",
+        "ok",
+        "qualifications",
         "end",
         "time_s",
         "motion_s",
@@ -134,6 +145,7 @@ def test_json_is_the_contract() -> None:
         "stretches",
         "regions",
         "events",
+        "errors",
         "unsimulated",
         "persistents",
         "assertions",

@@ -83,6 +83,10 @@ DETECTORS = (
     Detector(
         handlers.find_careless_handlers, (handlers.RetryWithoutChange, handlers.SwallowedError)
     ),
+    Detector(
+        handlers.find_errors_that_fall_through,
+        (handlers.ErrorFallsThrough, handlers.RaisedErrorFallsThrough),
+    ),
     Detector(recursion.find_recursion, (recursion.Recursion,)),
     Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
     Detector(left_held.find_interrupts_left_off, (left_held.InterruptsLeftOff,)),

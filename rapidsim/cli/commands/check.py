@@ -142,6 +142,7 @@ def check(
         reach=not no_reach,
         trial_run=not no_run,
         max_wall_s=max_wall,
+        fail_on=Severity(fail_on) if fail_on else None,
     )
     programs = [(path,) for path in paths] if each else [paths]
     jobs = [asked_job(replace(asked, paths=one), open_robot=open_quietly) for one in programs]
@@ -164,12 +165,13 @@ def check(
         for group in alike(jobs, [one.result for one in mended], known)
     ]
     result = together([one.result for one in judged])
+    is_ok = all(one.result.ok for one in judged)
     spoken = output_format in SPOKEN_FORMATS
     findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
     if counted:
         say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:
-        text = checked_text(output_format, findings, result, terminal)
+        text = checked_text(output_format, findings, result, terminal, is_ok=is_ok)
         say(text, palette=terminal.palette, nl=False)
     if spoken and not terminal.quiet:
         seconds, files = time.perf_counter() - started, len(result.files)
@@ -184,8 +186,7 @@ def check(
         arms = ", ".join(dict.fromkeys(job.robot.text for job in jobs))
         for line in () if no_reach else coverage_lines(result.coverage, arms):
             say(line)
-    failed = any(one.fails(Severity(fail_on) if fail_on else None) for one in judged)
-    return ExitCode.FINDINGS if failed else ExitCode.CLEAN
+    return ExitCode.CLEAN if is_ok else ExitCode.FINDINGS
 
 
 def _listed(option: str | None) -> tuple[str, ...]:

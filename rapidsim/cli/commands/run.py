@@ -49,14 +49,14 @@ from rapidsim.report.run.figures import Figures, figures
 from rapidsim.report.run.summary import Written
 from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.collected import FinishedRun
-from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.verdict import Failure
 
 _EXIT_CODES = {
-    End.ENDED: ExitCode.CLEAN,
-    End.STOPPED: ExitCode.CLEAN,
-    End.CYCLE_LIMIT: ExitCode.CLEAN,
-    End.TIME_LIMIT: ExitCode.LIMIT,
-    End.ERROR: ExitCode.FINDINGS,
+    None: ExitCode.CLEAN,
+    Failure.PROGRAM: ExitCode.FINDINGS,
+    Failure.LIMIT: ExitCode.LIMIT,
+    Failure.ASSERTION: ExitCode.FAILED,
 }
 
 
@@ -166,10 +166,7 @@ def run(
     if refused is not None:
         # What the run found is not lost over a file that could not be written.
         raise refused
-    code = _EXIT_CODES[simulation.end]
-    if code is ExitCode.CLEAN and simulation.collisions and simulation.collisions.hits:
-        code = ExitCode.FINDINGS
-    return ExitCode.FAILED if done.judgement.failed and code is ExitCode.CLEAN else code
+    return _EXIT_CODES[done.verdict.failure]
 
 
 def _ended(run: Simulation) -> str:

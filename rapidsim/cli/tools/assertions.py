@@ -15,7 +15,7 @@ from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.tools.questions import NotAskedError, Question, answers, ask, own_names
 from rapidsim.report.findings.source_frame import source_frame
 from rapidsim.report.run.assertion_figures import ASKED_FIGURES
-from rapidsim.report.run.verdicts import BudgetVerdict, Verdict
+from rapidsim.report.run.verdicts import AssertionVerdict, BudgetVerdict
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.results.simulation import End
 from rapidsim.values import dataclass
@@ -62,19 +62,23 @@ def read_assertions(
 
 def judge_assertions(
     assertions: Sequence[Assertion], run: FinishedRun, figures: Mapping[str, float]
-) -> tuple[Verdict, ...]:
+) -> tuple[AssertionVerdict, ...]:
     """Judge expressions after the run, in the order they were given."""
     reason = _CUT.get(run.simulation.end)
     if reason is not None:
-        return tuple(Verdict(one.text, one.task, None, reason=reason) for one in assertions)
-    verdicts: dict[int, Verdict] = {}
+        return tuple(
+            AssertionVerdict(one.text, one.task, None, reason=reason) for one in assertions
+        )
+    verdicts: dict[int, AssertionVerdict] = {}
     for name, task in run.tasks.items():
         asked = [(place, one) for place, one in enumerate(assertions) if one.task == name]
         if not asked:
             continue
         found = answers(task, [one.question for _, one in asked], figures)
         for (place, one), answer in zip(asked, found, strict=True):
-            verdicts[place] = Verdict(one.text, name, answer.holds, answer.values, answer.error)
+            verdicts[place] = AssertionVerdict(
+                one.text, name, answer.holds, answer.values, answer.error
+            )
     return tuple(verdicts[place] for place in range(len(assertions)))
 
 

@@ -18,9 +18,22 @@ SPOKEN_FORMATS = ("full", "concise")
 
 
 def checked_text(
-    format: str, findings: Sequence[Finding], result: CheckResult, terminal: Terminal
+    format: str,
+    findings: Sequence[Finding],
+    result: CheckResult,
+    terminal: Terminal,
+    *,
+    is_ok: bool,
 ) -> str:
-    """The findings as text that ends in a line end, where there is any."""
+    """The findings as text that ends in a line end, where there is any.
+
+    Args:
+        format: One of `FORMATS`.
+        findings: What is shown.
+        result: What was checked.
+        terminal: Where it is shown.
+        is_ok: Whether nothing fails the check.
+    """
     match format:
         case "full":
             return findings_text(findings, terminal)
@@ -39,14 +52,14 @@ def checked_text(
 
             return junit(findings, result.files)
         case _:
-            return _json(_report(findings, result))
+            return _json(_report(findings, result, is_ok=is_ok))
 
 
 def _json(value: object) -> str:
     return f"{json.dumps(value, indent=2, allow_nan=False)}\n"
 
 
-def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, object]:
+def _report(findings: Sequence[Finding], result: CheckResult, *, is_ok: bool) -> dict[str, object]:
     coverage = result.coverage
     unchecked = [
         {"file": move.span.file, "line": move.span.line, "reason": move.reason}
@@ -55,6 +68,7 @@ def _report(findings: Sequence[Finding], result: CheckResult) -> dict[str, objec
     left_out = {"main_left_out": coverage.main_left_out} if coverage.main_left_out else {}
     return {
         "schema": 1,
+        "ok": is_ok,
         "files": len(result.files),
         "diagnostics": [diagnostic_json(finding) for finding in findings],
         "coverage": {

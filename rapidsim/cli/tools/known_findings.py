@@ -1,4 +1,4 @@
-"""What a check judges by: a baseline of known findings, and from which severity on it fails."""
+"""What a check judges by: a baseline of known findings."""
 
 from __future__ import annotations
 
@@ -13,8 +13,6 @@ from rapidsim.jobs.job import Job
 from rapidsim.output_files import whole_file
 from rapidsim.values import dataclass
 
-_SEVERITIES = tuple(Severity)
-
 
 @dataclass(frozen=True, slots=True)
 class Group:
@@ -22,7 +20,6 @@ class Group:
 
     result: CheckResult
     baseline: Path | None
-    fail_on: Severity
     motion_model: str
 
 
@@ -31,14 +28,8 @@ class Judged:
     """What is left of the findings of a group."""
 
     result: CheckResult
-    fail_on: Severity
     remarks: tuple[str, ...] = ()
     """A line each."""
-
-    def fails(self, least: Severity | None) -> bool:
-        """Whether a finding is as bad as a severity; None takes that of the settings."""
-        failing = _SEVERITIES[: _SEVERITIES.index(least or self.fail_on) + 1]
-        return any(diagnostic.severity in failing for diagnostic in self.result.diagnostics)
 
 
 def alike(
@@ -47,9 +38,9 @@ def alike(
     """The results of jobs, those with the same settings as one."""
     groups: dict[tuple[Path | None, Severity, str], list[CheckResult]] = {}
     for job, result, baseline in zip(jobs, results, baselines, strict=True):
-        fail_on = job.station.check.fail_on or Severity.WARNING
-        groups.setdefault((baseline, fail_on, job.station.model.version), []).append(result)
-    return [Group(together(group), *settings) for settings, group in groups.items()]
+        settings = (baseline, result.fail_on, job.station.model.version)
+        groups.setdefault(settings, []).append(result)
+    return [Group(together(group), file, model) for (file, _, model), group in groups.items()]
 
 
 def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
@@ -62,7 +53,7 @@ def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
     """
     file = group.baseline
     if file is None:
-        return Judged(group.result, group.fail_on)
+        return Judged(group.result)
     writes = update or (create and not file.exists())
     if writes:
         _write(file, group)
@@ -70,7 +61,7 @@ def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
     outdated = against.outdated(group.motion_model, group.result.diagnostics)
     written = f"Written: {file} (baseline)" if writes else ""
     remarks = tuple(line for line in (written, outdated) if line)
-    return Judged(group.result.against(against.known), group.fail_on, remarks)
+    return Judged(group.result.against(against.known), remarks)
 
 
 def _write(file: Path, group: Group) -> None:

@@ -23,6 +23,7 @@ from rapidsim.report.run.json_report import rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.verdict import Verdict, run_verdict
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
@@ -58,6 +59,11 @@ class RunDone:
     """Computed when they are first asked for."""
     judgement: Judgement
     profile: Profile | None
+
+    @property
+    def verdict(self) -> Verdict:
+        """Verdict of the run, its assertions and budget included."""
+        return run_verdict(self.simulation, assertions_fail=self.judgement.failed)
 
 
 def print_run(
@@ -113,6 +119,7 @@ def _print_summary(
     terminal.show(
         summary(
             done.simulation,
+            done.verdict,
             done.figures(),
             robot_reason=choice.reason,
             written=written,

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import field
 from enum import StrEnum
 
+from rapidsim.language.error_answers import AnsweredError
 from rapidsim.language.moves import Place
 from rapidsim.values import dataclass
 
@@ -43,6 +44,18 @@ class Event:
         """One line."""
         said = self.message if len(self.message) < 60 else f"{self.message[:57]}..."
         return f"<{self.kind} at {self.time_s:.3f} s of {self.task[:20]}: {said!r}>"
+
+
+@dataclass(frozen=True, slots=True)
+class ErrorTally:
+    """Errors of one number that one place raised and one ERROR clause answered in one way."""
+
+    time_s: float
+    """When the first was raised."""
+    last_s: float
+    task: str
+    error: AnsweredError
+    count: int
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,12 +11,20 @@ import math
 from collections.abc import Callable, Iterable
 from dataclasses import field, replace
 
-from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine, Unsimulated, Wait
+from rapidsim.controller.journal.events import (
+    ErrorTally,
+    Event,
+    EventKind,
+    ExecutedLine,
+    Unsimulated,
+    Wait,
+)
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.stop_reasons import EventLimitReached
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.runs import AcceptedWithoutEffect, RoutineNotSimulated
 from rapidsim.language.controller import ACCEPTED
+from rapidsim.language.error_answers import AnsweredError, answer_text, error_facts
 from rapidsim.language.moves import Place
 from rapidsim.values import dataclass
 
@@ -54,14 +62,37 @@ class Moment:
 
 
 @dataclass(frozen=True, slots=True)
+class ErrorMark:
+    """When an error was raised: what is noted while it is answered comes after it."""
+
+    moment: Moment
+    position: int
+    """In the list of events."""
+
+
+@dataclass(slots=True)
 class _Entry:
     moment: Moment
     event: Event
     """Its time counts for nothing."""
+    is_taken: bool = False
 
     def dated(self) -> Event:
         """The event, when its time is known."""
-        return replace(self.event, time_s=self.moment.time_s)
+        # The details of an error change as long as it is raised.
+        return replace(self.event, time_s=self.moment.time_s, details=dict(self.event.details))
+
+
+@dataclass(slots=True)
+class _Tally:
+    """How often an error was raised and answered in one way."""
+
+    error: AnsweredError
+    first: Moment
+    last: Moment
+    count: int
+    entry: _Entry
+    details: dict[str, object]
 
 
 @dataclass(slots=True)
@@ -79,6 +110,7 @@ class Journal:
     _diagnostics: list[Diagnostic] = field(default_factory=list)
     _failed_moves: list[FailedMove] = field(default_factory=list)
     _reported: set[object] = field(default_factory=set)
+    _errors: dict[AnsweredError, _Tally] = field(default_factory=dict)
     _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
     hears: Callable[[Diagnostic], None] | None = None
@@ -102,17 +134,70 @@ class Journal:
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
     ) -> None:
         """Record an event."""
+        event = Event(math.nan, self.task, kind, place, message, details, self.moves_given)
+        self._insert(len(self._events), _Entry(moment, event))
+
+    def _insert(self, position: int, entry: _Entry) -> None:
         if len(self._events) >= MOST_EVENTS:
             raise EventLimitReached(
                 f"the run was cut off: {MOST_EVENTS} events are as many as it may note"
             )
-        event = Event(math.nan, self.task, kind, place, message, details, self.moves_given)
-        self._events.append(_Entry(moment, event))
+        self._events.insert(position, entry)
+
+    def error_mark(self, moment: Moment) -> ErrorMark:
+        """The place of an error among the events, to be noted when it has been answered."""
+        return ErrorMark(moment, len(self._events))
+
+    def error(self, mark: ErrorMark, error: AnsweredError) -> None:
+        """Record an error that was raised at a mark; those of one kind are one event."""
+        tally = self._errors.get(error) or self._alike(error)
+        if tally is None:
+            entry, details = self._error_event(mark, error)
+            self._errors[error] = _Tally(error, mark.moment, mark.moment, 1, entry, details)
+            return
+        tally.last = mark.moment
+        tally.count += 1
+        if tally.entry.is_taken:
+            tally.entry, tally.details = self._error_event(mark, error)
+        else:
+            tally.details["count"] = tally.details["count"] + 1  # type: ignore[operator]
+
+    def _alike(self, error: AnsweredError) -> _Tally | None:
+        """The tally of the same error before its program was loaded again."""
+        known = next((known for known in self._errors if known.key == error.key), None)
+        if known is None:
+            return None
+        tally = self._errors[error] = self._errors.pop(known)
+        return tally
+
+    def _error_event(
+        self, mark: ErrorMark, error: AnsweredError
+    ) -> tuple[_Entry, dict[str, object]]:
+        details: dict[str, object] = {**error_facts(error), "count": 1}
+        message = answer_text(error)
+        event = Event(
+            math.nan, self.task, EventKind.ERROR, error.raised, message, details, self.moves_given
+        )
+        entry = _Entry(mark.moment, event)
+        self._insert(min(mark.position, len(self._events)), entry)
+        return entry, details
+
+    def errors(self, end_s: float) -> tuple[ErrorTally, ...]:
+        """The errors of this task in order of their first times; unplanned times are the end."""
+        tallies = []
+        for tally in self._errors.values():
+            first_s, last_s = (
+                moment.time_s if moment.is_known else end_s for moment in (tally.first, tally.last)
+            )
+            tallies.append(ErrorTally(first_s, last_s, self.task, tally.error, tally.count))
+        return tuple(sorted(tallies, key=lambda tally: tally.time_s))
 
     def take(self) -> tuple[Event, ...]:
         """Remove and return the events of the cell whose time is known."""
         events = self.events()
-        self._events[:] = [one for one in self._events if one.moment.instant.time is None]
+        for entry in self._events:
+            entry.is_taken = entry.moment.is_known
+        self._events[:] = [entry for entry in self._events if not entry.is_taken]
         return events
 
     def put_back(self, events: Iterable[Event]) -> None:

@@ -25,6 +25,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator, Mapping, Set
 
+from rapidsim.analysis.error_clauses import Answers, answers
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
@@ -34,6 +35,7 @@ from rapidsim.analysis.program import (
     Scope,
     Storage,
     Symbol,
+    does,
 )
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.interpreter.codegen.ast_builder import At, Positions
@@ -43,10 +45,11 @@ from rapidsim.interpreter.codegen.goto import Jumps, goto_targets
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, ModuleNames
 from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
-from rapidsim.interpreter.codegen.statements import Statements
+from rapidsim.interpreter.codegen.statements import ANSWERED, Statements
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.language.moves import Place
+from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
 
@@ -220,7 +223,12 @@ class _RoutineTranslation:
         return at.do(at.call("_stand_in", [at.name(place), *said]))
 
     def _statements(
-        self, body: tree.Body, *, is_protected: bool = False, in_handler: bool = False
+        self,
+        body: tree.Body,
+        *,
+        is_protected: bool = False,
+        in_handler: bool = False,
+        answers: Answers | None = None,
     ) -> list[ast.stmt]:
         jumps = Jumps(goto_targets([body]))
         statements = Statements(
@@ -230,6 +238,7 @@ class _RoutineTranslation:
             is_protected,
             in_handler,
             routine=self._node,
+            answering=answers.statements if answers and self._may_fall_through(answers) else (),
         )
         return statements.body(body)
 
@@ -253,23 +262,37 @@ class _RoutineTranslation:
         """
         at = self._header
         self._names.assigned.clear()
-        statements = self._statements(body, in_handler=in_handler)
+        ends = answers(body, self._effects) if in_handler else None
+        statements = self._statements(body, in_handler=in_handler, answers=ends)
+        if ends is not None and not _ends_in_return(statements):
+            statements.append(self._fall_off(at, ends))
+            if self._may_fall_through(ends):
+                statements.insert(0, at.set(ANSWERED, at.constant(False)))
         if self._names.assigned:
             statements.insert(0, at.outer(sorted(self._names.assigned)))
-        if in_handler and not _ends_in_return(statements):
-            statements.append(self._fall_off(at))
         return at.define(name, parameters, [], statements)
+
+    def _effects(self, call: tree.Node) -> Does:
+        return does(self._context.program.symbol_of.get(call))
+
+    def _may_fall_through(self, ends: Answers) -> bool:
+        """Whether some errors fall through a clause and others do not."""
+        return self._symbol.result is None and not ends.every and bool(ends.statements)
 
     def _sees_locals(self, clause: ast.FunctionDef) -> bool:
         """Whether a clause names anything that the routine's function holds."""
         used = {node.id for node in ast.walk(clause) if isinstance(node, ast.Name)}
         return not used.isdisjoint(self._names.held())
 
-    def _fall_off(self, at: At) -> ast.stmt:
+    def _fall_off(self, at: At, ends: Answers) -> ast.stmt:
         """The end of an ERROR clause is the end of the routine; a function owes its value."""
         if self._symbol.result is not None:
             return at.throw(at.call("_no_return", [at.constant(self._symbol.name)]))
-        return at.throw(at.call("_Leave", [at.constant(None)]))
+        answered = at.call("_Leave", [at.constant(None)])
+        dropped = at.call("_FellThrough", [at.constant(None)])
+        if self._may_fall_through(ends):
+            return at.throw(at.choice(at.name(ANSWERED), answered, dropped))
+        return at.throw(answered if ends.every else dropped)
 
     def _numbers(self, name: str) -> ast.FunctionDef | None:
         clause = self._node.error

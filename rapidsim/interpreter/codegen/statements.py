@@ -9,7 +9,7 @@ pass.
 from __future__ import annotations
 
 import ast
-from collections.abc import Sequence, Set
+from collections.abc import Collection, Sequence, Set
 from dataclasses import dataclass
 from typing import NoReturn, assert_never
 
@@ -42,6 +42,9 @@ from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
+ANSWERED = "_answered"
+"""Whether a statement of an ERROR clause has answered the error."""
+
 
 @dataclass(slots=True)
 class Statements:
@@ -57,6 +60,8 @@ class Statements:
     """This is the ERROR clause."""
     routine: tree.Node | None = None
     """Whose statements these are."""
+    answering: Collection[tree.Node] = ()
+    """The statements of an ERROR clause that answer an error that others fall through."""
 
     def body(self, body: tree.Body) -> list[ast.stmt]:
         """Translate a statement list."""
@@ -67,6 +72,12 @@ class Statements:
     def statement(self, statement: tree.Statement) -> list[ast.stmt]:
         """Translate one statement."""
         at = self.expressions.statement = self.expressions.positions.at(statement)
+        translated = self._translated(statement, at)
+        if statement in self.answering:
+            return [at.set(ANSWERED, at.constant(True)), *translated]
+        return translated
+
+    def _translated(self, statement: tree.Statement, at: At) -> list[ast.stmt]:
         match statement:
             case tree.Assignment():
                 return self._assignment(statement, at)

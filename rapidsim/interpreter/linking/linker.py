@@ -28,6 +28,7 @@ from rapidsim.interpreter.linking.translation import (
 )
 from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, Recovery, is_generated
+from rapidsim.interpreter.runtime.error_trace import ErrorTrace
 from rapidsim.interpreter.runtime.late_binding import LateBinding, UserRoutine
 from rapidsim.interpreter.runtime.memory import Memory
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
@@ -56,7 +57,7 @@ class LinkedProgram:
         self.program = program
         self.memory = Memory(program) if shared is None else Memory(program, shared.home)
         self._shared = shared
-        self.recovery = Recovery(controller.error_numbers)
+        self.recovery = Recovery(controller.error_numbers, ErrorTrace(controller.errors))
         self.late = LateBinding(controller)
         self._constants = Constants(program)
         self._integers: Mapping[tree.Node, Interval] = {}

@@ -57,6 +57,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_Component": references.ComponentReference,
         "_ERRORS": error_recovery.ERRORS,
         "_Element": references.Element,
+        "_FellThrough": error_recovery.FellThrough,
         "_Leave": error_recovery.Leave,
         "_Stopped": Stopped,
         "_add_positions": arithmetic.add_positions,

@@ -107,7 +107,7 @@ def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
         for entry, following in zip_longest(entries, entries[1:])
         if following is None or following.tb_frame is not entry.tb_frame
     ]
-    return tuple(_frame(entry) for entry in last_of_frame)
+    return tuple(frame_of(entry) for entry in last_of_frame)
 
 
 def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
@@ -118,7 +118,8 @@ def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
         traceback = traceback.tb_next
 
 
-def _frame(traceback: TracebackType) -> Frame:
+def frame_of(traceback: TracebackType) -> Frame:
+    """The routine of an entry of a traceback, which is generated code, and its position."""
     code = traceback.tb_frame.f_code
     origin: Origin = traceback.tb_frame.f_globals[GENERATED]
     routine = origin.routines.get(code.co_qualname.partition(".")[0])

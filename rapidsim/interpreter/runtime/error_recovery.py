@@ -14,9 +14,10 @@ from collections.abc import Callable
 from dataclasses import field
 from functools import partial
 from types import CodeType, FrameType, TracebackType
-from typing import Final
+from typing import Final, Protocol
 
 from rapidsim.language.controller import ErrorNumbers
+from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.language.error_numbers import (
     ERR_DIVZERO,
     ERR_EXCRTYMAX,
@@ -43,6 +44,20 @@ GENERATED: Final = "_origin"
 Handler = Callable[[RapidError], int]
 
 
+class Trace(Protocol):
+    """Where is noted what ERROR clauses do about errors."""
+
+    def mark(self) -> object:
+        """The present moment, for `answered`."""
+        ...
+
+    def answered(
+        self, mark: object, error: RapidError, handler: Handler, outcome: ErrorOutcome
+    ) -> None:
+        """Note what an ERROR clause did about an error that was raised at a moment."""
+        ...
+
+
 class Leave(Exception):  # noqa: N818 - it is no error
     """RETURN in an ERROR clause: the routine returns a value."""
 
@@ -50,6 +65,10 @@ class Leave(Exception):  # noqa: N818 - it is no error
         """Carry the value of a function, None for other routines."""
         super().__init__(value)
         self.value = value
+
+
+class FellThrough(Leave):
+    """The end of an ERROR clause that has nothing for the error."""
 
 
 class Propagated(Exception):  # noqa: N818 - it carries one
@@ -66,7 +85,8 @@ class LongJump(RapidError):  # noqa: N818 - it is no new error
 
     def __init__(self, error: RapidError, target: FrameType) -> None:
         """Send an error to the routine that runs in a frame."""
-        super().__init__(error.errno, error.message, cf=error.cf)
+        super().__init__(error.errno, error.message, cf=error.cf, name=error.name)
+        self.error = error
         self.target = target
 
 
@@ -84,6 +104,7 @@ class Recovery:
     """The error handling of one task."""
 
     numbers: ErrorNumbers
+    trace: Trace
     long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
     """For each routine whose ERROR clause lists numbers: a function that gives them now."""
 
@@ -107,17 +128,26 @@ class Recovery:
         # Where a clause calls a routine with a clause of its own, each counts its own retries.
         around, tries_around = numbers.handler, numbers.retries
         numbers.errno, numbers.retries, numbers.handler = rapid.errno, tries, IN_ERROR
+        mark, outcome = self.trace.mark(), ErrorOutcome.ENDED
         try:
             retry = handler(rapid)
+            outcome = ErrorOutcome.RETRIED if retry else ErrorOutcome.NEXT
+        except Leave as leave:
+            dropped = isinstance(leave, FellThrough)
+            outcome = ErrorOutcome.FELL_THROUGH if dropped else ErrorOutcome.RETURNED
+            raise
         except RaisedToUser:
+            outcome = ErrorOutcome.RAISED
             raise
         except Propagated as propagated:
+            outcome = ErrorOutcome.RAISED
             error = propagated.error
             if error.__traceback__ is None:
                 # It is a new one, raised in the clause.
                 error = error.with_traceback(propagated.__traceback__)
             raise error from None
         except RaisedError as inside:
+            outcome = ErrorOutcome.RAISED
             raise inside from None
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
@@ -127,6 +157,9 @@ class Recovery:
             numbers.handler = around
             if around == IN_ERROR:
                 numbers.retries = tries_around
+            if outcome is ErrorOutcome.RETRIED and tries >= MAX_RETRIES:
+                outcome = ErrorOutcome.RAISED
+            self.trace.answered(mark, rapid, handler, outcome)
         if not retry:
             return 0
         if tries >= MAX_RETRIES:
@@ -148,7 +181,7 @@ class Recovery:
         if number is not None:
             error = raised(number, written)
         elif isinstance(error, LongJump):
-            error = RapidError(error.errno, error.message, cf=error.cf)
+            error = error.error
         # Up from the ERROR clause over `recover` and its routine to that routine's caller.
         frame: FrameType | None = sys._getframe(1)
         while frame is not None and (not is_generated(frame) or frame.f_code.co_name == "ERROR"):
@@ -210,7 +243,8 @@ def raised(number: float, written: str) -> RapidError:
         return rapid_error(
             ERR_ILLRAISE, f"RAISE {what}: allowed are 1 to 90, booked numbers and ERR_ names"
         )
-    return rapid_error(number, f"the program raised error {names[0] if names else written}")
+    message = f"the program raised error {names[0] if names else written}"
+    return rapid_error(number, message, name=written)
 
 
 def no_return(function: str) -> RapidError:

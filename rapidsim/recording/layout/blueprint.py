@@ -204,10 +204,11 @@ def _speed_axis_end(run: RecordedRobot) -> float:
 def _lanes(runs: Sequence[RecordedRobot]) -> rrb.View:
     return rrb.StateTimelineView(
         origin="/",
-        name="Moves and signals",
+        name="Moves, signals, errors" if runs[0].sampled.simulation.errors else "Moves and signals",
         contents=[
             *(f"+ /{run.entity(state_lanes.MOVE_LANE)}" for run in runs),
             *(f"+ /{run.entity(state_lanes.CLEARANCE_LANE)}" for run in runs),
             f"+ /{state_lanes.SIGNALS}/**",
+            f"+ /{state_lanes.ERRORS}/**",
         ],
     )

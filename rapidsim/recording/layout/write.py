@@ -22,7 +22,12 @@ from rapidsim.recording.layout.camera import cell_size
 from rapidsim.recording.panels.log import log_messages
 from rapidsim.recording.panels.plots import log_plots
 from rapidsim.recording.panels.program_listing import log_listing
-from rapidsim.recording.panels.state_lanes import log_clearance, log_moves, log_signals
+from rapidsim.recording.panels.state_lanes import (
+    log_clearance,
+    log_errors,
+    log_moves,
+    log_signals,
+)
 from rapidsim.recording.samples import RecordedRobot, sample
 from rapidsim.recording.scene.arm import log_arm
 from rapidsim.recording.scene.failed_moves import log_failed
@@ -77,6 +82,7 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: Recorded
     stream.send_property("run", _properties(simulation, run.dt))
     stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
     log_signals(stream, run)
+    log_errors(stream, run)
 
 
 def _log_robot(

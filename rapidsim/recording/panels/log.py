@@ -8,6 +8,7 @@ import rerun as rr
 
 from rapidsim.controller.journal.events import Event, EventKind, ExecutedLine
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.language.moves import Place
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.simulation import Simulation
@@ -27,8 +28,9 @@ _EVENT_LEVELS = {
     EventKind.GUIDANCE: "INFO",
     EventKind.CORNER: "WARN",
     EventKind.LIMIT: "WARN",
-    EventKind.ERROR: "ERROR",
+    EventKind.ERROR: "WARN",
 }
+_LOST_ERRORS = (ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED)
 _FINDING_LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARN", Severity.NOTE: "INFO"}
 
 
@@ -67,7 +69,9 @@ def _event_row(event: Event, several: bool) -> _Row:
     where += _where(event.place) if event.place else ""
     what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
     text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
-    return _Row(event.time_s, _EVENT_LEVELS[event.kind], f"{where}{what}{text}")
+    lost = event.details.get("outcome") in _LOST_ERRORS
+    level = "ERROR" if lost else _EVENT_LEVELS[event.kind]
+    return _Row(event.time_s, level, f"{where}{what}{text}")
 
 
 def _where(place: Place) -> str:

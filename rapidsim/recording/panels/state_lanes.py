@@ -7,7 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 import rerun as rr
 
+from rapidsim.controller.journal.events import ErrorTally
 from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.language.error_answers import ErrorOutcome, shown_name
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.targets import target_name
@@ -17,11 +19,13 @@ from rapidsim.simulation.results.signal_history import signal_changes
 MOVE_LANE = "moves"
 SIGNALS = "signals"
 CLEARANCE_LANE = "clearance"
+ERRORS = "errors"
 
 _MOST_STATES = 200
 """With more different moves than this a lane names the instruction only."""
 _STANDSTILL = "at rest"
 _CLEAR = "clear"
+_NO_ERROR = "no error"
 _SHORTEST_STANDSTILL_S = 1e-6
 
 _States = list[tuple[float, str]]
@@ -39,6 +43,30 @@ def log_signals(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     for name, changes in signal_changes(run.sampled.simulation).items():
         states, colours = _signal_states(changes)
         _log_lane(stream, rr.new_entity_path([SIGNALS, name]), states, colours, run.clock)
+
+
+def log_errors(stream: rr.RecordingStream, run: RecordedRobot) -> None:
+    """Log the latest error of each task: a lane a task that has had one."""
+    by_task: dict[str, list[ErrorTally]] = {}
+    for tally in run.sampled.simulation.errors:
+        by_task.setdefault(tally.task, []).append(tally)
+    for task, tallies in by_task.items():
+        states: _States = [(0.0, _NO_ERROR)]
+        colours = {_NO_ERROR: palette.STANDSTILL}
+        # The first and the last of those that were raised often.
+        times = sorted(
+            (time_s, number)
+            for number, tally in enumerate(tallies)
+            for time_s in dict.fromkeys((tally.time_s, tally.last_s))
+        )
+        for time_s, number in times:
+            tally = tallies[number]
+            lost = tally.error.outcome in (ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED)
+            state = f"{shown_name(tally.error)} {tally.error.outcome}"
+            if len(colours) <= _MOST_STATES or state in colours:
+                colours[state] = palette.FAILED if lost else palette.WARNED
+                states.append((time_s, state))
+        _log_lane(stream, rr.new_entity_path([ERRORS, task]), states, colours, run.clock)
 
 
 def log_clearance(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> None:

@@ -13,7 +13,6 @@ from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.report.findings.merging import Finding, merged
 from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
-from rapidsim.report.run.ending import ending
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import lines_of
@@ -22,6 +21,7 @@ from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
+from rapidsim.simulation.results.verdict import Level, run_verdict
 
 _MOST_FINDINGS = 200
 _OPEN_FINDINGS = 6
@@ -29,17 +29,18 @@ _MOST_LINES = 300
 _MOST_STRETCHES = 30
 _MOST_EVENTS = 1500
 _LONGEST_LINE = 160
+_CLASSES = {Level.CLEAN: "good", Level.QUALIFIED: "warning", Level.FAILED: "error"}
+"""Style classes of headlines."""
 
 
 def head(simulation: Simulation) -> str:
     """The name of the program, the robot, and how the run ended."""
-    words, severity = ending(simulation)
-    kind = "good" if severity is None else severity.value
+    verdict = run_verdict(simulation)
     robots = [one.robot.title for one in simulation.robots]
     return (
         f"<h1>{text(simulation.title)}</h1>"
         f'<p class="robot">{text(" and ".join(robots))}</p>'
-        f'<p class="end {kind}">{text(words)}</p>'
+        f'<p class="end {_CLASSES[verdict.level]}">{text(verdict.headline)}</p>'
     )
 
 

@@ -15,6 +15,7 @@ from rapidsim.output_files import whole_file
 from rapidsim.report.html import sections
 from rapidsim.report.html.collision_section import collision_section
 from rapidsim.report.html.elements import text
+from rapidsim.report.html.error_section import error_section
 from rapidsim.report.html.motion_data import motion_data
 from rapidsim.report.run.figures import figures
 from rapidsim.shipped import shipped
@@ -53,6 +54,7 @@ def report_page(simulation: Simulation, findings: Sequence[Diagnostic]) -> str:
         "head": sections.head(simulation),
         "summary": sections.summary(simulation, figures(simulation), findings),
         "findings": sections.findings(findings),
+        "errors": error_section(simulation),
         "collisions": collision_section(simulation),
         "times": sections.cycle_time(simulation),
         "events": sections.events(simulation),

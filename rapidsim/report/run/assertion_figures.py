@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.diagnostics import Diagnostic, Severity
+from rapidsim.report.run.error_records import dropped_error_count, error_count
 from rapidsim.report.run.figures import Figures
 from rapidsim.simulation.results.simulation import Simulation
 
@@ -36,6 +37,8 @@ ASKED_FIGURES: Mapping[str, _Read] = MappingProxyType(
             one.severity is Severity.WARNING for one in findings
         ),
         "unsimulated": lambda run, *_: len(run.unsimulated),
+        "errors": lambda run, *_: error_count(run),
+        "errors_dropped": lambda run, *_: dropped_error_count(run),
     }
 )
 """By name, in the order of the documentation."""

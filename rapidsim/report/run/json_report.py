@@ -14,6 +14,7 @@ from rapidsim.motion.timing.axis_limits import model_of, torques_of
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.collision_records import clearance_records, contact_records
+from rapidsim.report.run.error_records import error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import regions_json, stretches_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
@@ -23,8 +24,9 @@ from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
+from rapidsim.simulation.results.verdict import run_verdict
 
-SCHEMA = 2
+SCHEMA = 3
 _LIGHT_LOAD = 0.01
 """Share of the rated payload that is not worth a word."""
 PROGRAM_POINTER = (
@@ -49,7 +51,10 @@ def run_json(
         judgement: What became of assertions and the cycle budget.
     """
     report = course_json(simulation, findings)
+    verdict = run_verdict(simulation, assertions_fail=judgement.failed)
     ran = {
+        "ok": verdict.ok,
+        "qualifications": list(verdict.qualifications),
         "slowest": [_share(share, "to") for share in figures.slowest],
         "min_joint_margin": _margin(figures.joint_margin),
         "min_singularity": _singularity(figures.singularity),
@@ -96,6 +101,7 @@ def course_json(simulation: Simulation, findings: Sequence[Diagnostic]) -> dict[
         "moves": [json_of(move) for move in move_records(simulation)],
         "waits": [json_of(wait) for wait in wait_records(simulation)],
         "events": [event_record(event) for event in simulation.events],
+        "errors": [json_of(error) for error in error_records(simulation)],
         "models": models(simulation),
     }
 
@@ -115,6 +121,8 @@ def rejected_json(
         "program": list(program),
         "robot": robot,
         **({"robots": robots} if robots else {}),
+        "ok": False,
+        "qualifications": [],
         "end": End.ERROR.value,
         "time_s": 0.0,
         "motion_s": 0.0,
@@ -131,6 +139,7 @@ def rejected_json(
         "stretches": [],
         "regions": [],
         "events": [],
+        "errors": [],
         "unsimulated": [],
         "persistents": [],
         **NOTHING_ASKED.as_json(),

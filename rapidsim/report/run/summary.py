@@ -18,13 +18,13 @@ from rich.text import Text
 from rapidsim.collisions.contact import FARTHEST_M
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
-from rapidsim.diagnostics import Severity
+from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
-from rapidsim.report.run.ending import ending
+from rapidsim.report.run.error_records import errors_text
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
@@ -33,6 +33,7 @@ from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share
+from rapidsim.simulation.results.verdict import Level, Verdict
 from rapidsim.values import dataclass
 
 _BAR_CELLS = 24
@@ -45,7 +46,7 @@ _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
-_COLOURS = {Severity.WARNING: "yellow", Severity.ERROR: "red"}
+_COLOURS = {Level.CLEAN: "green", Level.QUALIFIED: "yellow", Level.FAILED: "red"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,7 @@ class Written:
 
 def summary(
     simulation: Simulation,
+    verdict: Verdict,
     figures: Figures,
     *,
     robot_reason: str | None,
@@ -83,12 +85,17 @@ def summary(
 
     Args:
         simulation: The run.
+        verdict: Its verdict, the first line.
         figures: Its figures.
         robot_reason: Why this robot, unless the user named it.
         written: Files of the command, the recording among them.
         bars: The characters bars are made of.
     """
-    parts: list[RenderableType] = [KeptUnits(_headline(simulation)), Rule(style="dim"), Text()]
+    parts: list[RenderableType] = [
+        KeptUnits(_headline(simulation, verdict)),
+        Rule(style="dim"),
+        Text(),
+    ]
     parts.append(_facts(simulation, figures, robot_reason, bars))
     slowest = sorted((*figures.slowest, *figures.slowest_waits), key=lambda one: -one.seconds)
     of_many = long_program_text(simulation)
@@ -104,13 +111,11 @@ def summary(
     return Group(*parts)
 
 
-def _headline(simulation: Simulation) -> Text:
-    words, severity = ending(simulation)
-    colour = "green" if severity is None else _COLOURS[severity]
+def _headline(simulation: Simulation, verdict: Verdict) -> Text:
     return Text.assemble(
         (simulation.title, "bold"),
         f" on {' and '.join(one.robot.title for one in simulation.robots)} ",
-        (words, f"bold {colour}"),
+        (verdict.headline, f"bold {_COLOURS[verdict.level]}"),
     )
 
 
@@ -266,6 +271,10 @@ def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
         rows.append(("interrupts", str(interrupts)))
     if signals := counts[EventKind.SIGNAL]:
         rows.append(("signals", f"{signals} change{'s' if signals > 1 else ''}"))
+    if errors := errors_text(simulation):
+        lost = {ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED}
+        lasting = any(tally.error.outcome in lost for tally in simulation.errors)
+        rows.append(("errors", Text(printable(errors), "yellow" if lasting else "")))
     texts = [event for event in simulation.events if event.kind is EventKind.TEXT]
     if texts:
         shown = Text("\n").join(

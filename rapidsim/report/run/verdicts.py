@@ -6,7 +6,7 @@ from rapidsim.values import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Verdict:
+class AssertionVerdict:
     """One assertion."""
 
     expression: str
@@ -91,7 +91,7 @@ class BudgetVerdict:
 class Judgement:
     """All that was asked of a run."""
 
-    assertions: tuple[Verdict, ...] = ()
+    assertions: tuple[AssertionVerdict, ...] = ()
     budget: BudgetVerdict | None = None
 
     @property
@@ -107,7 +107,7 @@ class Judgement:
         }
 
     @property
-    def verdicts(self) -> tuple[Verdict | BudgetVerdict, ...]:
+    def verdicts(self) -> tuple[AssertionVerdict | BudgetVerdict, ...]:
         """All of them, in the order of the command line, the budget last."""
         return (*self.assertions, *((self.budget,) if self.budget else ()))
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rapidsim.controller.journal.events import Event, ExecutedLine, Unsimulated, Wait
+from rapidsim.controller.journal.events import ErrorTally, Event, ExecutedLine, Unsimulated, Wait
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
@@ -92,6 +92,8 @@ class TaskEnd:
     kind: TaskKind
     end: End
     """One of the background ends with the run."""
+    entry: str = "main"
+    """The procedure it began with."""
 
 
 @dataclass(frozen=True, slots=True, eq=False, repr=False)
@@ -121,10 +123,14 @@ class Simulation:
     """Of all tasks, in order of their starts."""
     collisions: Collisions | None = None
     """What bodies touched; None where the station says nothing of bodies."""
+    errors: tuple[ErrorTally, ...] = ()
+    """Of all tasks, in order of their first times."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
     """What the declared signals are at the start; those that a run creates start at 0."""
     named: str = ""
     """What the user named, such as a folder; empty where nobody said."""
+    strict: bool = False
+    """Whether any qualification of the verdict fails the run."""
 
     def __repr__(self) -> str:
         """One line."""

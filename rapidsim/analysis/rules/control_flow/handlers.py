@@ -1,14 +1,21 @@
-"""Rules F407 and F408: ERROR clauses that do not handle the error."""
+"""Rules F407, F408, F430 and F431: ERROR clauses that do not handle the error."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from rapidsim.analysis.program_parts import Facts
-from rapidsim.analysis.rules.facts.instruction_questions import may_do
+from rapidsim.analysis.can_fail import FAILING, FAILING_OPERATORS
+from rapidsim.analysis.error_clauses import ERRNO, depends_on_error, falls_through
+from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
+from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import LIMITS, ONLY_LOOKS, Does
 from rapidsim.syntax import tree
+
+_TIMEOUT = "err_wait_maxtime"
+_HARMLESS = Does.TELL | Does.OUTPUT | Does.MOVE | Does.OFFSET | Does.WAIT | ONLY_LOOKS
+"""Effects of instructions and functions that raise no error but that of a time limit."""
 
 
 class RetryWithoutChange(Violation, code="F407"):
@@ -16,7 +23,35 @@ class RetryWithoutChange(Violation, code="F407"):
 
 
 class SwallowedError(Violation, code="F408"):
-    pass
+    way: str
+    errors: str
+
+
+class ErrorFallsThrough(Violation, code="F430"):
+    routine: str
+    others: int = 0
+
+    @property
+    def is_told_once(self) -> bool:
+        """A program with one such clause tends to have many."""
+        return True
+
+    def with_others(self, others: Sequence[Violation]) -> ErrorFallsThrough:
+        """This clause, and how many more there are."""
+        return ErrorFallsThrough(self.routine, len(others))
+
+    @property
+    def message(self) -> str:
+        """The first routine, and how many more."""
+        if not self.others:
+            return super().message
+        more = "1 more ERROR clause" if self.others == 1 else f"{self.others} more ERROR clauses"
+        return f"{super().message}; so do those of {more}"
+
+
+class RaisedErrorFallsThrough(Violation, code="F431"):
+    error: str
+    routine: str
 
 
 def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
@@ -25,18 +60,173 @@ def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
         handler = None if part.routine is None else part.routine.error
         if handler is None or handler.numbers is not None:
             continue
-        said = False
-        for statement in handler.body:
-            match statement:
-                case tree.Retry():
-                    yield part.finding(RetryWithoutChange(), statement)
-                case tree.TryNext() if not said:
-                    yield part.finding(SwallowedError(), statement)
-                case tree.Call() if Does.TELL in may_do(statement, facts):
-                    said = True
-                    continue
-                case tree.Empty() | tree.Label():
-                    continue
+        place = _retried_at_once(handler.body, facts)
+        if place is not None:
+            yield part.finding(RetryWithoutChange(), place)
+        yield from _swallowed(part, handler, facts)
+
+
+def _retried_at_once(body: tree.Body, facts: Facts) -> tree.Node | None:
+    """The RETRY before which a clause changes nothing."""
+    _, first = _first_deed(body, facts)
+    return first if isinstance(first, tree.Retry) else None
+
+
+def _first_deed(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement | None]:
+    """Whether a text is shown first, and the first statement that does more than that."""
+    tells = False
+    for statement in body:
+        match statement:
+            case tree.Call() if Does.TELL in may_do(statement, facts):
+                tells = True
+            case tree.Empty() | tree.Label():
+                pass
+            case _:
+                return tells, statement
+    return tells, None
+
+
+def _swallowed(part: Part, handler: tree.ErrorHandler, facts: Facts) -> Iterator[Diagnostic]:
+    """The statement by which a clause drops every error, or every other one, without a word."""
+    assert part.routine is not None
+    tells, first = _first_deed(handler.body, facts)
+    if tells:
+        return
+    if first is None:
+        if not isinstance(part.routine, tree.Func):
+            yield part.finding(
+                SwallowedError("an empty ERROR clause drops", "every error"), handler
+            )
+        return
+    if way := _silent_way(first):
+        yield part.finding(SwallowedError(way, "every error"), first)
+        return
+    for number, statement in enumerate(handler.body):
+        if not depends_on_error(statement):
+            if number and (way := _silent_way(statement)):
+                yield part.finding(SwallowedError(way, "every other error"), statement)
+            if not isinstance(statement, tree.Empty):
+                return
+            continue
+        tells, last = _first_deed(_otherwise(statement), facts)
+        if not tells and last is not None and (way := _silent_way(last)):
+            yield part.finding(SwallowedError(way, "every other error"), last)
+
+
+def _otherwise(choice: tree.Node) -> tree.Body:
+    """The statements of an ELSE or DEFAULT."""
+    match choice:
+        case tree.If(otherwise=body) | tree.Test(default=body):
+            return body or ()
+        case _:
+            return ()
+
+
+def _silent_way(statement: tree.Statement) -> str | None:
+    """What drops an error without a trace, as a clause of a sentence."""
+    match statement:
+        case tree.TryNext():
+            return "TRYNEXT skips"
+        case tree.Return(value=None):
+            return "RETURN drops"
+        case _:
+            return None
+
+
+def find_errors_that_fall_through(facts: Facts) -> Iterator[Diagnostic]:
+    """ERROR clauses with branches for some errors, which come to their end with the others."""
+    raised = _RaisedNumbers(facts)
+    for part in facts.routine_parts:
+        routine = part.routine
+        handler = None if routine is None else routine.error
+        if routine is None or handler is None or handler.numbers is not None:
+            continue
+        if isinstance(routine, tree.Func):
+            # Its end without a value is an error of its own.
+            continue
+        choices = [one for one in handler.body if depends_on_error(one)]
+        if not choices or not falls_through(handler.body, facts.does):
+            continue
+        named = _named_errors(choices)
+        lost = [] if named is None else [n for n in raised.by(part) if n.lower() not in named]
+        if lost:
+            yield part.finding(RaisedErrorFallsThrough(lost[0], routine.name.text), choices[-1])
+        elif not (named and _TIMEOUT in named and _only_times_out(part, facts)):
+            yield part.finding(ErrorFallsThrough(routine.name.text), choices[-1])
+
+
+def _named_errors(choices: Sequence[tree.Node]) -> set[str] | None:
+    """Folded names that are compared with ERRNO; None if it is compared with more than names."""
+    names: set[str] = set()
+    for choice in choices:
+        match choice:
+            case tree.If(branches=branches):
+                asked: list[tree.Node] = [branch.condition for branch in branches]
+            case tree.CompactIf(condition=condition):
+                asked = [condition]
+            case tree.Test(subject=subject, cases=cases):
+                asked = [subject, *(value for case in cases for value in case.values)]
+            case _:
+                continue
+        for node in descendants(*asked):
+            if isinstance(node, tree.FunctionCall | tree.Index | tree.Component):
+                return None
+            if isinstance(node, tree.Reference):
+                names.add(node.name.key)
+    names.discard(ERRNO)
+    return names
+
+
+class _RaisedNumbers:
+    """The numbers that routines raise by name, with those of the routines they call."""
+
+    def __init__(self, facts: Facts) -> None:
+        self._facts = facts
+        self._known: dict[Part, tuple[str, ...]] = {}
+
+    def by(self, part: Part) -> tuple[str, ...]:
+        """The names of the numbers that reach the ERROR clause of a routine."""
+        assert part.routine is not None
+        return self._of(part.routine.body)
+
+    def _out_of(self, part: Part) -> tuple[str, ...]:
+        """The names of the numbers that leave a routine."""
+        if part not in self._known:
+            self._known[part] = ()
+            assert part.routine is not None
+            handler = part.routine.error
+            self._known[part] = self._of(part.routine.body if handler is None else handler.body)
+        return self._known[part]
+
+    def _of(self, body: tree.Body) -> tuple[str, ...]:
+        found: dict[str, None] = {}
+        for node in descendants(*body):
+            match node:
+                case tree.Raise(number=tree.Reference(name=name)):
+                    found[name.text] = None
+                case tree.Call() | tree.FunctionCall():
+                    called = self._facts.routine_called(node)
+                    if called is not None and called in self._facts.part_of:
+                        found.update(dict.fromkeys(self._out_of(self._facts.part_of[called])))
                 case _:
                     pass
-            break
+        return tuple(found)
+
+
+def _only_times_out(part: Part, facts: Facts) -> bool:
+    """Whether the only error of a routine is that a wait reaches its time limit."""
+    assert part.routine is not None
+    return not any(_fails_otherwise(node, facts) for node in descendants(*part.routine.body))
+
+
+def _fails_otherwise(node: tree.Node, facts: Facts) -> bool:
+    match node:
+        case tree.Call() | tree.FunctionCall():
+            if facts.installed(node) is None:
+                return True
+            formals = {formal.key for formal, _ in arguments_of(node, facts) if formal}
+            return not (_HARMLESS & facts.does(node) or LIMITS & formals)
+        case tree.Binary(operator=operator):
+            return operator in FAILING_OPERATORS
+        case _:
+            return isinstance(node, FAILING)

@@ -1,0 +1,123 @@
+"""Verdict of a run: the one place that decides whether it succeeded and which words say so."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from enum import StrEnum
+from pathlib import Path
+
+from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
+from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.station.task_kind import TaskKind
+from rapidsim.values import dataclass
+
+
+class Level(StrEnum):
+    """Severity of a verdict: the colour of the headline."""
+
+    CLEAN = "clean"
+    QUALIFIED = "qualified"
+    FAILED = "failed"
+
+
+class Failure(StrEnum):
+    """Kind of failure, from which a command derives its exit code."""
+
+    PROGRAM = "program"
+    """The program or a robot stopped with an error, bodies collided, or a strict run is
+    qualified."""
+    LIMIT = "limit"
+    """A limit of time ended the run."""
+    ASSERTION = "assertion"
+    """The run has ended, but an assertion or the cycle budget does not hold."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """Judgement of one run. Immutable."""
+
+    failure: Failure | None
+    """None if the run succeeded."""
+    headline: str
+    """How the run ended, with its qualifications, in one line."""
+    level: Level
+    qualifications: tuple[str, ...] = ()
+    """Reservations about the result, short phrases in the order of `_QUALIFIERS`."""
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run succeeded."""
+        return self.failure is None
+
+
+Qualifier = Callable[[Simulation], Iterator[str]]
+
+
+def _early_ends(simulation: Simulation) -> Iterator[str]:
+    """Errors at which the ERROR clause of main ended the program."""
+    if simulation.end not in (End.ENDED, End.CYCLE_LIMIT):
+        return
+    normal = (task for task in simulation.tasks if task.kind is TaskKind.NORMAL)
+    entries = {task.name: task.entry.lower() for task in normal}
+    for tally in simulation.errors:
+        error, clause = tally.error, tally.error.clause
+        returned = error.outcome in (ErrorOutcome.RETURNED, ErrorOutcome.FELL_THROUGH)
+        if returned and clause and clause.routine.lower() == entries.get(tally.task):
+            times = f" {tally.count} times" if tally.count > 1 else ""
+            span = error.raised.span
+            place = f"{Path(span.file).name}:{span.line}"
+            yield f"ended early{times}: {shown_name(error)} at {place} {answer_words(error)}"
+
+
+_QUALIFIERS: tuple[Qualifier, ...] = (_early_ends,)
+"""Functions that yield the qualifications of a run, in their order in headlines."""
+_WORDS = {
+    End.ENDED: "ended as programmed",
+    End.STOPPED: "stopped by the program",
+    End.CYCLE_LIMIT: "ended after the requested cycles",
+    End.TIME_LIMIT: "cut off at the time limit",
+    End.ERROR: "stopped with an error",
+}
+_QUALIFIED_END = "ended"
+"""Replaces "ended as programmed" if the run is qualified."""
+
+
+def run_verdict(simulation: Simulation, *, assertions_fail: bool = False) -> Verdict:
+    """Return the verdict of a run.
+
+    Args:
+        simulation: The run; `Simulation.strict` decides whether qualifications fail it.
+        assertions_fail: Whether an assertion or the cycle budget does not hold.
+    """
+    qualifications = tuple(phrase for qualify in _QUALIFIERS for phrase in qualify(simulation))
+    failure = _failure(simulation, qualified=bool(qualifications), assertions_fail=assertions_fail)
+    if failure in (Failure.PROGRAM, Failure.ASSERTION) or _hits(simulation):
+        level = Level.FAILED
+    else:
+        # A run that reached a limit is incomplete, not wrong.
+        level = Level.QUALIFIED if failure or qualifications else Level.CLEAN
+    return Verdict(failure, _headline(simulation, qualifications), level, qualifications)
+
+
+def _failure(simulation: Simulation, *, qualified: bool, assertions_fail: bool) -> Failure | None:
+    if simulation.end is End.ERROR:
+        return Failure.PROGRAM
+    if simulation.end is End.TIME_LIMIT:
+        return Failure.LIMIT
+    if _hits(simulation) or (qualified and simulation.strict):
+        return Failure.PROGRAM
+    return Failure.ASSERTION if assertions_fail else None
+
+
+def _headline(simulation: Simulation, qualifications: tuple[str, ...]) -> str:
+    words = _WORDS[simulation.end]
+    if qualifications and simulation.end is End.ENDED:
+        words = _QUALIFIED_END
+    text = f"{words} after {simulation.time_s:.3f} s"
+    if hits := _hits(simulation):
+        text += f", with {hits} collision{'s' if hits > 1 else ''}"
+    return "; ".join((text, *qualifications))
+
+
+def _hits(simulation: Simulation) -> int:
+    return 0 if simulation.collisions is None else len(simulation.collisions.hits)
