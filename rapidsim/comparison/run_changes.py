@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
 from rapidsim.diagnostics import Severity
-from rapidsim.motion.robot.catalogue import aliases
+from rapidsim.motion.robot.catalogue import entry_name
 from rapidsim.simulation.results.simulation import End
 from rapidsim.values import dataclass
 
@@ -61,8 +61,7 @@ def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
 
 def _robot(report: RunJson) -> str:
     """The arm, by the same name whatever alias it was named by."""
-    name = str(report.get("robot", ""))
-    return aliases().get(name.lower(), name)
+    return entry_name(str(report.get("robot", "")))
 
 
 def _error(report: RunJson) -> str | None:

@@ -39,7 +39,7 @@ class RobotChoice:
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
     """The given station file, else the one next to the program or above it, else the defaults.
 
-    If it does not define robots, tasks or signals, a backup does.
+    What the file does not say comes from a backup, key by key.
     """
     backup = _backup(paths)
     found = Path(file) if file is not None else find_station(paths)
@@ -47,7 +47,7 @@ def choose_station(paths: Sequence[str], file: str | None) -> Station:
         return backup
     from rapidsim.station.read import read_station
 
-    return read_station(found).and_backup(backup)
+    return read_station(found, backup)
 
 
 def _backup(paths: Sequence[str]) -> Station:

@@ -30,7 +30,7 @@ from rapidsim.station.backup.loose_configuration import (
     loose_configuration,
 )
 from rapidsim.station.cell_names import declared_names
-from rapidsim.station.draft import NOT_NAMED, Draft, DraftRobot, DraftTask
+from rapidsim.station.draft import NOT_NAMED, Draft, DraftRobot, DraftTask, Suggestions
 from rapidsim.station.station import FILE_NAME, Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.syntax import tree
@@ -105,14 +105,13 @@ def _of_backup(backup: Backup, robot: str | None, beside: Path | None) -> DraftF
         "What is written here takes precedence.",
     )
     unknown = next((one.unknown for one in station.robots if one.unknown), None)
-    robots: tuple[DraftRobot, ...] = ()
-    if robot is not None:
-        robots = (DraftRobot(model=robot),)
-    elif unknown is not None or not station.robots:
+    robots = () if robot is None else (DraftRobot(model=robot),)
+    why = None
+    if robot is None and (unknown is not None or not station.robots):
         why = f"the catalogue has no {unknown}" if unknown else "the backup names no arm"
-        robots = (DraftRobot(remark=why),)
-    signals = _undeclared(tasks, station)
-    draft = Draft(remarks, robots, (), signals)
+        why = f"{why}: `rapidsim robots` lists those available"
+    suggestions = Suggestions(why, _undeclared(tasks, station))
+    draft = Draft(remarks, robots, suggestions=suggestions)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
     return DraftFile((beside or backup.root) / FILE_NAME, draft, lacks)
 

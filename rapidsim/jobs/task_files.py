@@ -49,12 +49,13 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         for task in station.tasks
     ]
     if len(named) > 1:
-        if len(named) != len(station.tasks):
+        if len(named) > len(station.tasks):
             raise InputError(
                 f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
                 f"{station.file}"
             )
-        own = list(named)
+        # Those that only the station file has come last.
+        own = [*named, *(TaskFiles(None, ()) for _ in station.tasks[len(named) :])]
     else:
         claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
         rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)

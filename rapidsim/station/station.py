@@ -6,7 +6,7 @@ Most programs that are checked have none, so nothing here needs NumPy; `read.py`
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import field, replace
+from dataclasses import field
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -62,27 +62,6 @@ class Station:
     """Mechanical units beside the robots of which only the names are known."""
     remarks: tuple[str, ...] = ()
     """What is said of the cell and left out."""
-
-    def and_backup(self, backup: Station) -> Station:
-        """This station file, completed from a backup."""
-        whole = replace(
-            self,
-            tasks=self.tasks or backup.tasks,
-            io=backup.io.and_also(self.io),
-            configured=backup.configured,
-            robotware=self.robotware or backup.robotware,
-            external_axes=self.external_axes or backup.external_axes,
-            other_units=backup.other_units,
-            remarks=self.remarks + backup.remarks,
-        )
-        if self.robot is not None or not backup.robots:
-            return whole
-        named = (self.robots[0].armed(backup.robots[0]),) if self.robots else backup.robots
-        return replace(
-            whole,
-            robots=named,
-            robot_source=backup.robot_source,
-        )
 
     @property
     def robot(self) -> str | None:
