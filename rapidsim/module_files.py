@@ -1,6 +1,7 @@
 """Which RAPID modules a path names, task by task.
 
-A path may be a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, or `-`.
+A path may be a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, a
+controller in one (`cell.rspag!NAME`), or `-`.
 A link that leads out of a folder is refused: a repository that is checked is not trusted.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
@@ -28,7 +30,7 @@ from rapidsim.files import (
 from rapidsim.values import dataclass
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
-PACKED_SUFFIX = ".rspag"
+_PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECASE | re.DOTALL)
 STANDARD_INPUT = "<stdin>"
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Folders in the folder of a task that hold its modules."""
@@ -149,23 +151,44 @@ def backup_among(paths: Iterable[str]) -> Backup | None:
 
 
 def opened(path: str) -> Path:
-    """What a path stands for: itself, or the backup that a packed station (`.rspag`) holds.
+    """The file or folder of a path: itself, or the backup in a packed station (`.rspag`).
 
     Raises:
-        InputError: If such a station cannot be read, or has not one controller.
+        InputError: If such a station cannot be read, or the path means none of its controllers.
     """
-    file = Path(path)
-    if file.suffix.lower() != PACKED_SUFFIX or file.is_dir():
-        return file
+    packed = packed_station(path)
+    if packed is None:
+        return Path(path)
+    file, controller = packed
     # Few stations are packed, and what unpacks them takes as long to load as a file to check.
     from rapidsim import pack_and_go  # noqa: PLC0415
 
     try:
-        return pack_and_go.unpacked_backup(input_bytes(file), file.stem)
+        return pack_and_go.unpacked_backup(input_bytes(file), str(file), controller)
     except pack_and_go.PackedStationError as error:
         raise InputError(f"{file} {error}") from None
     except OSError as error:
         raise InputError(f"{file} cannot be unpacked: {error.strerror}") from None
+
+
+def packed_station(path: str) -> tuple[Path, str | None] | None:
+    """The archive of a path and the controller that it names in it; None if it is no archive."""
+    match = _PACKED.fullmatch(path)
+    if match is None or Path(path).is_dir():
+        return None
+    return Path(match["file"]), match["controller"]
+
+
+def named_file(path: str) -> Path:
+    """The file or folder that a user has: the archive of a packed station."""
+    packed = packed_station(path)
+    return Path(path) if packed is None else packed[0]
+
+
+def _shown(module: Path) -> str:
+    """The name of a module, that of its place in the archive if it comes from one."""
+    unpacking = sys.modules.get("rapidsim.pack_and_go")
+    return str(module) if unpacking is None else str(unpacking.shown_name(module))
 
 
 def neighbours(path: str) -> tuple[str, ...]:
@@ -189,7 +212,7 @@ def _read(modules: Iterable[str | Path]) -> TaskFiles:
         if key in read or key in encoded:
             continue
         data = standard_input() if isinstance(module, str) else input_bytes(module)
-        name = STANDARD_INPUT if isinstance(module, str) else str(module)
+        name = STANDARD_INPUT if isinstance(module, str) else _shown(module)
         if is_encoded(data):
             encoded[key] = name
         else:

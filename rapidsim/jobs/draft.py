@@ -19,7 +19,7 @@ from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
 from rapidsim.jobs.task_files import all_tasks
-from rapidsim.module_files import PACKED_SUFFIX, Backup, TaskFiles, backup_among, read_tasks
+from rapidsim.module_files import Backup, TaskFiles, backup_among, packed_station, read_tasks
 from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves
@@ -85,9 +85,8 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     backup = backup_among(programs)
     if backup is not None:
         # A packed station is unpacked out of sight; its file lies beside the archive.
-        packed = (Path(path) for path in programs if Path(path).suffix.lower() == PACKED_SUFFIX)
-        beside = next(packed, None)
-        return _of_backup(backup, robot, None if beside is None else beside.parent)
+        packed = next((one for path in programs if (one := packed_station(path))), None)
+        return _of_backup(backup, robot, None if packed is None else packed[0].parent)
     tasks = read_tasks(programs)
     configuration = loose_configuration(Path(configured[0])) if configured else None
     files = [file for task in tasks for file in task.files]

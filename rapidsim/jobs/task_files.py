@@ -9,7 +9,14 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean, require_inside, seen_from_here
-from rapidsim.module_files import TaskFiles, named_tasks, neighbours, opened, read_tasks
+from rapidsim.module_files import (
+    TaskFiles,
+    named_tasks,
+    neighbours,
+    opened,
+    packed_station,
+    read_tasks,
+)
 from rapidsim.station.station import Station
 
 # Rules that find a name which another module may declare.
@@ -110,7 +117,12 @@ def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
 
 def program_name(paths: Sequence[str]) -> str:
     """The base name of files that belong to the run: the first path without its suffix."""
-    return "stdin" if paths[0] == "-" else Path(os.path.realpath(paths[0])).stem
+    if paths[0] == "-":
+        return "stdin"
+    packed = packed_station(paths[0])
+    if packed is not None and packed[1]:
+        return f"{packed[0].stem}-{packed[1]}"
+    return Path(os.path.realpath(paths[0])).stem
 
 
 def program_title(paths: Sequence[str]) -> str:

@@ -15,6 +15,7 @@ from rapidsim.controller.cell.description import CellIo
 from rapidsim.files import require_inside
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare
+from rapidsim.module_files import named_file
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
@@ -112,7 +113,7 @@ def find_station(paths: Iterable[str]) -> Path | None:
         InputError: If it is a link to another folder.
     """
     for path in paths:
-        if path != "-" and (place := Path(path)).exists():
+        if path != "-" and (place := named_file(path)).exists():
             folder = place.resolve() if place.is_dir() else place.resolve().parent
             found = next((f for f in (folder, *folder.parents) if _is_here(f)), None)
             return found and require_inside([found / FILE_NAME], [found])[0]
