@@ -32,6 +32,7 @@ from rapidsim.values import dataclass
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
 _PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECASE | re.DOTALL)
 STANDARD_INPUT = "<stdin>"
+CONFIGURATION_FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Folders in the folder of a task that hold its modules."""
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
@@ -44,6 +45,16 @@ class Backup:
     root: Path
     tasks: tuple[Path, ...]
     """The folders of its tasks; none where SYS.cfg loads every module from HOME."""
+
+
+@dataclass(frozen=True, slots=True)
+class LooseCell:
+    """A folder of modules with the configuration files of their controller beside them."""
+
+    root: Path
+    below: tuple[str, ...]
+    """The folders below it that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, or SYSPAR."""
+    modules: tuple[Path, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,6 +159,31 @@ def backup_among(paths: Iterable[str]) -> Backup | None:
         if below >= {"SYSPAR", "HOME"} and not _in_folder(folder, may_be_empty=True):
             return Backup(folder, ())
     return None
+
+
+def loose_cell_among(paths: Iterable[str]) -> LooseCell | None:
+    """The first folder of modules with configuration files among some paths; None without one."""
+    for path in paths:
+        folder = opened(path)
+        if path == "-" or not folder.is_dir():
+            continue
+        below = configuration_below(folder)
+        modules = [] if below is None else _in_folder(folder, may_be_empty=True)
+        if below is not None and modules:
+            return LooseCell(folder, below, tuple(modules))
+    return None
+
+
+def configuration_below(folder: Path) -> tuple[str, ...] | None:
+    """The folders that lead to configuration files: none, or SYSPAR; None if there are no files."""
+    if _has_configuration(folder):
+        return ()
+    below = [one for one in entries_of(folder) if one.name.upper() == "SYSPAR" and one.is_dir()]
+    return ("SYSPAR",) if any(map(_has_configuration, below)) else None
+
+
+def _has_configuration(folder: Path) -> bool:
+    return any(entry.name.lower() in CONFIGURATION_FILES for entry in entries_of(folder))
 
 
 def opened(path: str) -> Path:

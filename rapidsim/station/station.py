@@ -5,7 +5,7 @@ Most programs that are checked have none, so nothing here needs NumPy; `read.py`
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import field
 from datetime import datetime
 from pathlib import Path
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from rapidsim.station.robot import StationRobot
 
 FILE_NAME = "rapidsim.toml"
+_MODULE_FOLDERS = ("RAPID", "PROGMOD", "SYSMOD")
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,15 +110,26 @@ class Station:
 def find_station(paths: Iterable[str]) -> Path | None:
     """The station file next to the first path that is a file or folder, or in a folder above.
 
+    One in the folder of its modules (RAPID, PROGMOD, SYSMOD) is next to a folder, too.
+
     Raises:
         InputError: If it is a link to another folder.
     """
     for path in paths:
         if path != "-" and (place := named_file(path)).exists():
             folder = place.resolve() if place.is_dir() else place.resolve().parent
-            found = next((f for f in (folder, *folder.parents) if _is_here(f)), None)
-            return found and require_inside([found / FILE_NAME], [found])[0]
+            modules = _module_folders(folder) if place.is_dir() else ()
+            found = next((f for f in (folder, *modules, *folder.parents) if _is_here(f)), None)
+            room = folder if found in modules else found
+            return found and room and require_inside([found / FILE_NAME], [room])[0]
     return None
+
+
+def _module_folders(folder: Path) -> Sequence[Path]:
+    try:
+        return sorted(one for one in folder.iterdir() if one.name.upper() in _MODULE_FOLDERS)
+    except OSError:
+        return ()
 
 
 def _is_here(folder: Path) -> bool:
