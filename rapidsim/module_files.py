@@ -1,6 +1,7 @@
 """Which RAPID modules a path names, task by task.
 
-A path may be a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, or `-`.
+A path may be a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, a
+controller in one (`cell.rspag!NAME`), or `-`.
 A link that leads out of a folder is refused: a repository that is checked is not trusted.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
@@ -28,8 +30,9 @@ from rapidsim.files import (
 from rapidsim.values import dataclass
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
-PACKED_SUFFIX = ".rspag"
+_PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECASE | re.DOTALL)
 STANDARD_INPUT = "<stdin>"
+CONFIGURATION_FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Folders in the folder of a task that hold its modules."""
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
@@ -42,6 +45,16 @@ class Backup:
     root: Path
     tasks: tuple[Path, ...]
     """The folders of its tasks; none where SYS.cfg loads every module from HOME."""
+
+
+@dataclass(frozen=True, slots=True)
+class LooseCell:
+    """A folder of modules with the configuration files of their controller beside them."""
+
+    root: Path
+    below: tuple[str, ...]
+    """The folders below it that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, or SYSPAR."""
+    modules: tuple[Path, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,24 +161,70 @@ def backup_among(paths: Iterable[str]) -> Backup | None:
     return None
 
 
+def loose_cell_among(paths: Iterable[str]) -> LooseCell | None:
+    """The first folder of modules with configuration files among some paths; None without one."""
+    for path in paths:
+        folder = opened(path)
+        if path == "-" or not folder.is_dir():
+            continue
+        below = configuration_below(folder)
+        modules = [] if below is None else _in_folder(folder, may_be_empty=True)
+        if below is not None and modules:
+            return LooseCell(folder, below, tuple(modules))
+    return None
+
+
+def configuration_below(folder: Path) -> tuple[str, ...] | None:
+    """The folders that lead to configuration files: none, or SYSPAR; None if there are no files."""
+    if _has_configuration(folder):
+        return ()
+    below = [one for one in entries_of(folder) if one.name.upper() == "SYSPAR" and one.is_dir()]
+    return ("SYSPAR",) if any(map(_has_configuration, below)) else None
+
+
+def _has_configuration(folder: Path) -> bool:
+    return any(entry.name.lower() in CONFIGURATION_FILES for entry in entries_of(folder))
+
+
 def opened(path: str) -> Path:
-    """What a path stands for: itself, or the backup that a packed station (`.rspag`) holds.
+    """The file or folder of a path: itself, or the backup in a packed station (`.rspag`).
 
     Raises:
-        InputError: If such a station cannot be read, or has not one controller.
+        InputError: If such a station cannot be read, or the path means none of its controllers.
     """
-    file = Path(path)
-    if file.suffix.lower() != PACKED_SUFFIX or file.is_dir():
-        return file
+    packed = packed_station(path)
+    if packed is None:
+        return Path(path)
+    file, controller = packed
     # Few stations are packed, and what unpacks them takes as long to load as a file to check.
     from rapidsim import pack_and_go  # noqa: PLC0415
 
     try:
-        return pack_and_go.unpacked_backup(input_bytes(file), file.stem)
+        return pack_and_go.unpacked_backup(input_bytes(file), str(file), controller)
     except pack_and_go.PackedStationError as error:
         raise InputError(f"{file} {error}") from None
     except OSError as error:
         raise InputError(f"{file} cannot be unpacked: {error.strerror}") from None
+
+
+def packed_station(path: str) -> tuple[Path, str | None] | None:
+    """The archive of a path and the controller that it names in it; None if it is no archive."""
+    match = _PACKED.fullmatch(path)
+    if match is None or Path(path).is_dir():
+        return None
+    return Path(match["file"]), match["controller"]
+
+
+def named_file(path: str) -> Path:
+    """The file or folder that a user has: the archive of a packed station."""
+    packed = packed_station(path)
+    return Path(path) if packed is None else packed[0]
+
+
+def _shown(module: Path) -> str:
+    """The name of a module, that of its place in the archive if it comes from one."""
+    unpacking = sys.modules.get("rapidsim.pack_and_go")
+    return str(module) if unpacking is None else str(unpacking.shown_name(module))
 
 
 def neighbours(path: str) -> tuple[str, ...]:
@@ -189,7 +248,7 @@ def _read(modules: Iterable[str | Path]) -> TaskFiles:
         if key in read or key in encoded:
             continue
         data = standard_input() if isinstance(module, str) else input_bytes(module)
-        name = STANDARD_INPUT if isinstance(module, str) else str(module)
+        name = STANDARD_INPUT if isinstance(module, str) else _shown(module)
         if is_encoded(data):
             encoded[key] = name
         else:

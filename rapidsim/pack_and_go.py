@@ -1,97 +1,123 @@
 """RobotStudio's Pack & Go, `.rspag`: an archive that holds the backups of a station's controllers.
 
-Its files are unpacked once into a folder of the user's own below that for temporary files, which is
-named after what the archive holds: the same archive has the same files each time.
+A backup is the folder `Backups/NAME`, in newer archives `Controller Data/NAME`. It is unpacked into
+a temporary folder that is removed when the process ends; its files are shown by their place in the
+archive, `cell.rspag!NAME/RAPID/...`.
 """
 
 from __future__ import annotations
 
-import hashlib
+import atexit
+import errno
 import io
-import os
-import stat
-import tempfile
+import lzma
+import struct
 import zipfile
+import zlib
 from collections.abc import Iterator
+from hashlib import sha256
 from pathlib import Path, PurePosixPath
+from tempfile import TemporaryDirectory
 
-_BACKUPS = "backups"
+_ROOTS = ("backups", "controller data")
 _PARTS = ("rapid", "syspar", "backinfo", "home")
 _MOST_BYTES = 200_000_000
 _MOST_FILES = 10_000
+_DAMAGED = (
+    zipfile.BadZipFile,
+    zlib.error,
+    lzma.LZMAError,
+    struct.error,
+    EOFError,
+    RuntimeError,
+    ValueError,
+    LookupError,
+    OverflowError,
+    MemoryError,
+    OSError,
+)
+"""Errors that zipfile raises for the bytes of an archive."""
+_OF_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EACCES, errno.EROFS, errno.EIO)
+_unpacked: dict[str, Path] = {}
+"""The folders of this process, by fingerprint of the archive."""
+_shown: dict[Path, str] = {}
+"""What these folders are called."""
 
 
 class PackedStationError(ValueError):
-    """An archive that cannot be used; the text says why."""
+    """An archive that cannot be used; the message says why."""
 
 
-def unpacked_backup(data: bytes, name: str) -> Path:
-    """The folder of the one backup that an archive holds.
+def unpacked_backup(data: bytes, name: str, controller: str | None) -> Path:
+    """The folder of a backup in an archive.
 
     Args:
         data: The archive.
-        name: What its folder is called.
+        name: Its name, as shown.
+        controller: The name of the controller, without case; None for the only one.
 
     Raises:
-        PackedStationError: If it is no archive, too large, or holds no backup or several.
+        PackedStationError: If it is damaged, too large, or does not hold that backup.
         OSError: If it cannot be unpacked.
     """
-    folder = _own_room() / hashlib.sha256(data).hexdigest()[:16] / name
-    if not folder.is_dir():
-        _unpack(data, folder)
+    key = sha256(data).hexdigest()
+    if key not in _unpacked:
+        _unpacked[key] = _unpack(data)
+    folder = _unpacked[key]
     found = sorted(entry for entry in folder.iterdir() if entry.is_dir())
-    if len(found) != 1:
-        names = ", ".join(one.name for one in found)
-        raise PackedStationError(
-            f"holds {len(found)} backups ({names}); unpack it and name one"
-            if found
-            else "holds no backup of a controller"
-        )
-    return found[0]
+    names = [entry.name for entry in found]
+    if controller is not None:
+        found = [entry for entry in found if entry.name.lower() == controller.lower()]
+    if len(found) == 1:
+        _shown[found[0]] = f"{name}!{found[0].name}"
+        return found[0]
+    if not names:
+        raise PackedStationError("holds no backup of a controller")
+    listed = ", ".join(f"{name}!{one}" for one in names)
+    if controller is None:
+        raise PackedStationError(f"holds {len(names)} controllers; name one: {listed}")
+    raise PackedStationError(f"holds no controller {controller}; there are: {listed}")
 
 
-def _unpack(data: bytes, folder: Path) -> None:
-    folder.parent.mkdir(exist_ok=True)
-    # Whole or not at all, also where two runs unpack at once.
-    part = Path(tempfile.mkdtemp(dir=folder.parent))
+def shown_name(file: Path) -> str:
+    """The name of a file, by its place in the archive if it was unpacked from one."""
+    for folder, name in _shown.items():
+        if file.is_relative_to(folder):
+            return f"{name}/{file.relative_to(folder).as_posix()}"
+    return str(file)
+
+
+def _unpack(data: bytes) -> Path:
+    temporary = TemporaryDirectory(prefix="rapidsim-")
+    folder = Path(temporary.name)
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             for path, member in _members(archive):
-                target = part.joinpath(*path.parts)
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(archive.read(member))
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as error:
-        raise PackedStationError(f"is no archive that can be read: {error}") from None
-    try:
-        part.rename(folder)
-    except OSError:
-        if not folder.is_dir():
+                _write(folder.joinpath(*path.parts), archive.read(member))
+    except BaseException as error:
+        temporary.cleanup()
+        of_disk = isinstance(error, OSError) and error.errno in _OF_DISK
+        if isinstance(error, PackedStationError) or of_disk or not isinstance(error, _DAMAGED):
             raise
+        raise PackedStationError(f"is no archive that can be read: {error}") from None
+    atexit.register(temporary.cleanup)
+    return folder
+
+
+def _write(file: Path, content: bytes) -> None:
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(content)
 
 
 def _members(archive: zipfile.ZipFile) -> Iterator[tuple[PurePosixPath, zipfile.ZipInfo]]:
-    """What belongs to backups, with its path below `Backups`."""
+    """The members of backups, with their paths from the name of the controller."""
     count = size = 0
     for member in archive.infolist():
         parts = PurePosixPath(member.filename.replace("\\", "/")).parts
-        wanted = len(parts) > 3 and parts[0].lower() == _BACKUPS and parts[2].lower() in _PARTS
+        wanted = len(parts) > 3 and parts[0].lower() in _ROOTS and parts[2].lower() in _PARTS
         if member.is_dir() or not wanted or ".." in parts or any(":" in part for part in parts):
             continue
         count, size = count + 1, size + member.file_size
         if count > _MOST_FILES or size > _MOST_BYTES:
             raise PackedStationError("holds more than a backup does")
         yield PurePosixPath(*parts[1:]), member
-
-
-def _own_room() -> Path:
-    """A folder that nobody else can write to."""
-    own = getattr(os, "getuid", lambda: "user")()
-    room = Path(tempfile.gettempdir()) / f"rapidsim-{own}"
-    try:
-        room.mkdir(mode=0o700)
-    except FileExistsError:
-        facts = room.lstat()
-        is_ours = facts.st_uid == own or not hasattr(os, "getuid")
-        if not stat.S_ISDIR(facts.st_mode) or not is_ours:
-            return Path(tempfile.mkdtemp())
-    return room

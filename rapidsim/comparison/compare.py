@@ -8,7 +8,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from rapidsim.comparison.changes import At, Comparison, FindingChange, RunChange
 from rapidsim.comparison.program_changes import program_changes
 from rapidsim.comparison.program_parts import Parts, parts_of
 from rapidsim.comparison.run_changes import RanProgram, run_changes
+from rapidsim.comparison.run_record import RunRecord, read_run_record
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.files import InputError, decode, input_bytes
 from rapidsim.jobs.answers import answers_of_file
@@ -96,7 +96,8 @@ def _side(asked: Asked, run: bool, answers: str | None) -> _Side:
     report = course_json(simulation, simulation.diagnostics)
     single = simulation.robots[0] if len(simulation.robots) == 1 else None
     position = None if single is None else _position(single)
-    return replace(side, run=RanProgram(report, position), path=_path(simulation))
+    record = read_run_record(report, name)
+    return replace(side, run=RanProgram(record, position), path=_path(simulation))
 
 
 def _ran(found: Job, answers: str | None) -> Simulation:
@@ -112,15 +113,13 @@ def _parts(task: TaskFiles) -> Parts:
     return parts_of([module for one in trees for module in one.modules])
 
 
-def _saved(file: Path) -> dict[str, Any]:
+def _saved(file: Path) -> RunRecord:
     text, _ = decode(input_bytes(file))
     try:
         report = json.loads(text)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{file} is not JSON: {error}") from None
-    if not isinstance(report, dict) or not {"moves", "events", "time_s", "end"} <= report.keys():
-        raise InputError(f"{file} is not a saved run", "`rapidsim run --format json` prints one")
-    return report
+    return read_run_record(report, str(file))
 
 
 def _position(run: RobotRun) -> Callable[[float], Sequence[float]]:

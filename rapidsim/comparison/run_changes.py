@@ -1,99 +1,57 @@
-"""The differences between two runs, from the objects printed by `rapidsim run --format json`."""
+"""The differences between two runs."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from difflib import SequenceMatcher
-from typing import Any, TypeAlias
 
 from rapidsim.comparison.changes import OutputChange, RunChange, TimeChange
+from rapidsim.comparison.run_record import RunRecord, RunStep
 from rapidsim.diagnostics import Severity
-from rapidsim.motion.robot.catalogue import aliases
+from rapidsim.motion.robot.catalogue import entry_name
 from rapidsim.simulation.results.simulation import End
 from rapidsim.values import dataclass
-
-RunJson: TypeAlias = Mapping[str, Any]
 
 _ROUNDING_S = 1e-6
 """Runs of one program on two machines agree within less."""
 _SHOWN_S = 0.0005
 _SHOWN_MM = 0.05
-_OUTSIDE = "cell"
-"""The task of events that nobody in the program causes."""
 
 
 @dataclass(frozen=True, slots=True)
 class RanProgram:
     """A run, and the path of its TCP, if known."""
 
-    report: RunJson
+    record: RunRecord
     position_mm: Callable[[float], Sequence[float]] | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class _Step:
-    task: str
-    routine: str
-    what: str
-    seconds: float
-
-    @property
-    def key(self) -> tuple[str, str, str]:
-        """Its name, in the form in which RAPID compares names."""
-        return self.task.lower(), self.routine.lower(), self.what.lower()
 
 
 def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
     """Compare two runs."""
-    a, b = list(_steps(old.report)), list(_steps(new.report))
+    before, after = old.record, new.record
+    a, b = before.steps, after.steps
     return RunChange(
-        float(old.report["time_s"]),
-        float(new.report["time_s"]),
-        (str(old.report["end"]), str(new.report["end"])),
+        before.time_s,
+        after.time_s,
+        (before.end.value, after.end.value),
         tuple(_routine_changes(a, b)),
         tuple(sorted(_line_changes(a, b), key=lambda one: -abs(one.delta_s))),
         tuple(_output_changes(old, new)),
-        (_motion_model(old.report), _motion_model(new.report)),
-        (_robot(old.report), _robot(new.report)),
-        (_error(old.report), _error(new.report)),
+        (before.motion_model, after.motion_model),
+        (entry_name(before.robot), entry_name(after.robot)),
+        (_error(before), _error(after)),
     )
 
 
-def _robot(report: RunJson) -> str:
-    """The arm, by the same name whatever alias it was named by."""
-    name = str(report.get("robot", ""))
-    return aliases().get(name.lower(), name)
-
-
-def _error(report: RunJson) -> str | None:
-    """What stopped a run; of several the last is what nothing came after."""
-    if report["end"] != End.ERROR.value:
+def _error(run: RunRecord) -> str | None:
+    """The error that stopped a run; of several the last."""
+    if run.end is not End.ERROR:
         return None
-    found = report.get("diagnostics", ())
-    errors = [one for one in found if one["severity"] == Severity.ERROR.value]
-    return f"{errors[-1]['code']}: {errors[-1]['message']}" if errors else None
+    errors = [one for one in run.findings if one[0] == Severity.ERROR.value]
+    return f"{errors[-1][1]}: {errors[-1][2]}" if errors else None
 
 
-def _motion_model(report: RunJson) -> str:
-    """Saved runs of version 0.1 name none."""
-    models = report.get("models")
-    return str(models.get("motion", "")) if isinstance(models, Mapping) else ""
-
-
-def _steps(report: RunJson) -> Iterator[_Step]:
-    """Moves and waits in order of time."""
-    moves = [(m, f"{m['instruction']} {_short(m['to'])}") for m in report["moves"]]
-    waits = [(w, f"{w['instruction']} {w['for']}") for w in report.get("waits", ())]
-    for step, what in sorted(moves + waits, key=lambda item: float(item[0]["start_s"])):
-        seconds = float(step["end_s"]) - float(step["start_s"])
-        yield _Step(step["task"], step["routine"], what, seconds)
-
-
-def _short(target: str | None) -> str:
-    return "*" if target is None or target.startswith("[") else target
-
-
-def _routine_changes(a: Sequence[_Step], b: Sequence[_Step]) -> Iterator[TimeChange]:
+def _routine_changes(a: Sequence[RunStep], b: Sequence[RunStep]) -> Iterator[TimeChange]:
     before, after = _by_routine(a), _by_routine(b)
     names = {step.key[:2]: (step.task, step.routine) for step in (*a, *b)}
     for key, name in names.items():
@@ -102,18 +60,18 @@ def _routine_changes(a: Sequence[_Step], b: Sequence[_Step]) -> Iterator[TimeCha
             yield TimeChange(*name, "", x, y)
 
 
-def _by_routine(steps: Sequence[_Step]) -> dict[tuple[str, ...], float]:
+def _by_routine(steps: Sequence[RunStep]) -> dict[tuple[str, ...], float]:
     sums: dict[tuple[str, ...], float] = {}
     for step in steps:
         sums[step.key[:2]] = sums.get(step.key[:2], 0.0) + step.seconds
     return sums
 
 
-def _line_changes(a: Sequence[_Step], b: Sequence[_Step]) -> Iterator[TimeChange]:
+def _line_changes(a: Sequence[RunStep], b: Sequence[RunStep]) -> Iterator[TimeChange]:
     """Steps that take another time, were not run, or are not; those of one kind added up."""
     sums: dict[tuple[str, str, str], tuple[float | None, float | None]] = {}
     matcher = SequenceMatcher(None, [x.key for x in a], [y.key for y in b], autojunk=False)
-    pairs: list[tuple[_Step | None, _Step | None]] = []
+    pairs: list[tuple[RunStep | None, RunStep | None]] = []
     for word, a1, a2, b1, b2 in matcher.get_opcodes():
         if word == "equal":
             pairs += zip(a[a1:a2], b[b1:b2], strict=True)
@@ -138,7 +96,7 @@ def _sum(a: float | None, b: float | None) -> float | None:
 
 
 def _output_changes(old: RanProgram, new: RanProgram) -> Iterator[OutputChange]:
-    before, after = _outputs(old.report), _outputs(new.report)
+    before, after = _outputs(old.record), _outputs(new.record)
     for signal in sorted(dict.fromkeys((*before, *after)), key=str.lower):
         a, b = before.get(signal, []), after.get(signal, [])
         values_a, values_b = [value for _, value in a], [value for _, value in b]
@@ -151,11 +109,10 @@ def _output_changes(old: RanProgram, new: RanProgram) -> Iterator[OutputChange]:
             yield OutputChange(signal, f"{told[0]}{more}")
 
 
-def _outputs(report: RunJson) -> dict[str, list[tuple[float, float]]]:
+def _outputs(run: RunRecord) -> dict[str, list[tuple[float, float]]]:
     found: dict[str, list[tuple[float, float]]] = {}
-    for event in report["events"]:
-        if event["kind"] == "signal" and event["task"] != _OUTSIDE:
-            found.setdefault(event["signal"], []).append((event["time_s"], event["value"]))
+    for change in run.signals:
+        found.setdefault(change.signal, []).append((change.time_s, change.value))
     return found
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from rapidsim.files import InputError, SourceFile, decode, input_bytes
-from rapidsim.module_files import STANDARD_INPUT
+from rapidsim.module_files import STANDARD_INPUT, packed_station
 from rapidsim.output_files import whole_file
 
 TextEdit = tuple[int, int, str]
@@ -57,6 +57,11 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> b
     """
     if file.name == STANDARD_INPUT:
         raise InputError(f"{what} cannot be written to standard input")
+    if packed_station(file.name) is not None:
+        raise InputError(
+            f"{what} cannot be written into a packed station, to {file.name}",
+            "unpack it and name the folder of the backup",
+        )
     data = input_bytes(Path(file.name))
     if decode(data) != (file.text, file.encoding):
         raise InputError(f"{file.name} has changed since it was read; {what} were not written")

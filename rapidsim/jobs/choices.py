@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.files import seen_from_here
-from rapidsim.module_files import backup_among
+from rapidsim.module_files import backup_among, loose_cell_among
 from rapidsim.station.station import Station, find_station
 from rapidsim.values import dataclass
 
@@ -39,25 +39,31 @@ class RobotChoice:
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
     """The given station file, else the one next to the program or above it, else the defaults.
 
-    If it does not define robots, tasks or signals, a backup does.
+    What the file does not say comes from a backup, key by key.
     """
-    backup = _backup(paths)
+    backup = configured_station(paths)
     found = Path(file) if file is not None else find_station(paths)
     if found is None:
         return backup
     from rapidsim.station.read import read_station
 
-    return read_station(found).and_backup(backup)
+    return read_station(found, backup)
 
 
-def _backup(paths: Sequence[str]) -> Station:
+def configured_station(paths: Sequence[str]) -> Station:
+    """The station of a backup, or of configuration files beside modules; else the defaults."""
+    # Most of what is named has no configuration, and does not pay for importing NumPy here.
     backup = backup_among(paths)
-    if backup is None:
-        return Station()
-    # Most of what is named is no backup, and does not pay for importing NumPy here.
-    from rapidsim.station.backup.backup import backup_station
+    if backup is not None:
+        from rapidsim.station.backup.backup import backup_station
 
-    return backup_station(backup)
+        return backup_station(backup)
+    cell = loose_cell_among(paths)
+    if cell is None:
+        return Station()
+    from rapidsim.station.backup.loose_configuration import loose_station
+
+    return loose_station(cell)
 
 
 def choose_robot(

@@ -18,19 +18,26 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
+from rapidsim.jobs.choices import configured_station
 from rapidsim.jobs.task_files import all_tasks
-from rapidsim.module_files import PACKED_SUFFIX, Backup, TaskFiles, backup_among, read_tasks
+from rapidsim.module_files import (
+    Backup,
+    TaskFiles,
+    backup_among,
+    configuration_below,
+    loose_cell_among,
+    packed_station,
+    read_tasks,
+)
 from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves
-from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.backup.loose_configuration import (
     LooseConfiguration,
-    has_configuration,
     loose_configuration,
 )
 from rapidsim.station.cell_names import declared_names
-from rapidsim.station.draft import NOT_NAMED, Draft, DraftRobot, DraftTask
+from rapidsim.station.draft import NOT_NAMED, Draft, DraftRobot, DraftTask, Suggestions
 from rapidsim.station.station import FILE_NAME, Station
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.syntax import tree
@@ -78,43 +85,57 @@ def draft_for(paths: Sequence[str], robot: str | None) -> DraftFile:
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
     """
-    configured = [path for path in paths if has_configuration(Path(path))]
+    configured = [path for path in paths if _is_configuration_only(path)]
     programs = [path for path in paths if path not in configured]
     if not programs:
         raise InputError("no RAPID file was named", "give a module, a folder or a backup")
-    backup = backup_among(programs)
-    if backup is not None:
+    cell = backup_among(programs) or loose_cell_among(programs)
+    if cell is not None:
         # A packed station is unpacked out of sight; its file lies beside the archive.
-        packed = (Path(path) for path in programs if Path(path).suffix.lower() == PACKED_SUFFIX)
-        beside = next(packed, None)
-        return _of_backup(backup, robot, None if beside is None else beside.parent)
+        packed = next((one for path in programs if (one := packed_station(path))), None)
+        folder = cell.root if packed is None else packed[0].parent
+        is_backup = isinstance(cell, Backup)
+        return _of_cell(programs, robot, folder / FILE_NAME, is_backup=is_backup)
     tasks = read_tasks(programs)
     configuration = loose_configuration(Path(configured[0])) if configured else None
     files = [file for task in tasks for file in task.files]
-    folder = Path(os.path.commonpath([os.path.realpath(Path(f.name).parent) for f in files]))
+    folders = [os.path.realpath(Path(file.name).parent) for file in files]
+    if len(programs) == 1 and Path(programs[0]).is_dir():
+        # Where the same command finds it, though the modules may lie deeper.
+        folders = [os.path.realpath(programs[0])]
+    folder = Path(os.path.commonpath(folders))
     return DraftFile(folder / FILE_NAME, _of_modules(files, configuration, folder, robot))
 
 
-def _of_backup(backup: Backup, robot: str | None, beside: Path | None) -> DraftFile:
-    station = backup_station(backup)
-    tasks = all_tasks([str(backup.root)], station)
+def _is_configuration_only(path: str) -> bool:
+    """Whether a path is a folder of configuration files without modules."""
+    folder = Path(path)
+    if path == "-" or not folder.is_dir() or configuration_below(folder) is None:
+        return False
+    return backup_among([path]) is None and loose_cell_among([path]) is None
+
+
+def _of_cell(paths: Sequence[str], robot: str | None, file: Path, *, is_backup: bool) -> DraftFile:
+    """Of programs whose cell is described by their configuration files."""
+    station = configured_station(paths)
+    tasks = all_tasks(paths, station)
     arms = ", ".join(one.name or one.unknown or "" for one in station.robots)
+    source = "the backup" if is_backup else "the configuration files"
     remarks = (
-        "Tasks, signals and wiring come from the backup: SYS.cfg and EIO.cfg.",
+        f"Tasks, signals and wiring come from {source}: SYS.cfg and EIO.cfg.",
         *((f"So do the arms, from MOC.cfg: {arms}.",) if arms and robot is None else ()),
         "What is written here takes precedence.",
     )
     unknown = next((one.unknown for one in station.robots if one.unknown), None)
-    robots: tuple[DraftRobot, ...] = ()
-    if robot is not None:
-        robots = (DraftRobot(model=robot),)
-    elif unknown is not None or not station.robots:
-        why = f"the catalogue has no {unknown}" if unknown else "the backup names no arm"
-        robots = (DraftRobot(remark=why),)
-    signals = _undeclared(tasks, station)
-    draft = Draft(remarks, robots, (), signals)
+    robots = () if robot is None else (DraftRobot(model=robot),)
+    why = None
+    if robot is None and (unknown is not None or not station.robots):
+        why = f"the catalogue has no {unknown}" if unknown else "no arm is named"
+        why = f"{why}: `rapidsim robots` lists those available"
+    suggestions = Suggestions(why, _undeclared(tasks, station))
+    draft = Draft(remarks, robots, suggestions=suggestions)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
-    return DraftFile((beside or backup.root) / FILE_NAME, draft, lacks)
+    return DraftFile(file, draft, lacks)
 
 
 def _without_speeds(station: Station) -> Iterator[str]:

@@ -157,8 +157,11 @@ def _of_another_arm(asked: Asked, station: Station, open_robot: OpenRobot) -> It
 
 def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
     """Whether an arm that the user names is the one that the station gives shapes or bounds."""
-    if not robot.is_special or robot.name is None:
+    if not robot.is_special:
         return False
+    if robot.name is None:
+        # An arm that stands in for the one of a backup.
+        return robot.unknown is not None
     return open_robot(robot.name, robot.scale).name == arm.name
 
 

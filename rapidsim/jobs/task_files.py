@@ -9,7 +9,14 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean, require_inside, seen_from_here
-from rapidsim.module_files import TaskFiles, named_tasks, neighbours, opened, read_tasks
+from rapidsim.module_files import (
+    TaskFiles,
+    named_tasks,
+    neighbours,
+    opened,
+    packed_station,
+    read_tasks,
+)
 from rapidsim.station.station import Station
 
 # Rules that find a name which another module may declare.
@@ -49,12 +56,13 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         for task in station.tasks
     ]
     if len(named) > 1:
-        if len(named) != len(station.tasks):
+        if len(named) > len(station.tasks):
             raise InputError(
                 f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
                 f"{station.file}"
             )
-        own = list(named)
+        # Those that only the station file has come last.
+        own = [*named, *(TaskFiles(None, ()) for _ in station.tasks[len(named) :])]
     else:
         claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
         rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)
@@ -109,7 +117,12 @@ def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
 
 def program_name(paths: Sequence[str]) -> str:
     """The base name of files that belong to the run: the first path without its suffix."""
-    return "stdin" if paths[0] == "-" else Path(os.path.realpath(paths[0])).stem
+    if paths[0] == "-":
+        return "stdin"
+    packed = packed_station(paths[0])
+    if packed is not None and packed[1]:
+        return f"{packed[0].stem}-{packed[1]}"
+    return Path(os.path.realpath(paths[0])).stem
 
 
 def program_title(paths: Sequence[str]) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import field
 
 from rapidsim.controller.cell.description import (
     FIRST_ROBOT,
@@ -48,6 +49,16 @@ class DraftTask:
 
 
 @dataclass(frozen=True, slots=True)
+class Suggestions:
+    """Tables that a user may want, written as comments: they change nothing."""
+
+    arm: str | None = None
+    """Why the arm should be named."""
+    signals: tuple[SignalDeclaration, ...] = ()
+    """Signals that programs use and a backup does not declare."""
+
+
+@dataclass(frozen=True, slots=True)
 class Draft:
     """What is known of a cell."""
 
@@ -58,6 +69,7 @@ class Draft:
     tasks: tuple[DraftTask, ...] = ()
     """None where there is one, or a backup says it all."""
     signals: tuple[SignalDeclaration, ...] = ()
+    suggestions: Suggestions = field(default_factory=Suggestions)
 
 
 def draft_text(draft: Draft) -> str:
@@ -69,7 +81,18 @@ def draft_text(draft: Draft) -> str:
     ]
     if draft.signals:
         blocks.append(["[signals]", *(_signal(one) for one in draft.signals)])
+    for block in _suggested(draft.suggestions):
+        blocks.append([f"# {line}".rstrip() for line in block])
     return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
+
+
+def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
+    """A block of lines per suggestion."""
+    if suggestions.arm is not None:
+        yield (f"The arm: {suggestions.arm}.", "[robot]", 'model = "..."')
+    if suggestions.signals:
+        declared = map(_signal, suggestions.signals)
+        yield ("Used by the programs, and not declared in EIO.cfg:", "[signals]", *declared)
 
 
 def _robot(robot: DraftRobot, *, several: bool) -> Iterator[str]:

@@ -16,26 +16,32 @@ _KEYS = ("type", "mode", "size", "messages")
 _AS_DELIVERED = QueueSettings()
 
 
-def read_queue(reader: Reader, path: str, task: Table) -> QueueSettings | None:
-    """The queue of a [[task]]; None if it has none. Errors are noted."""
+def read_queue(
+    reader: Reader, path: str, task: Table, known: QueueSettings | None = None
+) -> QueueSettings | None:
+    """The queue of a [[task]], completed from that of a backup; None if there is neither.
+
+    Errors are noted.
+    """
     if "rmq" not in task:
-        return None
+        return known
+    usual = known or _AS_DELIVERED
     path = f"{path}.rmq"
     described = reader.table(task, "rmq", path)
     reader.known(path, described, _KEYS)
-    kind = reader.text(described, path, "type") or _AS_DELIVERED.type.value
+    kind = reader.text(described, path, "type") or usual.type.value
     mode = reader.text(described, path, "mode")
     if kind.lower() not in [one.value for one in QueueType]:
         reader.wrong(f"{path}.type", f"`{kind}` is not a type", "known: none, internal, remote")
-        kind = _AS_DELIVERED.type.value
+        kind = usual.type.value
     if mode is not None and mode.lower() not in [one.value for one in QueueMode]:
         reader.wrong(f"{path}.mode", f"`{mode}` is not a mode", "known: interrupt, synchronous")
         mode = None
     return QueueSettings(
         QueueType(kind.lower()),
-        None if mode is None else QueueMode(mode.lower()),
-        _whole(reader, described, path, "size", LEAST_BYTES, MOST_BYTES, _AS_DELIVERED.max_bytes),
-        _whole(reader, described, path, "messages", 1, MOST_MESSAGES, _AS_DELIVERED.max_messages),
+        usual.mode if mode is None else QueueMode(mode.lower()),
+        _whole(reader, described, path, "size", LEAST_BYTES, MOST_BYTES, usual.max_bytes),
+        _whole(reader, described, path, "messages", 1, MOST_MESSAGES, usual.max_messages),
     )
 
 

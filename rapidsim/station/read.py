@@ -3,6 +3,8 @@
 Every key is checked and all errors are reported at once; features that this version does not
 support are errors that say so, never ignored. A file for `--io` contains only the tables of
 signals.
+
+Each key that is missing has the value of the controller backup, where there is one.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.motion import read_motion, reads_nearest_configuration
-from rapidsim.station.robot import read_robots
+from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
 from rapidsim.station.station import Station
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
 
 _IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor")
+NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
 _KEYS = (
     "controller",
@@ -45,8 +48,12 @@ _KEYS = (
 )
 
 
-def read_station(file: Path) -> Station:
+def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     """Read a station file.
+
+    Args:
+        file: Where it is.
+        backup: The values of missing keys.
 
     Raises:
         InputError: If it is missing, not TOML, or contains something unknown, of the wrong kind or
@@ -55,25 +62,31 @@ def read_station(file: Path) -> Station:
     table = read_toml(file)
     reader = Reader(file)
     reader.known("", table, _KEYS)
-    robots = read_robots(reader, table)
+    robots = read_robots(reader, table, backup.robots)
     model, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
-    tasks = read_tasks(reader, table, [robot.label for robot in robots] or [None])
+    labels = [robot.label for robot in robots] or [None]
+    names_arm = bool(robots) and (not backup.robots or robots[0].name != backup.robots[0].name)
     station = Station(
         file=file,
         robots=robots,
-        external_axes=read_external_axes(reader, table, model.acceleration_time),
+        external_axes=read_external_axes(
+            reader, table, model.acceleration_time, backup.external_axes
+        ),
         model=model,
         nearest_configuration=reads_nearest_configuration(reader, reader.table(table, "motion")),
-        tasks=tasks,
-        io=_io(reader, table),
-        robotware=read_robotware_of(reader, reader.table(table, "controller")),
+        tasks=read_tasks(reader, table, labels, backup.tasks),
+        io=_io(reader, table, backup.io),
+        robotware=read_robotware_of(reader, reader.table(table, "controller")) or backup.robotware,
         stubs=read_stubs(reader, reader.table(table, "controller")),
         starts_at=_starts_at(reader, reader.table(table, "clock")),
         check=read_check(reader, reader.table(table, "check")),
         geometry=_geometry(reader, table),
-        remarks=remarks,
+        configured=backup.configured,
+        robot_source=None if names_arm else backup.robot_source,
+        other_units=backup.other_units,
+        remarks=(*remarks, *backup.remarks, *dropped_bounds(robots, backup.robots)),
     )
     reader.finish()
     return station
@@ -112,10 +125,10 @@ def _geometry(reader: Reader, table: Table) -> CellGeometry | None:
     return read_geometry(reader, table)
 
 
-def _io(reader: Reader, table: Table) -> CellIo:
+def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
     return CellIo(
-        read_signals(reader, reader.table(table, "signals")),
-        read_crosses(reader, table),
+        read_signals(reader, reader.table(table, "signals"), backup.signals),
+        read_crosses(reader, table, backup.crosses),
         read_stimuli(reader, table),
         read_sockets(reader, table),
         read_cameras(reader, table),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import field, replace
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.frames.transform import Transform
+from rapidsim.motion.robot.catalogue import entry_name
 from rapidsim.station.external_axes import read_frame
 from rapidsim.station.toml_reader import UNITS_M, Reader, Table
 from rapidsim.values import dataclass
@@ -48,16 +50,9 @@ class StationRobot:
     external: tuple[ExternalAxis, ...] = ()
     """Axes beside it, where it is not the first: those of the first are the station's."""
 
-    def armed(self, other: StationRobot) -> StationRobot:
-        """This robot with the arm and axis data of another."""
-        return replace(
-            self,
-            name=other.name,
-            scale=other.scale,
-            unknown=other.unknown,
-            bounds=other.bounds,
-            carried_by=other.carried_by,
-        )
+    def has_bounds_of(self, name: str) -> bool:
+        """Whether the axis bounds apply to an arm: to this one, or to one that stands in for it."""
+        return self.name is None or entry_name(self.name) == entry_name(name)
 
     @property
     def is_special(self) -> bool:
@@ -88,27 +83,64 @@ class StationRobot:
         return replace(arm, joints=joints)
 
 
-def read_robots(reader: Reader, station: Table) -> tuple[StationRobot, ...]:
-    """Read [robot], or each [[robot]]; empty if there is neither. Errors are noted."""
+def read_robots(
+    reader: Reader, station: Table, known: Sequence[StationRobot] = ()
+) -> tuple[StationRobot, ...]:
+    """Read [robot], or each [[robot]]; empty if there is neither. Errors are noted.
+
+    Args:
+        reader: Reads the file.
+        station: The top-level table.
+        known: The robots of a backup. A table describes the one with its `name`, else the first
+            that no other table describes; a key that it lacks has that robot's value.
+    """
     if "robot" not in station:
-        return ()
-    if not isinstance(station.get("robot"), list):
-        return (_read_robot(reader, "robot", reader.table(station, "robot"), _KEYS),)
-    robots = [
-        _read_robot(reader, path, robot, _KEYS_OF_SEVERAL)
-        for path, robot in reader.tables(station, "robot")
-    ]
+        return tuple(known)
+    keys: tuple[str, ...] = _KEYS_OF_SEVERAL
+    if isinstance(station.get("robot"), list):
+        tables = list(reader.tables(station, "robot"))
+    else:
+        tables, keys = [("robot", reader.table(station, "robot"))], _KEYS
+    robots = list(known)
+    for (path, robot), place in zip(tables, _places(tables, known), strict=True):
+        if place < len(known):
+            robots[place] = _read_robot(reader, path, robot, keys, known[place])
+        else:
+            robots.append(_read_robot(reader, path, robot, keys, StationRobot()))
     labels = [robot.label.lower() for robot in robots if robot.label]
     if len(set(labels)) != len(labels):
         reader.wrong("robot", "two robots have one name")
     return tuple(robots) or (StationRobot(),)
 
 
-def _read_robot(reader: Reader, path: str, robot: Table, keys: Sequence[str]) -> StationRobot:
+def _places(tables: Sequence[tuple[str, Table]], known: Sequence[StationRobot]) -> list[int]:
+    """The place of the robot that each table describes."""
+    labels = [robot.label.lower() for robot in known if robot.label]
+    named: dict[int, int] = {}
+    for number, (_, table) in enumerate(tables):
+        name = str(table.get("name")).lower()
+        if name in labels and labels.index(name) not in named.values():
+            named[number] = labels.index(name)
+    free = (place for place in count() if place not in named.values())
+    return [named[number] if number in named else next(free) for number in range(len(tables))]
+
+
+def dropped_bounds(robots: Sequence[StationRobot], known: Sequence[StationRobot]) -> Iterator[str]:
+    """Remarks on axis bounds of a backup that belong to another arm."""
+    for robot, backup in zip(robots, known, strict=False):
+        if any(backup.bounds) and not robot.bounds:
+            yield f"joint limits of the backup are those of {backup.name}, not of {robot.name}"
+
+
+def _read_robot(
+    reader: Reader, path: str, robot: Table, keys: Sequence[str], known: StationRobot
+) -> StationRobot:
     reader.known(path, robot, keys)
     if "model" in robot and "urdf" in robot:
         reader.wrong(path, "give `model` or `urdf`, not both")
-    base = read_frame(reader, reader.table(robot, "base", f"{path}.base"), f"{path}.base")
+    base = known.world_from_base
+    if "base" in robot:
+        base = read_frame(reader, reader.table(robot, "base", f"{path}.base"), f"{path}.base")
     name = reader.text(robot, path, "model")
     urdf = reader.text(robot, path, "urdf")
     if urdf is not None:
@@ -118,12 +150,15 @@ def _read_robot(reader: Reader, path: str, robot: Table, keys: Sequence[str]) ->
         reader.wrong(f"{path}.scale", "only lengths of a `urdf` are scaled")
     elif scale is not None and scale <= 0.0:
         reader.wrong(f"{path}.scale", f"must be greater than 0, not {scale:g}")
-    found = StationRobot(
-        name,
-        scale,
-        reader.numbers(robot, path, "start", None),
-        base,
-        reader.text(robot, path, "name"),
+    found = replace(
+        known,
+        name=name or known.name,
+        scale=scale,
+        start_joints_deg=reader.numbers(robot, path, "start", None),
+        world_from_base=base,
+        label=reader.text(robot, path, "name") or known.label,
+        unknown=None if name else known.unknown,
+        bounds=known.bounds if name is None or known.has_bounds_of(name) else (),
     )
     return _with_shapes(reader, path, robot, found)
 

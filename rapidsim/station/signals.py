@@ -31,25 +31,41 @@ _CROSS_KEYS = ("set", "from", "after")
 _KINDS = ", ".join(kind.value for kind in SignalKind)
 
 
-def read_signals(reader: Reader, signals: Table) -> tuple[SignalDeclaration, ...]:
-    """Read the table; errors are noted."""
+def read_signals(
+    reader: Reader, signals: Table, known: Sequence[SignalDeclaration] = ()
+) -> tuple[SignalDeclaration, ...]:
+    """Read the table; errors are noted.
+
+    Args:
+        reader: Reads the file.
+        signals: The table.
+        known: The signals of a backup: those the table does not name stay, and a key that one of
+            its signals lacks has their value. Signals of the table come last.
+    """
+    backup = {signal.name.lower(): signal for signal in known}
     declared: dict[str, SignalDeclaration] = {}
     for name, value in signals.items():
         path = f"signals.{name}"
         if not isinstance(value, dict):
             reader.wrong(path, 'a table is needed, as in { type = "di", value = 0 }')
             continue
-        signal = _signal(reader, path, name, value)
+        signal = _signal(reader, path, name, value, backup.get(name.lower()))
         if signal is None:
             continue
         if name.lower() in declared:
             reader.wrong(path, f"`{declared[name.lower()].name}` is declared already")
         declared[name.lower()] = signal
-    return tuple(declared.values())
+    kept = (signal for name, signal in backup.items() if name not in declared)
+    return (*kept, *declared.values())
 
 
-def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
-    """Read the list; errors are noted, circular connections too."""
+def read_crosses(
+    reader: Reader, tables: Table, known: Sequence[CrossConnection] = ()
+) -> tuple[CrossConnection, ...]:
+    """Read the list; errors are noted, circular connections too.
+
+    Those of a backup come first, except for the signals that the list connects.
+    """
     crosses = []
     for path, table in reader.tables(tables, "cross"):
         reader.known(path, table, _CROSS_KEYS)
@@ -63,7 +79,8 @@ def read_crosses(reader: Reader, tables: Table) -> tuple[CrossConnection, ...]:
     for number, cross in enumerate(crosses):
         if follows_itself(cross, crosses):
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
-    return tuple(crosses)
+    results = {cross.result.lower() for cross in crosses}
+    return (*(cross for cross in known if cross.result.lower() not in results), *crosses)
 
 
 def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
@@ -78,31 +95,39 @@ def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | 
         return None
 
 
-def _signal(reader: Reader, path: str, name: str, table: Table) -> SignalDeclaration | None:
+def _signal(
+    reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
+) -> SignalDeclaration | None:
     reader.known(path, table, _KEYS)
-    text = reader.text(table, path, "type") or ""
+    text = reader.text(table, path, "type") or ("" if backup is None else backup.kind.value)
     if text.lower() not in list(SignalKind):
         reader.wrong(f"{path}.type", f"`{text}` is not a type of signal; there are {_KINDS}")
         return None
     kind = SignalKind(text.lower())
-    lowest, highest = _limits(reader, path, kind, table)
-    start = table.get("value", 0.0)
+    if backup is not None and backup.kind is not kind:
+        backup = None
+    lowest, highest = _limits(reader, path, kind, table, backup)
+    start = table.get("value", 0.0 if backup is None else backup.value)
     value = float(start) if is_number(start) or isinstance(start, bool) else None
     if value is None:
         reader.wrong(f"{path}.value", "a number is needed")
     elif not (lowest is None or value >= lowest) or not (highest is None or value <= highest):
         reader.wrong(f"{path}.value", f"{value:g} is outside its limits {lowest} .. {highest}")
-    status = _status(reader, path, table)
-    task = reader.text(table, path, "task")
-    unit = reader.text(table, path, "unit") or FIRST_ROBOT
+    status = _status(reader, path, table, backup)
+    task = reader.text(table, path, "task") or (backup.task if backup else None)
+    unit = reader.text(table, path, "unit") or (backup.unit if backup else FIRST_ROBOT)
     if status is None:
         return SignalDeclaration(name, kind, value or 0.0, lowest, highest)
     return SignalDeclaration(name, kind, status.at_start, lowest, highest, status, task, unit)
 
 
-def _status(reader: Reader, path: str, table: Table) -> Status | None:
+def _status(
+    reader: Reader, path: str, table: Table, backup: SignalDeclaration | None
+) -> Status | None:
     """What a system output shows."""
     text = reader.text(table, path, "system")
+    if text is None and backup is not None and backup.status is not None:
+        return backup.status
     if text is None:
         for key in ("task", "unit"):
             if key in table:
@@ -116,11 +141,16 @@ def _status(reader: Reader, path: str, table: Table) -> Status | None:
 
 
 def _limits(
-    reader: Reader, path: str, kind: SignalKind, table: Table
+    reader: Reader,
+    path: str,
+    kind: SignalKind,
+    table: Table,
+    backup: SignalDeclaration | None,
 ) -> tuple[float | None, float | None]:
     """The least and greatest value of a signal; analog ones may have none."""
     allowed: tuple[str, ...] = ()
     limits: tuple[float | None, float | None] = (0.0, 1.0)
+    known = (None, None) if backup is None else (backup.lowest, backup.highest)
     if kind in (SignalKind.GI, SignalKind.GO):
         allowed = ("width",)
         width = reader.positive(table, path, "width") or float(GROUP_WIDTH)
@@ -128,9 +158,15 @@ def _limits(
             reader.wrong(f"{path}.width", f"a whole number from 1 to {GROUP_WIDTH} is needed")
             width = float(GROUP_WIDTH)
         limits = (0.0, 2.0**width - 1.0)
+        if backup is not None and "width" not in table:
+            limits = known
     elif kind in (SignalKind.AI, SignalKind.AO):
         allowed = ("min", "max")
-        limits = (reader.number(table, path, "min"), reader.number(table, path, "max"))
+        lowest, highest = (reader.number(table, path, key) for key in ("min", "max"))
+        limits = (
+            known[0] if "min" not in table else lowest,
+            known[1] if "max" not in table else highest,
+        )
         if limits[0] is not None and limits[1] is not None and limits[0] >= limits[1]:
             reader.wrong(f"{path}.min", f"{limits[0]:g} is not below max, {limits[1]:g}")
     for key in ("width", "min", "max"):

@@ -5,8 +5,8 @@ Most programs that are checked have none, so nothing here needs NumPy; `read.py`
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import field, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import field
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +15,7 @@ from rapidsim.controller.cell.description import CellIo
 from rapidsim.files import require_inside
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare
+from rapidsim.module_files import named_file
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from rapidsim.station.robot import StationRobot
 
 FILE_NAME = "rapidsim.toml"
+_MODULE_FOLDERS = ("RAPID", "PROGMOD", "SYSMOD")
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,27 +64,6 @@ class Station:
     """Mechanical units beside the robots of which only the names are known."""
     remarks: tuple[str, ...] = ()
     """What is said of the cell and left out."""
-
-    def and_backup(self, backup: Station) -> Station:
-        """This station file, completed from a backup."""
-        whole = replace(
-            self,
-            tasks=self.tasks or backup.tasks,
-            io=backup.io.and_also(self.io),
-            configured=backup.configured,
-            robotware=self.robotware or backup.robotware,
-            external_axes=self.external_axes or backup.external_axes,
-            other_units=backup.other_units,
-            remarks=self.remarks + backup.remarks,
-        )
-        if self.robot is not None or not backup.robots:
-            return whole
-        named = (self.robots[0].armed(backup.robots[0]),) if self.robots else backup.robots
-        return replace(
-            whole,
-            robots=named,
-            robot_source=backup.robot_source,
-        )
 
     @property
     def robot(self) -> str | None:
@@ -129,15 +110,26 @@ class Station:
 def find_station(paths: Iterable[str]) -> Path | None:
     """The station file next to the first path that is a file or folder, or in a folder above.
 
+    One in the folder of its modules (RAPID, PROGMOD, SYSMOD) is next to a folder, too.
+
     Raises:
         InputError: If it is a link to another folder.
     """
     for path in paths:
-        if path != "-" and (place := Path(path)).exists():
+        if path != "-" and (place := named_file(path)).exists():
             folder = place.resolve() if place.is_dir() else place.resolve().parent
-            found = next((f for f in (folder, *folder.parents) if _is_here(f)), None)
-            return found and require_inside([found / FILE_NAME], [found])[0]
+            modules = _module_folders(folder) if place.is_dir() else ()
+            found = next((f for f in (folder, *modules, *folder.parents) if _is_here(f)), None)
+            room = folder if found in modules else found
+            return found and room and require_inside([found / FILE_NAME], [room])[0]
     return None
+
+
+def _module_folders(folder: Path) -> Sequence[Path]:
+    try:
+        return sorted(one for one in folder.iterdir() if one.name.upper() in _MODULE_FOLDERS)
+    except OSError:
+        return ()
 
 
 def _is_here(folder: Path) -> bool:

@@ -16,7 +16,7 @@ rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -57,8 +57,14 @@ class StationTask:
     """Whether it is the controller's own, such as that of its safety board: no run has it."""
 
 
+_NO_TASK = StationTask()
+
+
 def read_tasks(
-    reader: Reader, station: Table, robots: Sequence[str | None]
+    reader: Reader,
+    station: Table,
+    robots: Sequence[str | None],
+    known: Sequence[StationTask] = (),
 ) -> tuple[StationTask, ...]:
     """Read the tables; what is wrong is noted.
 
@@ -66,19 +72,29 @@ def read_tasks(
         reader: Reads the file.
         station: The top-level table.
         robots: The names of the robots; None for one without a name.
+        known: The tasks of a backup: they come first, in their order, and a key that a table of
+            their name lacks has their value.
     """
-    tasks = [_read_task(reader, path, task) for path, task in reader.tables(station, "task")]
+    backup = {task.name.lower(): task for task in known}
+    tasks = [
+        _read_task(reader, path, task, backup) for path, task in reader.tables(station, "task")
+    ]
     seen: set[str] = set()
     for number, task in enumerate(tasks, start=1):
         if task.name.lower() in seen:
             reader.wrong(f"task {number}.name", f"there are two tasks {task.name}")
         seen.add(task.name.lower())
-    return _with_robots(reader, tasks, robots)
+    of_file = {task.name.lower(): task for task in tasks}
+    whole = [of_file.pop(name, task) for name, task in backup.items()]
+    return _with_robots(reader, [*whole, *of_file.values()], robots)
 
 
-def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
+def _read_task(
+    reader: Reader, path: str, task: Table, backup: Mapping[str, StationTask]
+) -> StationTask:
     reader.known(path, task, _KEYS)
     name = reader.text(task, path, "name") or DEFAULT_TASK
+    known = backup.get(name.lower(), _NO_TASK)
     modules = reader.texts(task, path, "modules")
     motion = task.get("motion")
     if motion is not None and not isinstance(motion, bool):
@@ -88,19 +104,20 @@ def _read_task(reader: Reader, path: str, task: Table) -> StationTask:
     if robot is not None and motion is False:
         reader.wrong(f"{path}.robot", "a task with `motion = false` has no robot")
     files = tuple(reader.file.parent / one for one in modules)
-    kind, entry = _kind(reader, path, task), reader.text(task, path, "entry")
-    queue = read_queue(reader, path, task)
-    checks = task.get("check_references", True)
+    kind = _kind(reader, path, task) if "type" in task else known.kind
+    checks = task.get("check_references", not known.refers_late)
     if not isinstance(checks, bool):
         reader.wrong(f"{path}.check_references", "true or false is needed")
-    return StationTask(
-        name,
-        files,
-        kind,
-        motion,
-        robot,
-        entry=entry,
-        queue=queue,
+    return replace(
+        known,
+        name=name,
+        modules=files if "modules" in task else known.modules,
+        kind=kind,
+        motion=motion if motion is not None else True if robot else known.motion,
+        robot=robot,
+        robot_number=None if robot or motion is False else known.robot_number,
+        entry=reader.text(task, path, "entry") or known.entry,
+        queue=read_queue(reader, path, task, known.queue),
         refers_late=checks is False,
     )
 
@@ -133,7 +150,11 @@ def _with_robots(
         else:
             taken[number], numbers[task.name] = task.name, number
     for task in tasks:
-        waits = task.robot is None and task.motion is not False
+        if task.robot_number is not None:
+            taken.setdefault(task.robot_number, task.name)
+            numbers[task.name] = task.robot_number
+    for task in tasks:
+        waits = task.name not in numbers and task.robot is None and task.motion is not False
         if not waits or (task.motion is None and task.kind is not TaskKind.NORMAL):
             continue
         free = next((number for number in range(len(robots)) if number not in taken), None)

@@ -186,10 +186,11 @@ def test_a_backup_says_most_of_it_by_itself(tmp_path: Path, arm: str) -> None:
     )
     it = call("init", "backup", cwd=tmp_path)
     assert it.code == 0, it.err
-    said = station(backup)
-    assert said["signals"] == {"missing_one": {"type": "do"}}
-    assert ("robot" in said) == (arm == "ROB1_9999_1_1")
-    assert checked(backup, tmp_path) == []
+    assert station(backup) == {}
+    text = (backup / "rapidsim.toml").read_text()
+    assert '# [signals]\n# missing_one = { type = "do" }\n' in text
+    assert ("# [robot]\n" in text) == (arm == "ROB1_9999_1_1")
+    assert checked(backup, tmp_path) == ["I801"]
     run = call("run", "backup", "--no-record", "--format", "json", cwd=tmp_path)
     assert run.code == 0, run.err
     named = json.loads(run.out)["robot"] == "irb120-3-0.58"

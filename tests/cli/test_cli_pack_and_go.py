@@ -1,17 +1,27 @@
 """A station packed by RobotStudio is the backup of the controller that it holds."""
 
+import io
 import json
+import random
+import subprocess
+import sys
 import zipfile
 from pathlib import Path
 
 import pytest
 from cli_helper import rapidsim
+from laws import cases
+
+from rapidsim.export.text_edits import edited_bytes
+from rapidsim.files import InputError, SourceFile
 
 MAIN = (
     "MODULE main_module\n  PROC main()\n"
     '    SetDO doLamp,1;\n    TPWrite "on";\n  ENDPROC\nENDMODULE\n'
 )
 EIO = 'EIO:CFG_1.0:6:1::\n#\nEIO_SIGNAL:\n\n      -Name "doLamp" -SignalType "DO"\n'
+ROOTS = ("Backups", "Controller Data")
+METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED, zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA)
 
 
 @pytest.fixture(autouse=True)
@@ -20,33 +30,79 @@ def _temporary_files(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("tempfile.tempdir", str(tmp_path / "temporary"))
 
 
-def packed(folder: Path, *systems: str, evil: str = "") -> Path:
-    file = folder / "cell.rspag"
-    with zipfile.ZipFile(file, "w") as archive:
-        archive.writestr("Stations/cell.rsstn", "no business of ours")
+def archive(
+    *systems: str,
+    root: str = "Backups",
+    evil: str = "",
+    eio: str = EIO,
+    method: int = zipfile.ZIP_STORED,
+) -> bytes:
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", method) as packed:
+        packed.writestr("Stations/cell.rsstn", "no business of ours")
         for system in systems:
-            archive.writestr(f"Backups/{system}/RAPID/TASK1/PROGMOD/main_module.mod", MAIN)
-            archive.writestr(f"Backups/{system}/SYSPAR/EIO.cfg", EIO)
-            archive.writestr(f"Backups/{system}/BACKINFO/backinfo.txt", "")
+            text = MAIN.replace('"on"', f'"{system}"')
+            packed.writestr(f"{root}/{system}/RAPID/TASK1/PROGMOD/main_module.mod", text)
+            packed.writestr(f"{root}/{system}/SYSPAR/EIO.cfg", eio)
+            packed.writestr(f"{root}/{system}/BACKINFO/backinfo.txt", "")
+            packed.writestr(f"Virtual Controllers/{system}/HOME/x.mod", "MODULE x\nENDMODULE\n")
         if evil:
-            archive.writestr(evil, "out")
-    return file
+            packed.writestr(evil, "out")
+    return data.getvalue()
 
 
-def test_a_packed_station_is_checked_and_run_as_its_backup(tmp_path: Path) -> None:
-    packed(tmp_path, "System1")
+def packed(
+    folder: Path, *systems: str, root: str = "Backups", evil: str = "", eio: str = EIO
+) -> None:
+    (folder / "cell.rspag").write_bytes(archive(*systems, root=root, evil=evil, eio=eio))
+
+
+def texts(out: str) -> list[str]:
+    return [event["message"] for event in json.loads(out)["events"]]
+
+
+@pytest.mark.parametrize("root", ROOTS)
+def test_a_packed_station_is_checked_and_run_as_its_backup(root: str, tmp_path: Path) -> None:
+    packed(tmp_path, "System1", root=root)
     checked = rapidsim("check", "cell.rspag", "--output-format", "json", cwd=tmp_path)
     assert (checked.code, json.loads(checked.out)["diagnostics"]) == (0, [])
     ran = rapidsim("run", "cell.rspag", "--no-record", "--format", "json", cwd=tmp_path)
-    events = json.loads(ran.out)["events"]
-    assert [event["message"] for event in events] == ["doLamp = 1", "on"]
+    assert texts(ran.out) == ["doLamp = 1", "System1"]
     again = rapidsim("run", "cell.rspag", "--no-record", "--format", "json", cwd=tmp_path)
     assert again.out == ran.out
 
 
+def test_findings_stand_at_places_in_the_archive(tmp_path: Path) -> None:
+    name = "cell.rspag!System1/RAPID/TASK1/PROGMOD/main_module.mod"
+    packed(tmp_path, "System1", eio="")
+    checked = rapidsim("check", "cell.rspag", "--output-format", "json", cwd=tmp_path)
+    (found,) = json.loads(checked.out)["diagnostics"]
+    assert (found["code"], found["file"]) == ("I801", name)
+    with pytest.raises(InputError, match="cannot be written into a packed station"):
+        edited_bytes(SourceFile(name, MAIN, "utf-8"), [], what="fixes")
+
+
+@pytest.mark.parametrize("root", ROOTS)
+def test_one_of_several_controllers_is_named(root: str, tmp_path: Path) -> None:
+    packed(tmp_path, "One", "Two_0.58m", root=root)
+    for path in ("cell.rspag!two_0.58M", "cell.rspag!One"):
+        ran = rapidsim("run", path, "--no-record", "--format", "json", cwd=tmp_path)
+        name = path.partition("!")[2].replace("two_0.58M", "Two_0.58m")
+        assert texts(ran.out) == ["doLamp = 1", name]
+    assert rapidsim("check", "cell.rspag!One", cwd=tmp_path).code == 0
+    ended = rapidsim("check", "cell.rspag!Three", cwd=tmp_path)
+    said = ended.err.replace("\n", " ")
+    assert "holds no controller Three; there are: cell.rspag!One, cell.rspag!Two_0.58m" in said
+    assert rapidsim("run", "cell.rspag!Two_0.58m", cwd=tmp_path).code == 0
+    assert (tmp_path / "cell-Two_0.58m.rrd").is_file()
+
+
 @pytest.mark.parametrize(
     ("systems", "said"),
-    [((), "holds no backup"), (("One", "Two"), "holds 2 backups (One, Two); unpack it")],
+    [
+        ((), "holds no backup"),
+        (("One", "Two"), "holds 2 controllers; name one: cell.rspag!One, cell.rspag!Two"),
+    ],
 )
 def test_a_station_without_one_controller_is_refused(
     systems: tuple[str, ...], said: str, tmp_path: Path
@@ -60,6 +116,47 @@ def test_what_is_no_archive_is_refused(tmp_path: Path) -> None:
     (tmp_path / "cell.rspag").write_text("version https://git-lfs.github.com/spec/v1\n")
     ended = rapidsim("check", "cell.rspag", cwd=tmp_path)
     assert (ended.code, "is no archive" in ended.err) == (2, True)
+
+
+def _damaged(data: bytes, random_: random.Random) -> bytes:
+    """An archive with some bytes changed, removed, or added."""
+    bytes_ = bytearray(data)
+    for _ in range(random_.randint(1, 4)):
+        at = random_.randrange(len(bytes_))
+        match random_.randrange(4):
+            case 0:
+                bytes_[at] = random_.randrange(256)
+            case 1:
+                bytes_[at] ^= 1 << random_.randrange(8)
+            case 2:
+                del bytes_[at : at + random_.randint(1, 40)]
+            case _:
+                bytes_[at:at] = random_.randbytes(random_.randint(1, 20))
+    return bytes(bytes_)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_damaged_archive_is_refused_and_leaves_nothing(method: int, tmp_path: Path) -> None:
+    random_ = random.Random(method)
+    data = archive("System1", root="Controller Data", method=method)
+    for number in range(cases(400)):
+        (tmp_path / "cell.rspag").write_bytes(_damaged(data, random_))
+        before = set((tmp_path / "temporary").iterdir())
+        ended = rapidsim("check", "cell.rspag", "--no-run", cwd=tmp_path)
+        assert ended.code in (0, 1, 2), (number, ended.err)
+        assert "Traceback" not in ended.err
+        if ended.code == 2 and "cannot be read" in ended.err:
+            assert set((tmp_path / "temporary").iterdir()) == before, number
+
+
+@pytest.mark.process
+def test_nothing_stays_unpacked(tmp_path: Path) -> None:
+    packed(tmp_path, "System1")
+    command = [sys.executable, "-m", "rapidsim", "run", "cell.rspag", "--no-record"]
+    environment = {"TMPDIR": str(tmp_path / "temporary"), "PATH": ""}
+    ended = subprocess.run(command, cwd=tmp_path, env=environment, check=False, capture_output=True)
+    assert ended.returncode == 0, ended.stderr
+    assert not list((tmp_path / "temporary").iterdir())
 
 
 @pytest.mark.parametrize(
@@ -78,4 +175,5 @@ def test_a_first_station_file_lies_beside_the_archive(tmp_path: Path) -> None:
     assert rapidsim("init", "cell.rspag", "--robot", "irb1600", cwd=tmp_path).code == 0
     assert (tmp_path / "rapidsim.toml").is_file()
     ran = rapidsim("run", "cell.rspag", "--no-record", "--format", "json", cwd=tmp_path)
-    assert [event["message"] for event in json.loads(ran.out)["events"]] == ["doLamp = 1", "on"]
+    assert texts(ran.out) == ["doLamp = 1", "System1"]
+    assert json.loads(ran.out)["robot"] == "irb1600-6-1.2"

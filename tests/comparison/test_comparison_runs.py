@@ -1,10 +1,12 @@
 """`rapidsim diff`: times, outputs, saved runs, and what the command prints."""
 
 import json
+import random
 from pathlib import Path
 
 import pytest
 from command_line import Ended, call
+from laws import cases
 from test_comparison_mutations import MAIN, POINTS, folder
 
 
@@ -98,3 +100,51 @@ def test_another_arm_and_an_error_are_told_first(sides: Path) -> None:
     report = json.loads(call("diff", "old", "new", "--format", "json", cwd=sides).out)
     assert report["run"]["robots"] == ["irb1600-6-1.2", "irb1600-8-1.45"]
     assert report["run"]["errors"][0] is None
+
+
+WRONG = (
+    ("moves", None, "moves is missing"),
+    ("moves", [1], "moves[0] is not an object"),
+    ("moves", [{"task": "T_ROB1"}], "moves[0].instruction is missing"),
+    ("time_s", "2", "time_s is not a number"),
+    ("time_s", 10**400, "time_s is not a finite number"),
+    ("end", "over", "end is `over`, which no run has"),
+    ("events", [{"kind": "signal", "signal": 3}], "events[0].signal is not text"),
+    ("waits", 5, "waits is not a list"),
+    ("models", [2], "models is not an object"),
+    ("diagnostics", [{"severity": "error", "code": 5}], "diagnostics[0].code is not text"),
+)
+
+
+@pytest.mark.parametrize(("key", "value", "said"), WRONG)
+def test_a_saved_run_that_is_wrong_is_refused(
+    key: str, value: object, said: str, tmp_path: Path
+) -> None:
+    run = {"time_s": 1.0, "end": "ended", "moves": [], "events": []}
+    (tmp_path / "good.json").write_text(json.dumps(run))
+    (tmp_path / "bad.json").write_text(json.dumps({**run, key: value}))
+    assert call("diff", "good.json", "good.json", cwd=tmp_path).code == 0
+    ended = call("diff", "good.json", "bad.json", cwd=tmp_path)
+    assert (ended.code, said in ended.err.replace("\n", " ")) == (2, True)
+
+
+def test_a_damaged_saved_run_never_ends_in_a_defect(sides: Path) -> None:
+    options = ("--robot", "irb1600", "--no-record", "--format", "json")
+    data = call("run", "old", *options, cwd=sides).out.encode()
+    (sides / "old.json").write_bytes(data)
+    random_ = random.Random(5)
+    numbers = ("null", "[]", "{}", "-1", "1e999", "true", '"x"', "[[" * 5000)
+    for number in range(cases(1500)):
+        if random_.random() < 0.5:
+            damaged = bytearray(data)
+            for _ in range(random_.randint(1, 5)):
+                damaged[random_.randrange(len(damaged))] = random_.choice(b'[]{},:"0e-.x\xff')
+        else:
+            lines = data.decode().split("\n")
+            at = random_.randrange(len(lines))
+            key, colon, _ = lines[at].partition(": ")
+            lines[at] = f"{key}{colon}{random_.choice(numbers)},"
+            damaged = bytearray("\n".join(lines).encode())
+        (sides / "new.json").write_bytes(damaged)
+        ended = call("diff", "old.json", "new.json", cwd=sides)
+        assert ended.code in (0, 1, 2), (number, ended.err)

@@ -165,16 +165,16 @@ def test_the_station_file_counts_in_place_of_the_backup(tmp_path: Path) -> None:
     )
     file = tmp_path / "rapidsim.toml"
     file.write_text('[signals]\ndoGrip = { type = "do", value = 0 }\n')
-    whole = read_station(file).and_backup(backup)
+    whole = read_station(file, backup)
     assert whole.robot == "irb1200-5-0.9"
     assert {one.name: one.value for one in whole.io.signals}["doGrip"] == 0.0
     assert len(whole.io.signals) == len(backup.io.signals)
     file.write_text("[robot]\nstart = [0, 0, 0, 0, 30, 0]\n")
-    whole = read_station(file).and_backup(backup)
+    whole = read_station(file, backup)
     assert whole.robot == "irb1200-5-0.9"
     assert whole.start_joints_deg == (0, 0, 0, 0, 30, 0)
     file.write_text('[robot]\nmodel = "irb140"\n')
-    assert read_station(file).and_backup(backup).robot == "irb140"
+    assert read_station(file, backup).robot == "irb140"
 
 
 def test_a_run_of_a_backup_has_its_wiring(tmp_path: Path) -> None:

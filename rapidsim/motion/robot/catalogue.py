@@ -101,17 +101,21 @@ def aliases_of(name: str) -> tuple[str, ...]:
     return tuple(alias for alias, robot in aliases().items() if robot == name)
 
 
+def entry_name(name: str) -> str:
+    """The name of a robot in lower case, of an alias the name it refers to."""
+    wanted = name.lower()
+    return aliases().get(wanted, wanted)
+
+
 def find_entry(name: str) -> CatalogueEntry:
     """The robot of a name or alias, in any case.
 
     Raises:
         RobotError: If there is none; the message lists the closest names.
     """
-    wanted = name.lower()
+    wanted = entry_name(name)
     if wanted not in robot_names():
-        if wanted not in aliases():
-            raise RobotError(_unknown(name))
-        wanted = aliases()[wanted]
+        raise RobotError(_unknown(name))
     return read_entry(robots_folder() / wanted)
 
 

@@ -22,10 +22,9 @@ from rapidsim.station.backup.loaded_modules import is_loaded_into, missing_modul
 from rapidsim.station.backup.options import unknown_options
 from rapidsim.station.backup.robots import backup_robots
 from rapidsim.station.backup.signals import backup_io
-from rapidsim.station.backup.tasks import configured_tasks
+from rapidsim.station.backup.tasks import TaskSettings, configured_tasks
 from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
-from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.tasks import StationTask
 
 _DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
@@ -35,7 +34,25 @@ _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECA
 def backup_station(backup: Backup) -> Station:
     """The station described by a backup."""
     root = backup.root
-    configured = _configured_in(root)
+    configured = configured_in(root, "SYSPAR")
+    cell = configured_cell(configured)
+    system = configured.get("SYS", {})
+    # Where all modules lie in HOME no folder is there, but each would have the name of its task.
+    folders = backup.tasks or [
+        root / "RAPID" / task.name for task in configured_tasks(system).values()
+    ]
+    tasks = _tasks_of(root, folders, system, cell.robots)
+    return replace(
+        cell,
+        robot_source="the backup's MOC.cfg" if cell.robots else None,
+        tasks=tasks,
+        robotware=_robotware(root),
+        remarks=(*cell.remarks, *_without_robot(tasks, cell.robots)),
+    )
+
+
+def configured_cell(configured: Configured) -> Station:
+    """The robots, units and signals of a configuration; without tasks."""
     motion, system = configured.get("MOC", {}), configured.get("SYS", {})
     robots = backup_robots(motion)
     units = external_units(motion, system)
@@ -49,32 +66,20 @@ def backup_station(backup: Backup) -> Station:
         replace(one, carried_by=None) if one.carried_by in known else one for one in robots
     )
     io, remarks = backup_io(configured.get("EIO", {}))
-    # Where all modules lie in HOME no folder is there, but each would have the name of its task.
-    folders = backup.tasks or [
-        root / "RAPID" / task.name for task in configured_tasks(system).values()
-    ]
-    tasks = _tasks_of(root, folders, system, [robot.label for robot in robots])
     return Station(
         robots=robots,
         external_axes=first,
         other_units=units.others,
-        robot_source="the backup's MOC.cfg" if robots else None,
-        tasks=tasks,
+        robot_source="MOC.cfg" if robots else None,
         io=io,
         configured=configured,
-        robotware=_robotware(root),
-        remarks=(
-            *remarks,
-            *_not_simulated(units),
-            *_carried(robots),
-            *_without_robot(tasks, robots),
-        ),
+        remarks=(*remarks, *_not_simulated(units), *_carried(robots)),
     )
 
 
-def _configured_in(root: Path) -> Configured:
-    """What the files of SYSPAR say, by domain."""
-    texts = ((domain, text_in(root, "SYSPAR", f"{domain}.cfg")) for domain in _DOMAINS)
+def configured_in(root: Path, *names: str) -> Configured:
+    """The system parameters in the files of a folder below a root, by domain."""
+    texts = ((domain, text_in(root, *names, f"{domain}.cfg")) for domain in _DOMAINS)
     return {domain: read_configuration(text) for domain, text in texts if text}
 
 
@@ -118,7 +123,7 @@ def _tasks_of(
     root: Path,
     folders: Sequence[Path],
     system: Configuration,
-    labels: Sequence[str | None],
+    robots: Sequence[StationRobot],
 ) -> tuple[StationTask, ...]:
     """In the order of the folders; none where the backup does not say what its folders are."""
     information = text_in(root, "BACKINFO", "backinfo.txt")
@@ -128,9 +133,7 @@ def _tasks_of(
         return ()
     configured = configured_tasks(system)
     loaded = system.get("CAB_TASK_MODULES", ())
-    groups = {one.get("name"): one.get("robot") for one in system.get(UNIT_GROUP, ())}
     tasks: list[StationTask] = []
-    robots = 0
     for folder in folders:
         known = listed.get(folder.name.lower())
         name = folder.name if known is None else known.name
@@ -139,23 +142,47 @@ def _tasks_of(
         moves = not tasks and not configured if settings is None else settings.moves
         wanted = [one for one in loaded if is_loaded_into(one, name, moves=moves)]
         modules, unseen = missing_modules(wanted, folder)
-        # A group names the robot; the others come in the order of MOC.cfg.
-        robot = groups.get(settings.group) if settings else None
-        number = (labels.index(robot) if robot in labels else robots) if moves else None
+        task = StationTask(name, motion=moves) if settings is None else configured_task(settings)
         tasks.append(
-            StationTask(
-                name,
-                modules,
-                TaskKind.NORMAL if settings is None else settings.kind,
-                moves,
-                robot_number=number,
-                entry=None if settings is None else settings.entry,
+            replace(
+                task,
+                name=name,
+                modules=modules,
                 unseen=(*unseen, *options),
-                queue=None if settings is None else settings.queue,
-                refers_late=settings is not None and settings.refers_late,
                 # The safety controller has its task, which a configuration does not name.
                 is_system=bool(configured) and settings is None,
             )
         )
-        robots += moves
-    return tuple(tasks)
+    return with_robot_numbers(tasks, system, [robot.label for robot in robots])
+
+
+def configured_task(settings: TaskSettings) -> StationTask:
+    """A task of a configuration, without modules and robot."""
+    return StationTask(
+        settings.name,
+        kind=settings.kind,
+        motion=settings.moves,
+        entry=settings.entry,
+        queue=settings.queue,
+        refers_late=settings.refers_late,
+    )
+
+
+def with_robot_numbers(
+    tasks: Sequence[StationTask], system: Configuration, labels: Sequence[str | None]
+) -> tuple[StationTask, ...]:
+    """The tasks, those that move with their robots.
+
+    A unit group names the robot of a task; the others come in the order of MOC.cfg.
+    """
+    groups = {one.get("name"): one.get("robot") for one in system.get(UNIT_GROUP, ())}
+    configured = configured_tasks(system)
+    found: list[StationTask] = []
+    robots = 0
+    for task in tasks:
+        settings = configured.get(task.name.lower())
+        robot = groups.get(settings.group) if settings else None
+        number = labels.index(robot) if robot in labels else robots
+        found.append(replace(task, robot_number=number if task.motion else None))
+        robots += bool(task.motion)
+    return tuple(found)
