@@ -16,7 +16,7 @@ from rapidsim.controller.cell.sensors import Sensor
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
-from rapidsim.controller.journal.stop_reasons import WaitsForever
+from rapidsim.controller.journal.stop_reasons import MoveImpossible, WaitsForever
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import (
@@ -154,7 +154,7 @@ class TaskGuidance:
         self.clock.grant()
         try:
             put()
-        except (RapidError, NotAllowed):
+        except (RapidError, NotAllowed, MoveImpossible):
             if correcting.ended is not None:
                 self._stop_here(correcting)
             raise

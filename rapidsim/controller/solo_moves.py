@@ -46,7 +46,7 @@ class PutMove(Protocol):
             wait: Wait for the stop, where there is one.
 
         Raises:
-            RapidError: When the end of the move cannot be reached.
+            MoveImpossible: When the end of the move cannot be reached.
             MotionError: When a move on the path cannot be made.
         """
         ...

@@ -26,7 +26,6 @@ from rapidsim.simulation.results.simulation import (
 from rapidsim.simulation.results.smoothed_corners import corner_findings
 from rapidsim.simulation.run_findings import (
     backward_findings,
-    handled_findings,
     not_simulated_findings,
 )
 from rapidsim.simulation.task_run import Outcome, TaskRun
@@ -99,7 +98,6 @@ def _simulation(
             *not_simulated_findings(run.journal),
             *backward_findings(run.setup.program),
             *hasty_move_findings(run.queue.moves),
-            *handled_findings(run.journal.failed_moves(), outcome.findings),
             *outcome.findings,
         )
     )

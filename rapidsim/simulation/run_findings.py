@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal, not_simulated_finding
 from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
@@ -16,7 +15,7 @@ from rapidsim.controller.journal.stop_reasons import (
     ZoneReached,
 )
 from rapidsim.controller.moves.motion_findings import path_violation
-from rapidsim.controller.moves.move_request import MoveRefusedError
+from rapidsim.controller.moves.move_request import NotReachableError
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.diagnostics import Diagnostic, Related, Span
 from rapidsim.findings.runs import (
@@ -60,29 +59,11 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
     """
     routine, span, callers = _where(fatal.stack, place)
     error = fatal.error
-    violation = error.violation if isinstance(error, MoveRefusedError) else None
+    violation = error.violation if isinstance(error, NotReachableError) else None
     if span.line == place.span.line and span.file == place.span.file:
         span = place.span
     told = violation or UncaughtError(named(error))
     return Diagnostic(told, span, callers, routine=routine)
-
-
-def handled_findings(
-    failed: Iterable[FailedMove], ended_by: Sequence[Diagnostic]
-) -> Iterator[Diagnostic]:
-    """Moves that the arm cannot make although the run went on, for an ERROR clause took over.
-
-    A controller has no such clause: it stops at the move. So the run says what a check says.
-
-    Args:
-        failed: All moves that could not be made.
-        ended_by: The findings about what ended the run.
-    """
-    fatal = {(one.violation, one.span) for one in ended_by}
-    for move in failed:
-        place = move.place
-        if (move.violation, place.span) not in fatal:
-            yield Diagnostic(move.violation, place.span, routine=place.routine, assumed=True)
 
 
 def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:

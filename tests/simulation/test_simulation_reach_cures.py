@@ -178,6 +178,7 @@ def shifted_program(shift: tuple[float, float, float]) -> str:
     text = program(*SPREAD, frame=shift)
     routines = "\n".join(
         f"""  PROC go{k}()
+    joints:=CalcJointT(p{k},tGrip\\WObj:=table);
     MoveJ p{k},v1000,fine,tGrip\\WObj:=table;
     TPWrite "{k}";
   ERROR
@@ -186,7 +187,7 @@ def shifted_program(shift: tuple[float, float, float]) -> str:
         for k in range(1, len(SPREAD) + 1)
     )
     calls = "\n".join(f"    go{k};" for k in range(1, len(SPREAD) + 1))
-    head = text[: text.index("  PROC main()")]
+    head = f"{text[: text.index('  PROC main()')]}  VAR jointtarget joints;\n"
     return f"{head}  PROC main()\n    ConfJ\\Off;\n{calls}\n  ENDPROC\n{routines}\nENDMODULE\n"
 
 

@@ -133,8 +133,8 @@ def test_where_it_fails_is_marked_on_the_circle() -> None:
     assert failed.fails_at[0] < 1.0
 
 
-def test_an_arc_that_cannot_be_led_can_be_caught() -> None:
-    caught = ran(
+def test_no_clause_is_called_for_an_arc_that_cannot_be_led() -> None:
+    stopped = ran(
         program(
             *PROGRAMS["singular"],
             "ERROR",
@@ -144,8 +144,8 @@ def test_an_arc_that_cannot_be_led_can_be_caught() -> None:
             "  ENDIF",
         )
     )
-    assert caught.end == "ended"
-    assert len(caught.run.moves) == 2
+    assert stopped.end == "error"
+    assert len(stopped.run.moves) == 1
 
 
 def test_many_arcs_in_a_row_are_followed_by_value() -> None:

@@ -26,7 +26,7 @@ from rapidsim.controller.moves.configuration_choice import (
     stored_or_nearest,
 )
 from rapidsim.controller.moves.motion_findings import fault_violation, switched, wrist_turning_far
-from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
+from rapidsim.controller.moves.move_request import AskedMove, NotReachableError
 from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Violation
 from rapidsim.findings.reach_and_motion_data import (
@@ -92,8 +92,8 @@ class Arrivals:
                 they do not count.
 
         Raises:
-            MoveRefusedError: When the end cannot be reached, or an arc defines no circle.
-            MoveImpossible: When it cannot be reached as stored, and the nearest is not taken.
+            NotReachableError: When the end cannot be reached.
+            MoveImpossible: When an arc defines no circle, or the end cannot be reached as stored.
         """
         if segment.wrist_pair is not None and circle_fault(segment) is None:
             return self._led(asked, segment)
@@ -109,7 +109,7 @@ class Arrivals:
             area = asked.request.settings.singular_area
             if area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
-        except MoveRefusedError as refused:
+        except (NotReachableError, MoveImpossible) as refused:
             if segment.carrier is None:
                 violation = refused.violation
                 self.journal.failed_move(refused_move(asked.place, violation, segment, self.robot))
@@ -132,7 +132,7 @@ class Arrivals:
         """Every configuration that reaches a pose.
 
         Raises:
-            MoveRefusedError: When there is none.
+            NotReachableError: When there is none.
         """
         working = configurations(self.robot, base_from_flange)
         if working:
@@ -141,7 +141,7 @@ class Arrivals:
         assert why is not None
         errno = ERR_OUTSIDE_REACH if why.joint is None else ERR_ROBLIMIT
         reason = reason_with_lengths(self.robot, base_from_flange, why)
-        raise MoveRefusedError(errno, UnreachableTarget(name, self.robot.title, reason))
+        raise NotReachableError(errno, UnreachableTarget(name, self.robot.title, reason))
 
     def at_target(
         self, base_from_flange: Transform, target: str, stored: ConfData, near: Array, place: Place
@@ -149,7 +149,7 @@ class Arrivals:
         """How the arm would stand at a target without moving there, by the rules of moves.
 
         Raises:
-            MoveRefusedError: When it cannot, and the nearest is not taken.
+            NotReachableError: When it cannot, and the nearest is not taken.
         """
         working = self.working(base_from_flange, target)
         chosen, wanted = stored_or_nearest(working, stored, near), rounded(stored)
@@ -159,7 +159,7 @@ class Arrivals:
         listed = tuple(conf_text(one.confdata) for one in found or working)
         violation = ConfigurationNotReachable(target, conf_text(wanted), listed[0], listed)
         if not self.takes_nearest:
-            raise MoveRefusedError(ERR_ROBLIMIT, violation)
+            raise NotReachableError(ERR_ROBLIMIT, violation)
         key = ("configuration", place.span)
         self.journal.finding(violation, place, once=key, assumed=True)
         return chosen
@@ -167,13 +167,12 @@ class Arrivals:
     def _require_circle(self, asked: AskedMove, segment: Segment) -> None:
         fault = circle_fault(segment)
         if fault is not None:
-            raise MoveRefusedError(ERR_OUTSIDE_REACH, CircleUncertain(asked.name, fault))
+            raise MoveImpossible(CircleUncertain(asked.name, fault))
         if len(segment.end.external):
             wide = np.concatenate([segment.start.joints, segment.end.external])
             over = excess_text(self.robot, wide)
             if over:
-                violation = JointOutOfRange(asked.name, self.robot.title, over)
-                raise MoveRefusedError(ERR_ROBLIMIT, violation)
+                raise MoveImpossible(JointOutOfRange(asked.name, self.robot.title, over))
 
     def _chosen(self, asked: AskedMove, stored: ConfData, segment: Segment) -> Configuration:
         """The configuration as stored, where that works; else the nearest."""
@@ -237,9 +236,6 @@ class Arrivals:
             arrives = conf_text(chosen.confdata)
             found = ConfigurationChangesOnLine(asked.name, conf_text(wanted), arrives)
         if not self.takes_nearest:
-            if segment.carrier is None:
-                failed = refused_move(asked.place, found, segment, self.robot)
-                self.journal.failed_move(failed)
             raise MoveImpossible(found)
         self.journal.finding(found, asked.place, once=key, assumed=True)
 
@@ -302,7 +298,7 @@ class Arrivals:
         """An arc that two wrist axes lead: it ends where they take the tool, whatever is stored.
 
         Raises:
-            MoveRefusedError: Where they cannot, or not within their limits.
+            MoveImpossible: Where they cannot, or not within their limits.
         """
         kinematics, end = self.robot.kinematics, segment.end
         led = led_by_pair(kinematics, segment)
@@ -315,7 +311,7 @@ class Arrivals:
             violation = fault_violation(fault, asked.name)
             way = (asked.place, violation, segment, fault.fraction, self.robot)
             self.journal.failed_move(failed_on_the_way(*way))
-            raise MoveRefusedError(ERR_OUTSIDE_REACH if fault.cure else ERR_ROBLIMIT, violation)
+            raise MoveImpossible(violation)
         for found in () if led is None else findings_on_pair(led, segment, asked.name):
             self.journal.finding(found, asked.place, once=(found.code, asked.written))
         return arrived, self.configuration(taken)
@@ -327,8 +323,7 @@ class Arrivals:
         joints = lock_axis_4(kinematics, pose, segment.tcp_from_flange, arrival.joints)
         if joints is None:
             why = r"with axis 4 locked (SingArea \LockAxis4) the TCP does not get there"
-            violation = UnreachableTarget(asked.name, self.robot.title, why)
-            raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
+            raise MoveImpossible(UnreachableTarget(asked.name, self.robot.title, why))
         taken = asked.request.placed.standing_at(kinematics, joints, segment.end.external)
         turn = vector_from_rotation(taken.rotation @ pose.rotation.T)
         self._tell_turn(asked, r"\LockAxis4", float(np.linalg.norm(turn)), "at")

@@ -1,4 +1,4 @@
-"""A move instruction that is to become a segment, and the error for one that cannot."""
+"""A move instruction that is to become a segment, and the error for a pose out of reach."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from rapidsim.motion.configurations.targets import Placement
 from rapidsim.values import dataclass
 
 
-class MoveRefusedError(RapidError):
-    """A move whose end cannot be reached; carries the finding that says why."""
+class NotReachableError(RapidError):
+    """A pose that the arm cannot take, with the finding that says why.
+
+    Functions such as CalcJointT raise it to the program. A move to such a pose ends the run.
+    """
 
     def __init__(self, errno: float, violation: Violation) -> None:
         """Carry the finding along."""

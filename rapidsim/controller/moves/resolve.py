@@ -20,8 +20,8 @@ from rapidsim.controller.moves.move_data import (
 )
 from rapidsim.controller.moves.move_request import (
     AskedMove,
-    MoveRefusedError,
     MoveRequest,
+    NotReachableError,
     target_name,
 )
 from rapidsim.controller.moves.queued_move import QueuedMove
@@ -107,9 +107,25 @@ class Resolver:
             lead: The robot of the team that carries the work object along.
 
         Raises:
-            MoveImpossible: When its work object moves, and not with the team.
-            RapidError: When the end cannot be reached, or the set-up is not simulated.
+            MoveImpossible: When the arm cannot make it. As on a controller, no ERROR clause is
+                called then.
         """
+        try:
+            return self._resolve(move, place, start, settings, lead, is_first=is_first)
+        except NotReachableError as error:
+            raise MoveImpossible(error.violation) from None
+
+    def _resolve(
+        self,
+        move: Move,
+        place: Place,
+        start: Waypoint,
+        settings: MotionSettings,
+        lead: targets.Lead | None,
+        *,
+        is_first: bool,
+    ) -> QueuedMove:
+        """Return the move of an earlier cycle where nothing has changed; see `resolve`."""
         is_made_anew = is_first or lead is not None or self.may_be_held(move.wobj)
         if is_made_anew or not place.is_lasting:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
@@ -219,7 +235,7 @@ class Resolver:
         """
         placed = self._placement(tool, wobj, place, self._holder(wobj))
         if isinstance(placed, targets.NotSimulatedFrame):
-            raise MoveRefusedError(ERR_OUTSIDE_REACH, NothingMovesTool(_TARGET, placed.reason))
+            raise NotReachableError(ERR_OUTSIDE_REACH, NothingMovesTool(_TARGET, placed.reason))
         require_orientation(_TARGET, target.rot)
         external, _ = targets.external_values(target.extax, self.robot.external, near.external)
         base_from_flange = placed.base_from_flange(
@@ -286,7 +302,7 @@ class Resolver:
         if isinstance(move.to, JointTarget):
             return self._unmoved()
         violation = NothingMovesTool(target_name(place, move), placed.reason)
-        raise MoveRefusedError(ERR_OUTSIDE_REACH, violation)
+        raise NotReachableError(ERR_OUTSIDE_REACH, violation)
 
     def _unmoved(self) -> targets.Placement:
         """Where nothing moves the tool against the work object: as for a flange without a tool."""
@@ -317,7 +333,7 @@ class Resolver:
         """Where a tool and a work object are; `place` asks.
 
         Raises:
-            MoveRefusedError: When one of their frames has no orientation.
+            NotReachableError: When one of their frames has no orientation.
             Stopped: When nobody knows where the work object is, and nothing is guessed.
             NotSimulated: When a conveyor of the cell carries the work object.
         """

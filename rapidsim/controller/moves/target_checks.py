@@ -9,7 +9,7 @@ import numpy as np
 from rapidsim.controller.journal.failed_moves import refused_axes
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import MoveImpossible
-from rapidsim.controller.moves.move_request import AskedMove, MoveRefusedError
+from rapidsim.controller.moves.move_request import AskedMove, NotReachableError
 from rapidsim.findings.reach_and_motion_data import (
     ExternalAxisMissing,
     ExternalAxisUnknown,
@@ -25,7 +25,7 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
+from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.targets import (
     TOLERATED_NORM_ERROR,
@@ -44,7 +44,7 @@ def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Jo
     """Report a quaternion that is not quite a unit; refuse one that is no orientation.
 
     Raises:
-        MoveRefusedError: When it is far off.
+        NotReachableError: When it is far off.
     """
     length = norm(rotation)
     if abs(length - 1.0) > TOLERATED_NORM_ERROR:
@@ -57,11 +57,11 @@ def require_orientation(name: str, rotation: Orient) -> None:
     """Refuse a quaternion that is no orientation.
 
     Raises:
-        MoveRefusedError: When it is far off.
+        NotReachableError: When it is far off.
     """
     length = norm(rotation)
     if is_no_orientation(rotation):
-        raise MoveRefusedError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length, refused=True))
+        raise NotReachableError(ERR_OUTSIDE_REACH, QuaternionNotUnit(name, length, refused=True))
 
 
 def frame_orientations(
@@ -111,14 +111,14 @@ def require_limits(
     """Refuse joints (n,) [rad] and external axes (e,) [m or rad] past their limits.
 
     Raises:
-        MoveRefusedError: When one is.
+        MoveImpossible: When one is.
     """
     over = excess_text(robot, np.concatenate([joints, external]))
     if over:
         violation = JointOutOfRange(asked.name, robot.title, over)
         base_from_tcp = asked.request.placed.base_from_tcp(robot.kinematics, joints, external)
         journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
-        raise MoveRefusedError(ERR_ROBLIMIT, violation)
+        raise MoveImpossible(violation)
 
 
 def excess_text(robot: Robot, wide: Array) -> str:

@@ -68,7 +68,7 @@ class RobotRun:
     path_m: float
     """Travel of the TCP, corners cut."""
     failed_moves: tuple[FailedMove, ...] = ()
-    """Moves that could not be made, those that an ERROR handler dealt with included."""
+    """Moves that could not be made; they ended the task."""
 
     def __repr__(self) -> str:
         """One line."""
