@@ -12,6 +12,8 @@ from time import sleep
 
 _ARRIVAL_S = 0.05
 """Time [s] within which an interrupt that has been sent arrives."""
+_AGAIN_S = 0.5
+"""Time [s] from one interrupt to the next: one that arrives in a callback is lost."""
 
 
 class Terminated(BaseException):
@@ -49,29 +51,29 @@ def limited_to(seconds: float | None) -> Iterator[None]:
     if seconds is None:
         yield
         return
-    lock, state = threading.Lock(), {"over": False, "done": False}
+    lock, done, is_over = threading.Lock(), threading.Event(), threading.Event()
     thread = threading.get_ident()
 
     def interrupt() -> None:
-        with lock:
-            if not state["done"]:
-                state["over"] = True
-                _interrupt(thread)
+        wait_s = seconds
+        while not done.wait(wait_s):
+            with lock:
+                if not done.is_set():
+                    is_over.set()
+                    _interrupt(thread)
+            wait_s = _AGAIN_S
 
-    timer = threading.Timer(seconds, interrupt)
-    timer.daemon = True
-    timer.start()
+    threading.Thread(target=interrupt, name="rapidsim --max-wall", daemon=True).start()
     try:
         try:
             yield
         finally:
-            timer.cancel()
             with lock:
-                state["done"] = True
-        if state["over"]:
+                done.set()
+        if is_over.is_set():
             sleep(_ARRIVAL_S)
     except KeyboardInterrupt as interrupted:
-        if not state["over"]:
+        if not is_over.is_set():
             raise
         raise TimeOverError("".join(map(str, interrupted.args))) from None
 

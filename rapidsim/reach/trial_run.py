@@ -264,7 +264,7 @@ def _is_told(found: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
     if _of_text(found):
         return False
-    return found.violation.code[0] in "CKM" or found.severity is Severity.ERROR
+    return found.violation.code[0] in "CIKM" or found.severity is Severity.ERROR
 
 
 def _of_run(found: Diagnostic) -> bool:
@@ -277,6 +277,8 @@ def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
         return found.severity is Severity.ERROR
     if isinstance(found.violation, MainAxesSwitched):
         # Where the first move starts, only the run says.
+        return True
+    if found.violation.code.startswith("I"):
         return True
     of_reach = found.severity is Severity.ERROR or found.violation.code.startswith("K")
     at = found.span

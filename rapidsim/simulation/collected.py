@@ -13,6 +13,7 @@ from rapidsim.controller.moves.motion_findings import hasty_move_findings
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.early_outputs import early_output_findings
+from rapidsim.simulation.results.gripper_protocol import with_gripper_findings
 from rapidsim.simulation.results.moved_work_objects import moved_object_findings
 from rapidsim.simulation.results.persistents import changed_persistents, told_once
 from rapidsim.simulation.results.simulation import (
@@ -61,6 +62,7 @@ def collected(
         options: Inputs and limits of the run.
     """
     simulation = _simulation(runs, outcomes, cell, time_s, options)
+    simulation = with_gripper_findings(simulation, options.io.grippers)
     if options.geometry is not None:
         # Few cells have bodies; what measures them is imported for those.
         from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415

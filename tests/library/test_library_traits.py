@@ -166,7 +166,7 @@ ELSEWHERE = {
     "report": {"dim", "distance", "stop"},
     "server": {"type", "Type", "opmode", "stop", "set", "continue", "dim", "clear", "min"},
     "simulation": {"stop"},
-    "station": {"type", "set", "close", "max", "min", "stop"},
+    "station": {"type", "set", "close", "load", "max", "min", "stop"},
     "syntax": {"EXP", "open", "close"},
 }
 

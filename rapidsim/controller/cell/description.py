@@ -124,6 +124,23 @@ class Stimulus:
 
 
 @dataclass(frozen=True, slots=True)
+class Gripper:
+    """How a program works a gripper: the signals that close it and that say that it has closed."""
+
+    name: str
+    close: Condition
+    """While it holds, the gripper closes or is closed; else it opens or is open."""
+    closed: Condition | None = None
+    """The feedback; None if the gripper has none."""
+    acts_at_rest: bool = True
+    """Whether the arm must be at rest when it closes or opens."""
+    load_kg: float = 0.0
+    """Mass of what it holds; 0 if not specified."""
+    task: str | None = None
+    """The task whose robot carries it; None is that of the first robot."""
+
+
+@dataclass(frozen=True, slots=True)
 class CrossConnection:
     """A signal that follows others, by the I/O system or a device and not by the program."""
 
@@ -144,6 +161,7 @@ class CellIo:
     """The peers of the program's sockets."""
     cameras: tuple[CameraScript, ...] = ()
     conveyors: tuple[ConveyorScript, ...] = ()
+    grippers: tuple[Gripper, ...] = ()
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both combined; if both declare a signal, the other's declaration counts."""
@@ -157,6 +175,7 @@ class CellIo:
             sockets=(*self.sockets, *other.sockets),
             cameras=(*self.cameras, *other.cameras),
             conveyors=(*self.conveyors, *other.conveyors),
+            grippers=(*self.grippers, *other.grippers),
         )
 
     @property
@@ -167,12 +186,14 @@ class CellIo:
 
     @property
     def read(self) -> tuple[str, ...]:
-        """Names of the signals that connections and stimuli look at, each once."""
+        """Names of the signals that connections, stimuli and grippers look at, each once."""
         looked_at = [cross.condition for cross in self.crosses]
         looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
+        for gripper in self.grippers:
+            looked_at += [one for one in (gripper.close, gripper.closed) if one is not None]
         return tuple(dict.fromkeys(name for one in looked_at for name in one.signals()))
 
     @property
     def wired(self) -> tuple[str, ...]:
-        """Names of the signals that connections and stimuli mention."""
+        """Names of the signals that connections, stimuli and grippers mention."""
         return tuple(dict.fromkeys((*self.written, *self.read)))

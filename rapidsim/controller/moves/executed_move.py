@@ -45,6 +45,8 @@ class ExecutedMove:
     """Why the zone is not the programmed one, or why the arm stops; empty if it is."""
     external: Array = field(default_factory=lambda: np.zeros(0))
     """Shape (e,) [m or rad]: the external axes at the end."""
+    grip_load_kg: float = 0.0
+    """The mass that GripLoad says the gripper holds."""
 
     def __repr__(self) -> str:
         """One line."""

@@ -33,6 +33,8 @@ class QueuedMove:
     """At the programmed end, wherever tracks and positioners are by then."""
     tcp_from_flange: Transform
     """At the programmed end; with a stationary tool it changes along the way."""
+    grip_load_kg: float = 0.0
+    """The mass that GripLoad says the gripper holds."""
     number: int = 0
     """Its number among all moves the robot was ever given."""
     level: int = 0
@@ -67,6 +69,7 @@ class QueuedMove:
             CornerKind.STOP if self.segment.zone is None else CornerKind.FLY_BY,
             self.base_from_tcp,
             self.tcp_from_flange,
+            self.grip_load_kg,
         )
 
 
@@ -94,6 +97,7 @@ def executed_move(
         conf=queued.conf,
         corner_reason=_TOO_LATE if failed else queued.corner_reason,
         external=queued.segment.end.external,
+        grip_load_kg=queued.grip_load_kg,
     )
 
 

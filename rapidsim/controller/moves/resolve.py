@@ -183,6 +183,7 @@ class Resolver:
             CornerKind.STOP if segment.zone is None else CornerKind.FLY_BY,
             base_from_tcp,
             tcp_from_flange,
+            settings.grip_load_kg,
         )
 
     def joints(self, target: JointTarget) -> Array:

@@ -1,0 +1,276 @@
+"""Whether a program works a gripper as grippers must be worked.
+
+A gripper takes time, and it holds what is between its fingers when they close. So the arm must be
+at rest before it closes, and stay there until the feedback says that it has closed; the controller
+must know the mass it carries as long as it carries it; and what was taken must be put down. None of
+this stops a program: the part is missing, or falls, or the arm shakes.
+
+The states follow from the signals of a run and from its moves, so they span routines, traps and
+tasks. Each fault is reported once for each statement that commits it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from rapidsim.controller.cell.conditions import Condition
+from rapidsim.controller.cell.description import Gripper
+from rapidsim.controller.journal.events import Event, EventKind
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.findings.gripper import (
+    GripLoadMissing,
+    GripperActsInMotion,
+    GripperNeverOpens,
+    GripperNotAwaited,
+    GripperOpensEmpty,
+)
+from rapidsim.language.moves import Place
+from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
+from rapidsim.values import dataclass
+
+_REST_RAD = 1e-5
+"""A joint that turns by less until the arm is at rest does not move."""
+_SAME_TIME_S = 1e-9
+_NOTHING_KG = 0.01
+"""RAPID's load0 has a mass, of 1 g."""
+_ROUTINE_END = re.compile(r"\bEND(PROC|FUNC|TRAP)\b", re.IGNORECASE)
+
+
+@dataclass(frozen=True, slots=True)
+class _Switch:
+    """A gripper begins to close or to open."""
+
+    time_s: float
+    closes: bool
+    place: Place | None
+    """The statement that sets the signal; None if the program does not."""
+    moves_before: int | None
+    """How many moves the robot had by then; None if another task sets the signal."""
+
+    def precedes(self, move: ExecutedMove) -> bool:
+        """Whether a move comes after it in the program, or in time if the program does not say."""
+        if self.moves_before is not None:
+            return move.index >= self.moves_before
+        return move.start_s >= self.time_s - _SAME_TIME_S
+
+
+@dataclass(frozen=True, slots=True)
+class _Fault:
+    violation: Violation
+    place: Place
+
+
+def gripper_findings(simulation: Simulation, grippers: Sequence[Gripper]) -> tuple[Diagnostic, ...]:
+    """The faults of a run in the protocols of its grippers, one for each statement and kind."""
+    found: dict[tuple[type[Violation], str, int], list[_Fault]] = {}
+    for gripper in grippers:
+        robot = _robot_of(gripper, simulation)
+        if robot is None:
+            continue
+        for fault in _faults(gripper, robot, simulation):
+            span = fault.place.span
+            key = (type(fault.violation), str(span.file), span.start)
+            found.setdefault(key, []).append(fault)
+    return tuple(_merged(faults) for faults in found.values())
+
+
+def _robot_of(gripper: Gripper, simulation: Simulation) -> RobotRun | None:
+    if gripper.task is None:
+        return simulation.robots[0]
+    wanted = gripper.task.lower()
+    return next((one for one in simulation.robots if one.task.lower() == wanted), None)
+
+
+def _merged(faults: Sequence[_Fault]) -> Diagnostic:
+    first, *others = faults
+    violation = first.violation
+    if others and "times" in violation.facts:
+        facts = {name: getattr(violation, name) for name in violation.facts}
+        facts["times"] = f" (the first of {len(faults)} times)"
+        violation = type(violation)(**facts)
+    return Diagnostic(violation, first.place.span, routine=first.place.routine)
+
+
+def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterator[_Fault]:
+    switches = list(_switches(gripper.close, robot.task, simulation))
+    for number, switch in enumerate(switches):
+        following = switches[number + 1 :]
+        until_s = following[0].time_s if following else simulation.time_s
+        moves = [
+            move
+            for move in robot.moves
+            if switch.precedes(move) and move.start_s < until_s and move.end_s > move.start_s
+        ]
+        if switch.place is not None and gripper.acts_at_rest:
+            yield from _in_motion(gripper, robot, switch)
+        if switch.closes:
+            yield from _while_closed(gripper, robot, simulation, switch, moves)
+            is_over = simulation.end in (End.ENDED, End.CYCLE_LIMIT) and not following
+            if is_over and switch.place is not None:
+                yield _Fault(GripperNeverOpens(gripper.name, "the end of main"), switch.place)
+        else:
+            has_moved = any(not switch.precedes(move) for move in robot.moves[:1])
+            if number == 0 and switch.place is not None and has_moved:
+                yield _Fault(GripperOpensEmpty(gripper.name), switch.place)
+            yield from _loaded_when_open(gripper, moves)
+
+
+def _switches(close: Condition, task: str, simulation: Simulation) -> Iterator[_Switch]:
+    """When the condition of a gripper changes, from its value at the start on."""
+    values = {name.lower(): value for name, value in simulation.signal_starts.items()}
+    holds = close.holds(lambda name: values.get(name.lower(), 0.0))
+    for event in _signal_events(close, simulation.events):
+        values[str(event.details["signal"]).lower()] = _number(event.details["value"])
+        now = close.holds(lambda name: values.get(name.lower(), 0.0))
+        if now is not holds:
+            holds = now
+            before = event.moves_given if event.task == task and event.place else None
+            yield _Switch(event.time_s, now, event.place, before)
+
+
+def _signal_events(condition: Condition, events: Sequence[Event]) -> Iterator[Event]:
+    names = {name.lower() for name in condition.signals()}
+    for event in events:
+        is_value = event.kind is EventKind.SIGNAL and "value" in event.details
+        if is_value and str(event.details.get("signal", "")).lower() in names:
+            yield event
+
+
+def _number(value: object) -> float:
+    return float(value) if isinstance(value, int | float) else 0.0
+
+
+def _in_motion(gripper: Gripper, robot: RobotRun, switch: _Switch) -> Iterator[_Fault]:
+    """A gripper that acts before the move under way has ended."""
+    under_way = [
+        move
+        for move in robot.moves
+        if not switch.precedes(move) and move.end_s > switch.time_s + _SAME_TIME_S
+    ]
+    if not under_way or switch.place is None:
+        return
+    rest_s = under_way[-1].end_s
+    samples = robot.sample(np.array([switch.time_s, rest_s]))
+    turned = float(np.max(np.abs(samples.joints[1] - samples.joints[0])))
+    if turned < _REST_RAD:
+        return
+    here, there = samples.base_from_tcp.translation
+    distance_mm = 1000.0 * float(np.linalg.norm(there - here))
+    action = "closes" if switch.closes else "opens"
+    violation = GripperActsInMotion(gripper.name, action, rest_s - switch.time_s, distance_mm)
+    yield _Fault(violation, switch.place)
+
+
+def _while_closed(
+    gripper: Gripper,
+    robot: RobotRun,
+    simulation: Simulation,
+    switch: _Switch,
+    moves: Sequence[ExecutedMove],
+) -> Iterator[_Fault]:
+    """What a program does with a part in the gripper, from the first move on."""
+    if not moves:
+        return
+    place = switch.place or moves[0].place
+    closed = gripper.closed
+    if closed is not None:
+        confirmed_s = _true_from(closed, simulation, switch.time_s)
+        moves_s = moves[0].start_s
+        if confirmed_s is None or confirmed_s > moves_s + _SAME_TIME_S:
+            later = "" if confirmed_s is None else f" for another {confirmed_s - moves_s:.3f} s"
+            yield _Fault(GripperNotAwaited(gripper.name, closed.text, f"not true{later}"), place)
+        elif not _reads(closed, robot, simulation, switch, moves[0]):
+            state = "true by then, but nothing looks at it"
+            yield _Fault(GripperNotAwaited(gripper.name, closed.text, state), place)
+    if gripper.load_kg > 0.0 and not any(map(_is_loaded, moves)):
+        problem = f"holds {gripper.load_kg:g} kg, and no GripLoad says so for {_counted(moves)}"
+        yield _Fault(GripLoadMissing(gripper.name, problem), place)
+
+
+def _loaded_when_open(gripper: Gripper, moves: Sequence[ExecutedMove]) -> Iterator[_Fault]:
+    loaded = [move for move in moves if _is_loaded(move)]
+    if loaded:
+        carried = f"{loaded[0].grip_load_kg:g} kg"
+        problem = f"is open, and GripLoad still says {carried} for {_counted(loaded)}"
+        yield _Fault(GripLoadMissing(gripper.name, problem), loaded[0].place)
+
+
+def _is_loaded(move: ExecutedMove) -> bool:
+    return move.grip_load_kg > _NOTHING_KG
+
+
+def _counted(moves: Sequence[ExecutedMove]) -> str:
+    return "a move" if len(moves) == 1 else f"{len(moves)} moves"
+
+
+def _true_from(condition: Condition, simulation: Simulation, start_s: float) -> float | None:
+    """The first instant from a time on at which a condition holds; None if it never does."""
+    values = {name.lower(): value for name, value in simulation.signal_starts.items()}
+
+    def holds() -> bool:
+        return condition.holds(lambda name: values.get(name.lower(), 0.0))
+
+    started = False
+    for event in _signal_events(condition, simulation.events):
+        if not started and event.time_s > start_s + _SAME_TIME_S:
+            started = True
+            if holds():
+                return start_s
+        values[str(event.details["signal"]).lower()] = _number(event.details["value"])
+        if event.time_s >= start_s - _SAME_TIME_S and holds():
+            return event.time_s
+    return start_s if not started and holds() else None
+
+
+def _reads(
+    condition: Condition,
+    robot: RobotRun,
+    simulation: Simulation,
+    switch: _Switch,
+    move: ExecutedMove,
+) -> bool:
+    """Whether the program names a signal of a condition between a switch and a move.
+
+    Statements that wait are known one by one; of others only the text of the routines is.
+    """
+    texts = [
+        line.place.span.text
+        for line in robot.lines
+        if switch.time_s - _SAME_TIME_S <= line.time_s <= move.start_s + _SAME_TIME_S
+    ]
+    texts += [
+        wait.awaited
+        for wait in simulation.waits
+        if wait.end_s >= switch.time_s and wait.start_s <= move.start_s + _SAME_TIME_S
+    ]
+    if switch.place is not None:
+        texts += _texts_between(switch.place, move.place)
+    names = "|".join(map(re.escape, condition.signals()))
+    return any(re.search(rf"\b(?:{names})\b", text, re.IGNORECASE) for text in texts)
+
+
+def _texts_between(first: Place, last: Place) -> Iterator[str]:
+    """The text from one statement to another, or to the end and from the start of the routines."""
+    text, start = first.span.source.text, first.span.start
+    end = _ROUTINE_END.search(text, start)
+    is_same = first.span.file == last.span.file and first.routine == last.routine
+    if is_same and start <= last.span.start:
+        yield text[start : last.span.start]
+        return
+    yield text[start : len(text) if end is None else end.start()]
+    before = last.span.source.text[: last.span.start]
+    begins = [match.end() for match in _ROUTINE_END.finditer(before)]
+    yield before[begins[-1] if begins else 0 :]
+
+
+def with_gripper_findings(simulation: Simulation, grippers: Sequence[Gripper]) -> Simulation:
+    """The run with its faults in the protocols of the grippers among the findings."""
+    if not grippers:
+        return simulation
+    found = gripper_findings(simulation, grippers)
+    return replace(simulation, diagnostics=(*simulation.diagnostics, *found))

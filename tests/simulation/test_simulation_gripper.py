@@ -1,0 +1,84 @@
+"""The protocol of a gripper, over the routines of the cell in `programs/cell`.
+
+The program is right; each change makes one mistake, at one statement, in a check as in a run.
+"""
+
+import json
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+from command_line import call
+
+CELL = Path(__file__).parents[2] / "programs" / "cell"
+GRIPPER = '\n[gripper]\nclose = "doGrip = 1"\nclosed = "diGripped = 1"\nat = "stand"\n'
+LOAD = "PERS loaddata part:=[1.5,[0,0,40],[1,0,0,0],0,0,0];\n\n  PROC main()"
+CLOSED = "# It is closed at the start.\n"
+WAITS = "    WaitDI diGripped, 1;\n"
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A text of the program, what replaces it, and what is found where."""
+
+    old: str
+    new: str
+    found: tuple[tuple[str, int], ...]
+    station: str = GRIPPER
+
+
+MISTAKES = {
+    "none": Mistake("", "", ()),
+    "polling": Mistake(WAITS, "    WHILE diGripped=0 DO\n      WaitTime 0.01;\n    ENDWHILE\n", ()),
+    "closes on the way": Mistake(
+        "MoveL pPick, v200, fine", "MoveL pPick, v200, z10", (("I810", 30),)
+    ),
+    "opens on the way": Mistake(
+        "MoveL pPlace, v200, fine", "MoveL pPlace, v200, z10", (("I810", 39),)
+    ),
+    "allowed on the way": Mistake(
+        "MoveL pPick, v200, fine",
+        "MoveL pPick, v200, z10",
+        (),
+        GRIPPER.replace('"stand"', '"anywhere"'),
+    ),
+    "no wait": Mistake(WAITS, "", (("I811", 30),)),
+    "too short a wait": Mistake(WAITS, "    WaitTime 0.2;\n", (("I811", 30),)),
+    "a wait that looks at nothing": Mistake(WAITS, "    WaitTime 0.6;\n", (("I811", 30),)),
+    "no feedback to wait for": Mistake(
+        WAITS, "    WaitTime 0.6;\n", (), GRIPPER.replace('closed = "diGripped = 1"\n', "")
+    ),
+    "never opens": Mistake("    SetDO doGrip, 0;\n    WaitDI diGripped, 0;\n", "", (("I812", 30),)),
+    "no load": Mistake("", "", (("I813", 30),), GRIPPER + "load = 1.5\n"),
+    "load": Mistake(WAITS, WAITS + "    GripLoad part;\n", (("I813", 44),)),
+    "opens first": Mistake(
+        "    FOR part", "    SetDO doGrip, 0;\n    FOR part", (("I814", 18),), CLOSED + GRIPPER
+    ),
+    "is reset at first": Mistake(
+        "PROC main()\n", "PROC main()\n    SetDO doGrip, 0;\n", (), CLOSED + GRIPPER
+    ),
+}
+
+
+@pytest.mark.parametrize("command", ["run", "check"])
+@pytest.mark.parametrize("name", MISTAKES)
+def test_each_mistake_is_found_at_its_statement(name: str, command: str, tmp_path: Path) -> None:
+    mistake = MISTAKES[name]
+    text = (CELL / "PickAndPlace.mod").read_text()
+    station = (
+        re.sub(r"\[gripper\][^[]*", "", (CELL / "rapidsim.toml").read_text()) + mistake.station
+    )
+    assert mistake.old in text
+    changed = text.replace(mistake.old, mistake.new, 1) if mistake.old else text
+    if "GripLoad part" in mistake.new:
+        changed = changed.replace("PROC main()", LOAD, 1)
+    if CLOSED in station:
+        station = station.replace('doGrip = { type = "do" }', 'doGrip = { type = "do", value = 1 }')
+    (tmp_path / "PickAndPlace.mod").write_text(changed)
+    (tmp_path / "rapidsim.toml").write_text(station)
+    options = ("--no-record", "--format") if command == "run" else ("--output-format",)
+    ended = call(command, ".", *options, "json", cwd=tmp_path)
+    diagnostics = json.loads(ended.out)["diagnostics"]
+    found = [(one["code"], one["line"]) for one in diagnostics if one["code"].startswith("I81")]
+    assert tuple(found) == mistake.found
