@@ -87,6 +87,7 @@ class PositionReader:
 
     def read(self, now_s: float) -> Reading:
         """Where the robot is at a time [s] that has come, or was found no longer ago than holds."""
+        self.unit.own.start_is_free = False
         before = None if self._last is None else self._last.time_s
         if self._version != self.unit.version:
             # Whoever reads evenly goes on with it, but what comes may soon be something else again.

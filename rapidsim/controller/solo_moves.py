@@ -79,8 +79,17 @@ class SoloMoves:
             )
         if queue.corrected is not None and move.sensed is Sensed.NEVER:
             queue.corrected.end()
+        is_first = not len(queue.moves)
+        is_free = is_first and queue.start_is_free and move.sensed is Sensed.NEVER
+        if is_free and (start := self.resolver.first_start(move, self.clock.place, queue.end)):
+            queue.begin_at(start)
         queued = self.resolver.resolve(
-            move, self.clock.place, queue.end, self.state.settings, is_first=not len(queue.moves)
+            move,
+            self.clock.place,
+            queue.end,
+            self.state.settings,
+            is_first=is_first,
+            starts_free=is_free,
         )
         if self.clock.thinks_long() or not queue.is_open:
             self.clock.observe()

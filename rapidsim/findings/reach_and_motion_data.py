@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Severity, Violation
 
 _LISTED_CONFIGURATIONS = 4
 """A pose has up to 32, most of them whole turns of axes away."""
@@ -60,6 +60,22 @@ class ConfigurationNotReachable(Violation, code="K603"):
     stored: str
     taken: str
     working: tuple[str, ...]
+    past_limit: str = ""
+    """What keeps the arm from the stored turn, in words; empty if no turn is near."""
+    goes_on: bool = False
+    """Whether only cf1, cf4 or cf6 differ: then a run takes the nearest and goes on."""
+
+    @property
+    def severity(self) -> Severity:
+        """A run that goes on is not stopped by it."""
+        return Severity.WARNING if self.goes_on else super().severity
+
+    @property
+    def message(self) -> str:
+        """With the joint and the limit that decide."""
+        why = f"configuration {self.stored}: {self.past_limit};"
+        old = f"configuration {self.stored};"
+        return super().message.replace(old, why, 1) if self.past_limit else super().message
 
     @property
     def help(self) -> str:
@@ -88,6 +104,21 @@ class ConfigurationChangesOnLine(Violation, code="K606"):
     target: str
     stored: str
     arrives: str
+    goes_on: bool = False
+    """Whether only cf1, cf4 or cf6 differ: then a run goes on."""
+
+    @property
+    def severity(self) -> Severity:
+        """A run that goes on is not stopped by it."""
+        return Severity.WARNING if self.goes_on else super().severity
+
+
+class PastLimitByRounding(Violation, code="K621"):
+    target: str
+    configuration: str
+    axis: int
+    value: str
+    excess: str
 
 
 class PathNotReachable(Violation, code="K604"):

@@ -32,6 +32,12 @@ class LowJointMargin(Violation, code="K607"):
     measure: str
 
 
+class ConfigurationQuarterOff(Violation, code="K622"):
+    target: str
+    stored: str
+    reached: str
+
+
 class Overload(Violation, code="M524"):
     what: str
     """With its verb."""

@@ -56,6 +56,7 @@ def with_given(station: Station, options: RunOptions) -> Station:
         external_axes=options.external_axes or station.external_axes,
         model=station.model if options.model == MotionModel() else options.model,
         nearest_configuration=station.nearest_configuration or options.nearest_configuration,
+        exact_configuration=station.exact_configuration or options.exact_configuration,
         io=station.io.and_also(options.io),
         tasks=(StationTask(options.task),) if is_named else station.tasks,
     )

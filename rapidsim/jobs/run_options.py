@@ -14,6 +14,7 @@ def run_options(job: Job) -> RunOptions:
         program_files=tuple(file.name for file in job.files),
         model=station.model,
         nearest_configuration=station.nearest_configuration or not job.is_arm_named,
+        exact_configuration=station.exact_configuration,
         io=station.io,
         answers=asked.answers,
         answers_are_typed=asked.answers_are_typed,

@@ -154,7 +154,11 @@ def sweep(
     )
     places = _placed(made, keys, values)
     reach = reach_from(
-        ready.tasks[0].program, ready.robot, places, external=made.station.external_axes
+        ready.tasks[0].program,
+        ready.robot,
+        places,
+        external=made.station.external_axes,
+        exact=made.station.exact_configuration,
     )
     works = (reach.unreachable == 0) & (reach.other_configuration == 0)
     runs: list[Outcome | None] = [None] * len(number)

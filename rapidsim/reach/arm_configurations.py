@@ -14,15 +14,15 @@ import numpy as np
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, RobTarget
+from rapidsim.motion.configurations.compliance import Match, hold
 from rapidsim.motion.configurations.confdata import (
+    Integers,
     configuration,
     configurations,
-    select,
-    stands_as,
     told_apart,
 )
 from rapidsim.motion.configurations.reachability import (
-    limit_excess,
+    pose_excess,
     programmed_excess,
     turns_within_limits,
 )
@@ -51,8 +51,13 @@ class Ends:
     reachable: Mask
     """Within the limits, in some configuration."""
     stored_works: Mask
+    """The arm meets the stored configuration."""
+    held: Mask
+    """A run goes on: the arm meets it, or an axis on the stored branch is two quarters off."""
+    match: Integers
+    """Shape (k,): the `Match` of the joints; OTHER for moves to axis positions."""
     stored: Array
-    """Shape (k, n) [rad]: joints in the stored configuration, where that works."""
+    """Shape (k, n) [rad]: joints in the stored configuration, where the arm can hold it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,17 +69,18 @@ class Stances:
     sure: Mask
 
 
-def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
-    """Solve the ends of all moves."""
+def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> Ends:
+    """Solve the ends of all moves; `exact` tolerates no quarter turn."""
     count = len(posed.moves)
     looked_at = np.ones(count, dtype=bool)
     looked_at[list(posed.left_out)] = False
-    reachable, works = np.zeros(count, dtype=bool), np.zeros(count, dtype=bool)
+    reachable, works, held = (np.zeros(count, dtype=bool) for _ in range(3))
+    matches = np.full(count, Match.OTHER, dtype=np.int64)
     stored = np.zeros((count, len(robot.joints)))
     to_axes = np.flatnonzero(looked_at & posed.to_axes)
     stored[to_axes] = posed.axes[to_axes]
     works[to_axes] = ~programmed_excess(robot, posed.axes[to_axes]).any(axis=-1)
-    reachable[to_axes] = works[to_axes]
+    reachable[to_axes] = held[to_axes] = works[to_axes]
     led = np.array([led_by_wrist(known, robot) for known in posed.moves], dtype=bool)
     # Their way tells whether they can be made; nobody goes to the pose of their target.
     reachable[looked_at & led] = True
@@ -85,9 +91,10 @@ def ends_of(posed: PosedMoves, robot: Robot) -> Ends:
     for first in range(0, len(rows), _BATCH):
         at = rows[first : first + _BATCH]
         confdata = confdata_columns([posed.moves[row] for row in at.tolist()])
-        solved = solved_ends(robot, posed.base_from_flange[at], confdata)
-        reachable[at], works[at], stored[at] = solved.reachable, solved.stored_works, solved.stored
-    return Ends(looked_at, reachable, works, stored)
+        solved = solved_ends(robot, posed.base_from_flange[at], confdata, exact=exact)
+        reachable[at], works[at], held[at] = solved.reachable, solved.stored_works, solved.held
+        matches[at], stored[at] = solved.match, solved.stored
+    return Ends(looked_at, reachable, works, held, matches, stored)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,20 +103,24 @@ class SolvedEnds:
 
     reachable: Mask
     stored_works: Mask
+    held: Mask
+    match: Integers
     stored: Array
 
 
-def solved_ends(robot: Robot, base_from_flange: Transform, confdata: Array) -> SolvedEnds:
+def solved_ends(
+    robot: Robot, base_from_flange: Transform, confdata: Array, *, exact: bool = False
+) -> SolvedEnds:
     """Solve poses (k,) whose targets store configurations (k, 4)."""
     near = turns_within_limits(robot, np.zeros(len(robot.joints)))
     branches = robot.inverse(base_from_flange)
     turned = turns_within_limits(robot, branches.joints)
-    within: Mask = branches.exists & ~limit_excess(robot, turned).any(axis=-1)
-    selected = select(robot, base_from_flange, confdata, near)
-    kept = selected.exists & stands_as(robot.kinematics, selected.joints, confdata)
-    kept &= ~limit_excess(robot, selected.joints).any(axis=-1)
-    stored = np.where(kept[:, None], selected.joints, 0.0)
-    return SolvedEnds(np.asarray(within.any(axis=-1)), kept, stored)
+    within: Mask = branches.exists & ~pose_excess(robot, turned).any(axis=-1)
+    best = hold(robot, base_from_flange, confdata, near)
+    met = best.possible & (best.match <= (Match.EXACT if exact else Match.COMPLIANT))
+    stored = np.where(best.possible[:, None], best.joints, 0.0)
+    held = met if exact else best.possible
+    return SolvedEnds(np.asarray(within.any(axis=-1)), met, held, best.match, stored)
 
 
 def stances_of(
@@ -146,6 +157,11 @@ def stances_of(
             joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
         elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
             start = joints[known.previous]
+            if _goes_on_turned(known, ends, row, robot):
+                flange, stored = posed.base_from_flange[row : row + 1], confdata_columns([known])
+                joints[row], sure[row] = hold(robot, flange, stored, start).joints[0], True
+                row += 1
+                continue
             if known.move.interpolation.leads_tcp:
                 stop = _end_of_chain(posed, ends, robot, {*arrivals, *lost}, row)
                 if row not in lost:
@@ -160,6 +176,12 @@ def stances_of(
                     sure[row] = True
         row += 1
     return Stances(joints, sure)
+
+
+def _goes_on_turned(known: KnownMove, ends: Ends, row: int, robot: Robot) -> bool:
+    """Whether a joint move takes another turn than the stored one, and a run goes on."""
+    to_pose = not known.move.interpolation.leads_tcp
+    return to_pose and bool(ends.held[row]) and is_monitored(known, robot)
 
 
 def is_monitored(known: KnownMove, robot: Robot) -> bool:
@@ -215,7 +237,7 @@ def _end_of_led(
     if circle_fault(segment) is not None:
         return None
     led = led_by_pair(robot.kinematics, segment)
-    if led is None or limit_excess(robot, led.arrival).any():
+    if led is None or pose_excess(robot, led.arrival).any():
         return None
     return led.arrival
 
@@ -245,7 +267,7 @@ def _follow(
     branch = int(robot.kinematics.branch_of(start))
     pose = posed.base_from_flange[slice(rows.start, rows.stop)]
     followed = robot.kinematics.inverse_on_branch(pose, branch, start)
-    good = followed.exists & ~limit_excess(robot, followed.joints).any(axis=-1)
+    good = followed.exists & ~pose_excess(robot, followed.joints).any(axis=-1)
     good = np.logical_and.accumulate(good)
     joints[rows.start : rows.stop] = np.where(good[:, None], followed.joints, 0.0)
     sure[rows.start : rows.stop] = good

@@ -22,6 +22,7 @@ from rapidsim.findings.reachability import (
 )
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation, SingularArea
+from rapidsim.motion.configurations.compliance import Match, match
 from rapidsim.motion.configurations.confdata import confdata_of, told_apart
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.geometry.segments import Segment, Waypoint
@@ -112,6 +113,8 @@ class WayFinder:
     model: MotionModel
     known_joints: Mapping[int, Array]
     """Joints (n,) [rad] of rows that a run has told."""
+    exact: bool = False
+    """Whether a stored configuration is not met where an axis is one quarter turn off."""
     _max_speed: Array | None = field(init=False)
 
     def __post_init__(self) -> None:
@@ -181,7 +184,7 @@ class WayFinder:
     def _asks_for_stored(self, row: int) -> bool:
         """Whether a move insists on a configuration that the arm could arrive in."""
         known = self.posed.moves[row]
-        return bool(self.ends.stored_works[row]) and is_monitored(known, self.robot)
+        return bool(self.ends.held[row]) and is_monitored(known, self.robot)
 
     def findings(self, ways: Ways) -> Iterator[Diagnostic]:
         """All findings about the paths."""
@@ -196,8 +199,11 @@ class WayFinder:
                     yield self._finding(row, fault_found)
                 continue
             yield from self._led(row, ways)
-            if row in ways.strays and self._asks_for_stored(row):
-                yield self._changed(row, ways.strays[row])
+            arrival = ways.strays.get(row)
+            if arrival is None and not self.ends.stored_works[row]:
+                arrival = way.arrival
+            if arrival is not None and self._asks_for_stored(row):
+                yield from self._changed(row, arrival)
             if way.hold_up is not None and not self._speed_unknown(row):
                 held = self._held_up(row, way.hold_up)
                 if held is not None:
@@ -272,14 +278,19 @@ class WayFinder:
             )
         return isinstance(build_path(self.robot, linked, self.model), PathFault)
 
-    def _changed(self, row: int, arrival: Array) -> Diagnostic:
-        known = self.posed.moves[row]
-        arrives = confdata_of(self.robot.kinematics, arrival).tolist()
-        found = ConfigurationChangesOnLine(
-            target_text(self.program, known), conf_text(stored_confdata(known)), conf_text(arrives)
-        )
+    def _changed(self, row: int, arrival: Array) -> Iterator[Diagnostic]:
+        """K606: a line that arrives elsewhere than in the stored configuration."""
+        known, kinematics = self.posed.moves[row], self.robot.kinematics
+        stored = stored_confdata(known)
+        how = Match(int(match(kinematics, arrival, np.array(stored))))
+        if how.meets(exact=self.exact):
+            return
+        arrives = conf_text(confdata_of(kinematics, arrival).tolist())
+        goes_on = how is Match.TURNED and not self.exact
+        name = target_text(self.program, known)
+        found = ConfigurationChangesOnLine(name, conf_text(stored), arrives, goes_on)
         fix = confdata_fix(self.program, known, arrives)
-        return replace(self._finding(row, found), fix=fix)
+        yield replace(self._finding(row, found), fix=fix)
 
     def _held_up(self, row: int, hold_up: HoldUp) -> Violation | None:
         known = self.posed.moves[row]

@@ -50,6 +50,8 @@ def reach_from(
     world_from_base: Transform,
     external: Sequence[ExternalAxis] = (),
     look: Look = undisturbed,
+    *,
+    exact: bool = False,
 ) -> PlacedReach:
     """Check all moves known without a run, with the robot at positions (k,).
 
@@ -59,6 +61,7 @@ def reach_from(
         world_from_base: The robot's positions, shape (k,).
         external: External axes; moves that involve them are skipped.
         look: Called now and then.
+        exact: Tolerate no quarter turn between a configuration and the stored one.
     """
     known = walk_program(program).known
     placed = posed(known, robot, Transform.identity(), external)
@@ -89,13 +92,13 @@ def reach_from(
             at = slice(first, min(first + at_once, count))
             flange = _each_from_each(base_from_world[at], world_from_flange)
             places = at.stop - at.start
-            solved = solved_ends(robot, flange, np.tile(confdata, (places, 1)))
+            solved = solved_ends(robot, flange, np.tile(confdata, (places, 1)), exact=exact)
             reached = solved.reachable.reshape(places, -1)
-            works = solved.stored_works.reshape(places, -1)
+            held = solved.held.reshape(places, -1)
             unreachable[at, to_poses] = ~reached
-            other[at, to_poses] = reached & ~works & monitored
+            other[at, to_poses] = reached & ~held & monitored
             least = _margins(robot, solved.stored).reshape(places, -1).min(axis=-1)
-            known_stance = works.all(axis=-1) & ~past_limits.any()
+            known_stance = held.all(axis=-1) & ~past_limits.any()
             margin[at] = np.where(known_stance, np.minimum(margin[at], least), np.inf)
     instructions = _instructions(known, rows)
     return PlacedReach(

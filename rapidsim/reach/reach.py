@@ -88,15 +88,16 @@ def check_reach(
         if told.moves:
             known += told.moves
             placed = posed(known, robot, base_from_world, options.external_axes)
-    ends = ends_of(placed, robot)
+    exact = options.exact_configuration
+    ends = ends_of(placed, robot, exact=exact)
     cures = None if by_default else Cures(program, placed, ends, robot, base_from_world)
-    finder = WayFinder(program, placed, ends, robot, options.model, joints)
+    finder = WayFinder(program, placed, ends, robot, options.model, joints, exact)
     ways = finder.survey()
     broken = {row for row, way in ways.surveyed.items() if way.broken}
     found = [
         *orientation_findings(program, placed, options.external_axes),
         *unreachable_findings(program, placed, ends, robot, cures),
-        *configuration_findings(program, placed, ends, robot),
+        *configuration_findings(program, placed, ends, ways.stances, robot),
         *finder.findings(ways),
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),

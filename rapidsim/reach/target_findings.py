@@ -9,7 +9,14 @@ from collections.abc import Set as AbstractSet
 import numpy as np
 
 from rapidsim.analysis.program import Program
-from rapidsim.controller.moves.configuration_choice import by_stored, conf_text, is_switch
+from rapidsim.controller.moves.configuration_choice import (
+    by_stored,
+    conf_text,
+    is_switch,
+    not_as_stored,
+    past_limit,
+    taken_instead,
+)
 from rapidsim.controller.moves.motion_findings import (
     WRIST_TURNS_FAR,
     switched,
@@ -17,19 +24,24 @@ from rapidsim.controller.moves.motion_findings import (
 )
 from rapidsim.controller.moves.target_checks import frame_orientations
 from rapidsim.controller.moves.target_words import named_target
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.reach_and_motion_data import (
-    ConfigurationNotReachable,
     JointOutOfRange,
     UnreachableTarget,
 )
-from rapidsim.findings.reachability import JointWindUp, LowJointMargin, Overload
+from rapidsim.findings.reachability import (
+    ConfigurationQuarterOff,
+    JointWindUp,
+    LowJointMargin,
+    Overload,
+)
 from rapidsim.frames.quaternion import norm
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import Orient, RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.target_violations import QuaternionNotUnit
-from rapidsim.motion.configurations.confdata import configuration, told_apart
+from rapidsim.motion.configurations.compliance import Match
+from rapidsim.motion.configurations.confdata import confdata_of, configuration, told_apart
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
 from rapidsim.motion.configurations.reachability import programmed_excess, why_unreachable
 from rapidsim.motion.configurations.targets import is_no_orientation
@@ -80,29 +92,59 @@ def unreachable_findings(
 
 
 def configuration_findings(
-    program: Program, posed: PosedMoves, ends: Ends, robot: Robot
+    program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
 ) -> Iterator[Diagnostic]:
     """K603: the stored configuration does not work where it is monitored, and which ones do."""
-    stale = ends.looked_at & ends.reachable & ~ends.stored_works & ~posed.to_axes
+    stale = ends.looked_at & ends.reachable & ~ends.held & ~posed.to_axes
     rows = [row for row in np.flatnonzero(stale).tolist() if is_monitored(posed.moves[row], robot)]
     flanges = posed.base_from_flange[np.array(rows, dtype=np.int64)]
-    working = by_stored(robot, flanges, [stored_confdata(posed.moves[row]) for row in rows])
-    for row, choices in zip(rows, working, strict=True):
-        if not choices:
-            continue
+    stored = [stored_confdata(posed.moves[row]) for row in rows]
+    names = [target_text(program, posed.moves[row]) for row in rows]
+    for row, found in zip(rows, not_as_stored(robot, flanges, stored, names), strict=True):
+        if found.working:
+            yield _on_target(program, posed.moves[row], found, found.working[0])
+    yield from _turned_findings(program, posed, ends, stances, robot)
+    yield from _quarter_off_findings(program, posed, ends, robot)
+
+
+def _turned_findings(
+    program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
+) -> Iterator[Diagnostic]:
+    """K603: joint moves that take another turn of the stored branch."""
+    turned = ends.looked_at & ends.held & ~ends.stored_works & stances.sure
+    for row in np.flatnonzero(turned).tolist():
         known = posed.moves[row]
-        found = ConfigurationNotReachable(
-            target_text(program, known),
-            conf_text(stored_confdata(known)),
-            conf_text(choices[0].confdata),
-            tuple(conf_text(one.confdata) for one in choices),
-        )
-        yield Diagnostic(
-            found,
-            target_span(program, known),
-            fix=confdata_fix(program, known, choices[0].confdata),
-            routine=known.routine,
-        )
+        if known.move.interpolation.leads_tcp or not is_monitored(known, robot):
+            continue
+        stored, flange = stored_confdata(known), posed.base_from_flange[row : row + 1]
+        taken = configuration(robot.kinematics, stances.joints[row])
+        (working,) = by_stored(robot, flange, [stored])
+        found = taken_instead(target_text(program, known), stored, taken, working)
+        yield _on_target(program, known, found, found.taken)
+
+
+def _quarter_off_findings(
+    program: Program, posed: PosedMoves, ends: Ends, robot: Robot
+) -> Iterator[Diagnostic]:
+    """K622: targets whose stored configuration is a quarter turn off, where a fix is known."""
+    off = ends.looked_at & ends.stored_works & ~posed.to_axes & (ends.match == Match.COMPLIANT)
+    for row in np.flatnonzero(off).tolist():
+        known = posed.moves[row]
+        if not is_monitored(known, robot):
+            continue
+        reached = conf_text(confdata_of(robot.kinematics, ends.stored[row]).tolist())
+        stored = conf_text(stored_confdata(known))
+        found = ConfigurationQuarterOff(target_text(program, known), stored, reached)
+        diagnostic = _on_target(program, known, found, reached)
+        # Without one nobody has stored it: it is that of a point taught elsewhere.
+        if diagnostic.fix is not None:
+            yield diagnostic
+
+
+def _on_target(program: Program, known: KnownMove, found: Violation, working: str) -> Diagnostic:
+    """A finding about a target, with the edit that stores a configuration that works."""
+    fix = confdata_fix(program, known, working)
+    return Diagnostic(found, target_span(program, known), fix=fix, routine=known.routine)
 
 
 def switch_findings(
@@ -177,23 +219,27 @@ def _orientations(
 def margin_findings(
     program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
 ) -> Iterator[Diagnostic]:
-    """K607: an axis near its limit at the end of a move."""
+    """K607, K621: an axis near its limit at the end of a move, or past it by a rounding."""
     below, above = stances.joints - robot.lower, robot.upper - stances.joints
     margin = np.minimum(below, above)
     low = ends.looked_at & ends.reachable & stances.sure & (margin < LOW_MARGIN).any(axis=-1)
     for row in np.flatnonzero(low).tolist():
+        name, span = target_text(program, posed.moves[row]), target_span(program, posed.moves[row])
+        past = None if posed.to_axes[row] else past_limit(robot, name, stances.joints[row])
+        if past is not None:
+            yield Diagnostic(past, span, routine=posed.moves[row].routine)
+            continue
         axis = int(margin[row].argmin())
         limit = robot.lower[axis] if below[row, axis] < above[row, axis] else robot.upper[axis]
-        known = posed.moves[row]
         found = LowJointMargin(
-            target_text(program, known),
+            name,
             axis + 1,
             float(np.degrees(stances.joints[row, axis])),
             max(0.0, float(np.degrees(margin[row, axis]))),
             round(float(np.degrees(limit)), 6),
             robot.joints[axis].measure,
         )
-        yield Diagnostic(found, target_span(program, known), routine=known.routine)
+        yield Diagnostic(found, span, routine=posed.moves[row].routine)
 
 
 def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iterator[Diagnostic]:

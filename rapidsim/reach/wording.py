@@ -68,7 +68,7 @@ def declared(symbol: DataSymbol | None, message: str) -> tuple[Related, ...]:
     return (Related(symbol.module.span(symbol.node.name), message.format(name=symbol.name)),)
 
 
-def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> Fix | None:
+def confdata_fix(program: Program, known: KnownMove, wanted: str) -> Fix | None:
     """An edit that puts another configuration into a target's declaration; None if it has none.
 
     Declarations of variables are left alone: they may hold another value when used.
@@ -91,12 +91,11 @@ def confdata_fix(program: Program, known: KnownMove, wanted: Sequence[int]) -> F
     return _confdata_edit(module.span(written), name, wanted)
 
 
-def _confdata_edit(literal: Span, name: str, wanted: Sequence[int]) -> Fix | None:
+def _confdata_edit(literal: Span, name: str, wanted: str) -> Fix | None:
     place = _third_part(literal)
     if place is None:
         return None
-    text = f"[{','.join(map(str, wanted))}]"
-    return Fix(f"store {text} in {name}", (Edit(place, text),), safe=False)
+    return Fix(f"store {wanted} in {name}", (Edit(place, wanted),), safe=False)
 
 
 def _third_part(span: Span) -> Span | None:

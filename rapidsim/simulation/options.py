@@ -29,8 +29,11 @@ class RunOptions:
     nearest_configuration: bool = False
     """Whether a move to a target whose stored configuration cannot be had goes to the nearest one
     and the run on; else it ends there, as on a controller with ConfJ or ConfL on."""
+    exact_configuration: bool = False
+    """Whether a stored configuration is not met where cf1, cf4 or cf6 is one quarter turn off."""
     start_joints_deg: tuple[float, ...] | None = None
-    """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
+    """Joints at the start [deg]. None takes the start of the arm's entry, as a rule all zero with
+    axis 5 at 30 degrees; if the first move is a line or arc, the arm begins above it."""
     world_from_base: Transform = field(default_factory=Transform.identity)
     """Where the robot stands, with all external axes at zero."""
     external_axes: tuple[ExternalAxis, ...] = ()

@@ -65,7 +65,8 @@ class TaskSetup:
     robot: Robot | None = None
     """None where the task moves nothing."""
     start_joints_deg: tuple[float, ...] | None = None
-    """Where the arm stands at the start; None takes all zero with axis 5 at 30 degrees."""
+    """Joints at the start [deg]. None takes the start of the arm's entry, as a rule all zero with
+    axis 5 at 30 degrees; if the first move is a line or arc, the arm begins above it."""
     world_from_base: Transform | None = None
     """Where the robot stands; None for the world's origin."""
     kind: TaskKind = TaskKind.NORMAL
@@ -122,7 +123,9 @@ def prepare(
         journal: Where it reports.
         options: Limits and the motion model.
     """
-    return begun(setup, unit_of(setup, stand_in, cell, journal, options), cell, journal, options)
+    unit = unit_of(setup, stand_in, cell, journal, options)
+    unit.own.start_is_free = setup.start_joints_deg is None
+    return begun(setup, unit, cell, journal, options)
 
 
 def unit_of(
@@ -152,6 +155,7 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        options.exact_configuration,
         frozenset(cell.conveyors),
         guesses_frames=options.guesses_frames,
     )
@@ -299,10 +303,16 @@ def _came_to_rest(controller: VirtualController) -> bool:
     return False
 
 
-def _start_waypoint(robot: Robot, degrees: tuple[float, ...] | None) -> Waypoint:
-    """Where arm and external axes stand before the first move, as the flange with no tool."""
+def start_joints(robot: Robot, degrees: tuple[float, ...] | None) -> Array:
+    """Joints (n,) [rad] before the first move; without degrees those that the arm's entry names."""
     wanted = robot.start if degrees is None else np.radians(np.array(degrees))
     joints: Array = np.clip(wanted, robot.lower, robot.upper)
+    return joints
+
+
+def _start_waypoint(robot: Robot, degrees: tuple[float, ...] | None) -> Waypoint:
+    """Where arm and external axes stand before the first move, as the flange with no tool."""
+    joints = start_joints(robot, degrees)
     external = np.array([_start_of(axis) for axis in robot.external])
     return Waypoint(joints, robot.kinematics.forward(joints), external)
 

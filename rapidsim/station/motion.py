@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from enum import StrEnum
 from typing import TypeVar, get_args
 
 from rapidsim.motion.model import (
@@ -36,9 +37,19 @@ _KEYS = (
     "configuration",
     "zone_share",
 )
+_EXACT_BEFORE = "stop"
+"""What version 0.1 called the rule `exact`."""
 _OF_DYNAMICS = ("torque", "wrist")
 _MAIN_AXES = 3
 _Word = TypeVar("_Word", bound=str)
+
+
+class ConfigurationRule(StrEnum):
+    """The words of `configuration`; see docs/configurations.md."""
+
+    COMPLIANT = "compliant"
+    EXACT = "exact"
+    NEAREST = "nearest"
 
 
 def read_motion(
@@ -107,16 +118,16 @@ def read_motion(
     return model, remarks
 
 
-def reads_nearest_configuration(reader: Reader, motion: Table) -> bool:
-    """`configuration`: whether an unreachable stored one is replaced by the nearest."""
-    match reader.text(motion, "motion", "configuration") or "stop":
-        case "stop":
-            return False
-        case "nearest":
-            return True
-        case other:
-            reader.wrong("motion.configuration", f"`{other}` is neither `stop` nor `nearest`")
-            return False
+def read_configuration_rule(reader: Reader, motion: Table) -> ConfigurationRule:
+    """Read `configuration`: what meets a stored one, and what becomes of a move that misses it."""
+    written = reader.text(motion, "motion", "configuration") or ConfigurationRule.COMPLIANT
+    if written == _EXACT_BEFORE:
+        return ConfigurationRule.EXACT
+    if written not in list(ConfigurationRule):
+        words = _neither([str(rule) for rule in ConfigurationRule])
+        reader.wrong("motion.configuration", f"`{written}` is {words}")
+        return ConfigurationRule.COMPLIANT
+    return ConfigurationRule(written)
 
 
 def _neither(words: Sequence[str]) -> str:

@@ -20,7 +20,7 @@ from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers
-from rapidsim.station.motion import read_motion, reads_nearest_configuration
+from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
@@ -67,6 +67,7 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     model, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
     )
+    configuration = read_configuration_rule(reader, reader.table(table, "motion"))
     labels = [robot.label for robot in robots] or [None]
     names_arm = bool(robots) and (not backup.robots or robots[0].name != backup.robots[0].name)
     station = Station(
@@ -76,7 +77,8 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
             reader, table, model.acceleration_time, backup.external_axes
         ),
         model=model,
-        nearest_configuration=reads_nearest_configuration(reader, reader.table(table, "motion")),
+        nearest_configuration=configuration is ConfigurationRule.NEAREST,
+        exact_configuration=configuration is ConfigurationRule.EXACT,
         tasks=read_tasks(reader, table, labels, backup.tasks),
         io=_io(reader, table, backup.io),
         robotware=read_robotware_of(reader, reader.table(table, "controller")) or backup.robotware,

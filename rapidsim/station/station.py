@@ -43,6 +43,8 @@ class Station:
     model: MotionModel = field(default_factory=MotionModel)
     nearest_configuration: bool = False
     """Whether moves go on to the nearest configuration where the stored one cannot be had."""
+    exact_configuration: bool = False
+    """Whether a stored configuration is not met where an axis is one quarter turn off."""
     tasks: tuple[StationTask, ...] = ()
     """In the order of the file; without any there is one, with the first robot."""
     io: CellIo = field(default_factory=CellIo)

@@ -22,7 +22,7 @@ ENDMODULE
 STALE = """MODULE cell
   ! Taught elsewhere.
   CONST robtarget p:=[[700,-100,600],[0,0,1,0],
-    [0,0,0,0], [9E9,9E9,9E9,9E9,9E9,9E9]];
+    [0,0,0,4], [9E9,9E9,9E9,9E9,9E9,9E9]];
   PROC main()
     MoveJ p,v500,fine,tool0;
   ENDPROC
@@ -124,7 +124,7 @@ def test_an_unsafe_fix_stores_the_configuration_and_touches_nothing_else(folder:
     (folder / "cell.mod").write_text(STALE)
     done = rapidsim("check", "cell.mod", "--fix", "--unsafe-fixes", cwd=folder)
     assert done.code == 0, done.out
-    cured = STALE.replace("[0,0,0,0], [9E9", "[-1,0,-1,0], [9E9")
+    cured = STALE.replace("[0,0,0,4], [9E9", "[-1,0,-1,0], [9E9")
     assert (folder / "cell.mod").read_text() == cured
 
 

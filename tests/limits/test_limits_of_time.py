@@ -55,7 +55,8 @@ FIB = once(
 )
 UNREACHED = forever(
     "      attempt;",
-    more="  PROC attempt()\n    MoveL far,v100,fine,tool0;\n  ERROR\n    TRYNEXT;\n  ENDPROC",
+    more="  PROC attempt()\n    joints:=CalcJointT(far,tool0);\n  ERROR\n    TRYNEXT;\n  ENDPROC\n"
+    "  PROC spare()\n    MoveL far,v100,fine,tool0;\n  ENDPROC",
 )
 TO_P1 = "    MoveJ p1,v1000,fine,tool0;\n"
 SLOW_FLY_BY = (
@@ -77,7 +78,7 @@ WAYS = {
         "  UNDO\n    deep;\n  ENDPROC",
     ),
     "calls of calls": once("    q0;", CHAIN + "\n  PROC q60()\n    n:=n+1;\n  ENDPROC"),
-    "moves that fail": UNREACHED,
+    "targets out of reach": UNREACHED,
     "moves of a thousandth of a millimetre": forever(
         "      MoveL Offs(p1,0.001*n,0,0),v100,z0,tool0;", first=TO_P1
     ),

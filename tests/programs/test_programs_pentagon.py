@@ -189,7 +189,7 @@ def test_nothing_is_said_of_the_drawing(drawing: Drawing) -> None:
     assert drawing.report["diagnostics"] == []
 
 
-STALE = "[-1,0,-1,0]"
+STALE = "[0,0,0,4]"
 
 
 def stale_drawing(folder: Path, station: str, *arguments: object) -> tuple[int, dict[str, object]]:

@@ -244,7 +244,7 @@ ENDMODULE
 
 def test_long_literal_targets_have_equal_findings_on_every_line() -> None:
     lines = "\n".join(
-        f"    MoveL [[700,{y}.25,600],[0,0,1,0],[1,1,1,1],[9E9,9E9,9E9,9E9,9E9,9E9]],v200,z1,tool0;"
+        f"    MoveL [[700,{y}.25,600],[0,0,1,0],[9,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v200,z1,tool0;"
         for y in range(50, 53)
     )
     home = "MoveAbsJ [[4,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;"

@@ -150,9 +150,9 @@ def test_a_move_without_correction_comes_back_to_its_path() -> None:
     assert course.places[-1] == pytest.approx((800.0, 100.0, 600.0), abs=0.05)
 
 
-def test_the_quarter_turns_at_the_end_are_those_that_the_path_leads_to() -> None:
-    # A correction may take an axis into another quarter; a path without one is held to its target.
-    turned = "VAR robtarget p; p := p2; p.robconf.cf6 := 1; prepare;"
+def test_the_configuration_at_the_end_is_where_the_path_leads_to() -> None:
+    # A correction may lead into another configuration; a path without one is held to its target.
+    turned = "VAR robtarget p; p := p2; p.robconf.cfx := 1; prepare;"
     it, _ = corrected(f"{turned}\nEGMMoveL id, p, v50, fine, tool0;", by(0.0))
     assert it.end == "ended"
     it, _ = corrected(f"{turned}\nMoveL p, v50, fine, tool0;", by(0.0))

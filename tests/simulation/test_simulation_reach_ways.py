@@ -98,14 +98,14 @@ def test_checking_by_value_and_the_run_agree_on_errors(
 
 
 def test_a_stale_configuration_comes_with_its_cure() -> None:
-    text = program("MoveJ a,v500,fine,tool0;").replace("[-1,0,-1,0]", "[0,0,0,0]")
+    text = program("MoveJ a,v500,fine,tool0;").replace("[-1,0,-1,0]", "[0,0,0,4]")
     found = checked(text).only("K603")
     fix = found.fix
     assert isinstance(fix, Fix)
     assert not fix.safe
     (edit,) = fix.edits
     cured = text[: edit.span.start] + edit.text + text[edit.span.end :]
-    assert edit.span.text == "[0,0,0,0]"
+    assert edit.span.text == "[0,0,0,4]"
     assert checked(cured).codes == []
     assert ran(cured).findings == []
 

@@ -1,8 +1,9 @@
-"""How the arm stands at the end of a move to a pose: in which configuration, after which turns.
+"""The configuration at the end of a move to a pose, with the turns of its axes.
 
-The controller wants the stored configuration exactly when ConfJ or ConfL is on, and stops when it
-does not work. So does the run, unless it is told to take the nearest that works: programs are often
-run against another work object than they were taught with, and the rest of them is worth seeing.
+With ConfJ or ConfL on the controller stops at a stored configuration that the arm cannot take. So
+does a run, unless it is told to take the nearest that works: programs are often run against another
+work object than they were taught with, and the rest of them is worth seeing. What meets a stored
+configuration is decided in `motion.configurations.compliance`.
 """
 
 from __future__ import annotations
@@ -22,13 +23,16 @@ from rapidsim.controller.moves.configuration_choice import (
     is_switch,
     nearest,
     nearest_without_switch,
+    not_as_stored,
+    past_limit,
     rounded,
     stored_or_nearest,
+    taken_instead,
 )
+from rapidsim.controller.moves.first_start import first_configuration
 from rapidsim.controller.moves.motion_findings import fault_violation, switched, wrist_turning_far
 from rapidsim.controller.moves.move_request import AskedMove, NotReachableError
 from rapidsim.controller.moves.target_checks import excess_text
-from rapidsim.diagnostics import Violation
 from rapidsim.findings.reach_and_motion_data import (
     CircleUncertain,
     ConfigurationChangesOnLine,
@@ -42,16 +46,16 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.moves import Place, Sensed, SingularArea
+from rapidsim.motion.configurations.compliance import Match, hold, match
 from rapidsim.motion.configurations.confdata import (
     Configuration,
     configuration,
     configurations,
     named,
-    stands_as,
     told_apart,
 )
 from rapidsim.motion.configurations.reach_cures import reason_with_lengths
-from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.reachability import pose_excess, why_unreachable
 from rapidsim.motion.configurations.wrist_lock import AXIS_4, lock_axis_4
 from rapidsim.motion.geometry.curves import Curves, circle_fault, curves_of
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
@@ -78,6 +82,8 @@ class Arrivals:
     journal: Journal
     takes_nearest: bool = False
     """Whether a stored configuration that does not work gives way to the nearest that does."""
+    exact: bool = False
+    """Whether a stored configuration is not met where cf1, cf4 or cf6 is one quarter turn off."""
 
     def of(
         self, asked: AskedMove, stored: ConfData, segment: Segment, *, is_short: bool
@@ -106,6 +112,7 @@ class Arrivals:
             self._hold_to_stored(asked, stored, segment, arrival)
             if not is_short:
                 self._tell_far_turn(asked, segment, arrival)
+                self._tell_past_limit(asked, arrival)
             area = asked.request.settings.singular_area
             if area is SingularArea.LOCK_AXIS_4 and _has_axis_4(segment):
                 arrival = self._locked(asked, arrival, segment)
@@ -152,16 +159,18 @@ class Arrivals:
             NotReachableError: When it cannot, and the nearest is not taken.
         """
         working = self.working(base_from_flange, target)
-        chosen, wanted = stored_or_nearest(working, stored, near), rounded(stored)
-        if not told_apart(self.robot.kinematics) or self._stands_as(chosen, wanted):
+        if not told_apart(self.robot.kinematics):
+            return stored_or_nearest(working, stored, near)
+        wanted = rounded(stored)
+        held = self._held(base_from_flange, wanted, near)
+        chosen = held or stored_or_nearest(working, stored, near)
+        if self._match(chosen, wanted).meets(exact=self.exact):
             return chosen
-        (found,) = by_stored(self.robot, base_from_flange[None], [wanted])
-        listed = tuple(conf_text(one.confdata) for one in found or working)
-        violation = ConfigurationNotReachable(target, conf_text(wanted), listed[0], listed)
-        if not self.takes_nearest:
-            raise NotReachableError(ERR_ROBLIMIT, violation)
+        found = self._not_as_stored(target, base_from_flange, wanted, held)
+        if not (found.goes_on or self.takes_nearest):
+            raise NotReachableError(ERR_ROBLIMIT, found)
         key = ("configuration", place.span)
-        self.journal.finding(violation, place, once=key, assumed=True)
+        self.journal.finding(found, place, once=key, assumed=True)
         return chosen
 
     def _require_circle(self, asked: AskedMove, segment: Segment) -> None:
@@ -181,13 +190,39 @@ class Arrivals:
             arrived = self._end_of_curve(segment)
             return arrived or nearest(self._working(asked, segment), near)
         if not self._is_monitored(asked, segment):
+            if asked.starts_free and told_apart(self.robot.kinematics):
+                flange = self._base_from_flange(asked, segment)
+                first = first_configuration(self.robot, flange, rounded(stored), near)
+                if first is not None:
+                    return first
             before = self.configuration(near)
             chosen = nearest_without_switch(self._working(asked, segment), before)
             self._tell_switch(asked, segment, before, chosen)
             return chosen
-        wanted = rounded(stored)
-        as_stored = named(self.robot, self._base_from_flange(asked, segment), wanted)
-        return as_stored or self._by_stored(asked, wanted, segment)[0]
+        wanted, flange = rounded(stored), self._base_from_flange(asked, segment)
+        held = named(self.robot, flange, wanted) or self._held(flange, wanted, near)
+        return held or self._by_stored(asked, wanted, segment)[0]
+
+    def _held(
+        self, base_from_flange: Transform, wanted: Quarters, near: Array
+    ) -> Configuration | None:
+        """The configuration that holds best to a stored one, on its branch; None if none can."""
+        best = hold(self.robot, base_from_flange[None], np.array([wanted]), near)
+        return self.configuration(best.joints[0]) if best.possible[0] else None
+
+    def _not_as_stored(
+        self,
+        target: str,
+        base_from_flange: Transform,
+        wanted: Quarters,
+        held: Configuration | None,
+    ) -> ConfigurationNotReachable:
+        """Why a target is not reached as stored; a run goes on with what holds to its branch."""
+        if held is not None and not self.exact:
+            (working,) = by_stored(self.robot, base_from_flange[None], [wanted])
+            return taken_instead(target, wanted, held, working)
+        (found,) = not_as_stored(self.robot, base_from_flange[None], [wanted], [target])
+        return found
 
     def _tell_switch(
         self, asked: AskedMove, segment: Segment, before: Configuration, chosen: Configuration
@@ -219,28 +254,53 @@ class Arrivals:
             MoveImpossible: When the nearest is not to be taken.
         """
         wanted = rounded(stored)
-        if not self._is_monitored(asked, segment) or self._stands_as(chosen, wanted):
+        if not self._is_monitored(asked, segment):
+            return
+        if self._match(chosen, wanted).meets(exact=self.exact):
             return
         key = ("configuration", asked.written)
         if self.takes_nearest and self.journal.has_found(key):
             return
-        working = self._by_stored(asked, wanted, segment)
-        found: Violation
-        if not self._stands_as(working[0], wanted):
-            listed = tuple(conf_text(one.confdata) for one in working)
-            found = ConfigurationNotReachable(asked.name, conf_text(wanted), listed[0], listed)
-        elif not _in_joints(segment) and self._end_of_curve(segment) is None:
-            # Planning says where.
-            return
+        flange = self._base_from_flange(asked, segment)
+        held = self._held(flange, wanted, segment.start.joints)
+        found: ConfigurationNotReachable | ConfigurationChangesOnLine | None
+        if _in_joints(segment):
+            found = self._not_as_stored(asked.name, flange, wanted, held)
         else:
-            arrives = conf_text(chosen.confdata)
-            found = ConfigurationChangesOnLine(asked.name, conf_text(wanted), arrives)
-        if not self.takes_nearest:
+            found = self._misses_on_curve(asked, segment, wanted, held, chosen)
+        if found is None:
+            return
+        if not (found.goes_on or self.takes_nearest):
             raise MoveImpossible(found)
         self.journal.finding(found, asked.place, once=key, assumed=True)
 
-    def _stands_as(self, chosen: Configuration, wanted: Quarters) -> bool:
-        return bool(stands_as(self.robot.kinematics, chosen.joints, np.array(wanted)))
+    def _misses_on_curve(
+        self,
+        asked: AskedMove,
+        segment: Segment,
+        wanted: Quarters,
+        held: Configuration | None,
+        arrival: Configuration,
+    ) -> ConfigurationNotReachable | ConfigurationChangesOnLine | None:
+        """What is wrong with the arrival of a line or arc; None if planning says where it fails."""
+        if held is None or (self.exact and self._match(held, wanted) is not Match.EXACT):
+            return self._not_as_stored(
+                asked.name, self._base_from_flange(asked, segment), wanted, None
+            )
+        if self._end_of_curve(segment) is None:
+            return None
+        goes_on = self._match(arrival, wanted) is Match.TURNED and not self.exact
+        arrives = conf_text(arrival.confdata)
+        return ConfigurationChangesOnLine(asked.name, conf_text(wanted), arrives, goes_on)
+
+    def _match(self, chosen: Configuration, wanted: Quarters) -> Match:
+        return Match(int(match(self.robot.kinematics, chosen.joints, np.array(wanted))))
+
+    def _tell_past_limit(self, asked: AskedMove, arrival: Configuration) -> None:
+        """Report an end past a limit by no more than poses are rounded."""
+        found = past_limit(self.robot, asked.name, arrival.joints)
+        if found is not None:
+            self.journal.finding(found, asked.place, once=("past limit", asked.written))
 
     def _is_monitored(self, asked: AskedMove, segment: Segment) -> bool:
         """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names.
@@ -285,7 +345,7 @@ class Arrivals:
             base_from_flange, segment.branch, segment.start.joints
         )
         joints = followed.joints[-1]
-        if not followed.exists[-1] or np.any(limit_excess(self.robot, joints) != 0.0):
+        if not followed.exists[-1] or np.any(pose_excess(self.robot, joints) != 0.0):
             return None
         return self.configuration(joints)
 

@@ -6,16 +6,26 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rapidsim.findings.reach_and_motion_data import (
+    ConfigurationNotReachable,
+    PastLimitByRounding,
+)
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
+from rapidsim.motion.configurations.compliance import Match, hold
 from rapidsim.motion.configurations.confdata import (
     NO_CONFIGURATION,
+    QUARTER,
     Configuration,
     confdata_of,
     select,
     told_apart,
 )
-from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
+from rapidsim.motion.configurations.reachability import (
+    limit_excess,
+    pose_excess,
+    turns_within_limits,
+)
 from rapidsim.motion.robot.robot import Robot
 
 Quarters = tuple[int, int, int, int]
@@ -23,6 +33,9 @@ Quarters = tuple[int, int, int, int]
 
 _EQUALLY_NEAR = 9
 """Decimal places of a distance [rad] that count."""
+_LEAST_EXCESS = np.radians(1e-3)
+"""An excess [rad] that is worth a word."""
+_ROUNDED = 0.01
 _MAIN_AXES = 0b110
 """The bits of cfx for the wrist centre: behind axis 1, behind the lower arm."""
 
@@ -58,7 +71,7 @@ def by_stored(
         wanted[:, 3] = branch
         selected = select(robot, base_from_flange, wanted, near)
         for joints in (selected.joints, turns_within_limits(robot, selected.joints)):
-            within = selected.exists & ~limit_excess(robot, joints).any(axis=-1)
+            within = selected.exists & ~pose_excess(robot, joints).any(axis=-1)
             named = confdata_of(robot.kinematics, joints)
             for at in np.flatnonzero(within).tolist():
                 cf1, cf4, cf6, cfx = named[at].tolist()
@@ -68,6 +81,68 @@ def by_stored(
         [choices[conf] for conf in sorted(choices, key=lambda conf: _far(conf, of))]
         for choices, of in zip(found, stored, strict=True)
     ]
+
+
+def not_as_stored(
+    robot: Robot,
+    base_from_flange: Transform,
+    stored: Sequence[Quarters],
+    targets: Sequence[str],
+) -> list[ConfigurationNotReachable]:
+    """Why the arm cannot take the stored configurations of targets with poses (k,).
+
+    What works instead is empty for poses that no configuration reaches.
+    """
+    working = by_stored(robot, base_from_flange, stored)
+    near = turns_within_limits(robot, np.zeros(len(robot.joints)))
+    best = hold(robot, base_from_flange, np.array(stored).reshape(-1, 4), near)
+    excess = np.where((best.match < Match.TURNED)[:, None], best.excess, 0.0)
+    found = []
+    for row, (choices, target) in enumerate(zip(working, targets, strict=True)):
+        listed = tuple(conf_text(one.confdata) for one in choices)
+        axis = int(np.abs(excess[row]).argmax())
+        over = abs(float(excess[row, axis]))
+        past_limit = ""
+        if 0.0 < over < QUARTER:
+            conf = conf_text(confdata_of(robot.kinematics, best.joints[row]).tolist())
+            past_limit = (
+                f"in {conf} joint {axis + 1} would be at "
+                f"{robot.axes.text(axis, best.joints[row, axis])}, "
+                f"{robot.axes.text(axis, over)} past its limit"
+            )
+        taken = listed[0] if listed else ""
+        found.append(
+            ConfigurationNotReachable(target, conf_text(stored[row]), taken, listed, past_limit)
+        )
+    return found
+
+
+def taken_instead(
+    target: str, stored: Quarters, taken: Configuration, working: Sequence[Configuration]
+) -> ConfigurationNotReachable:
+    """A run that goes on in another turn of the stored branch, and what else works."""
+    named = conf_text(taken.confdata)
+    others = [text for one in working if (text := conf_text(one.confdata)) != named]
+    return ConfigurationNotReachable(
+        target, conf_text(stored), named, (named, *others), goes_on=True
+    )
+
+
+def past_limit(robot: Robot, target: str, joints: Array) -> PastLimitByRounding | None:
+    """The joint that is furthest past its limit at a target, by what is tolerated there.
+
+    None if none is, or by less than a thousandth of a degree.
+    """
+    excess = np.abs(limit_excess(robot, joints))
+    axis = int(excess.argmax())
+    if not excess[axis] > _LEAST_EXCESS or robot.kinematics.slides[axis]:
+        return None
+    over, at = np.degrees([excess[axis], joints[axis]]).tolist()
+    digits = 2 if over >= _ROUNDED else 3
+    conf = conf_text(confdata_of(robot.kinematics, joints).tolist())
+    return PastLimitByRounding(
+        target, conf, axis + 1, f"{at:.{digits}f} deg", f"{over:.{digits}f} deg"
+    )
 
 
 def _far(conf: Quarters, stored: Quarters) -> tuple[bool, int, Quarters]:
@@ -107,7 +182,7 @@ def excess_without_switch(
     if not kept:
         return None
     joints = turns_within_limits(robot, branches.joints[kept])
-    excess = np.abs(limit_excess(robot, joints)).max(axis=-1)
+    excess = np.abs(pose_excess(robot, joints)).max(axis=-1)
     least: Array = joints[int(excess.argmin())]
     return least
 

@@ -39,7 +39,9 @@ class AskedMove:
     request: MoveRequest
     place: Place
     is_first: bool = False
-    """Whether it is the first move of a run: where that starts nobody knows."""
+    """Whether it is the first move of a run."""
+    starts_free: bool = False
+    """Whether neither station nor program say where the arm begins."""
 
     @property
     def name(self) -> str:

@@ -10,8 +10,9 @@ import numpy as np
 from rapidsim.controller.journal.journal import Instant, Journal
 from rapidsim.controller.journal.stop_reasons import MoveImpossible
 from rapidsim.controller.moves.arrival import Arrivals
-from rapidsim.controller.moves.configuration_choice import stored_or_nearest
+from rapidsim.controller.moves.configuration_choice import rounded, stored_or_nearest
 from rapidsim.controller.moves.executed_move import CornerKind
+from rapidsim.controller.moves.first_start import start_above
 from rapidsim.controller.moves.move_data import (
     asked_circle_mode,
     can_turn_wrist_in_joints,
@@ -51,6 +52,7 @@ from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
 from rapidsim.language.errors import NotSimulated, Stopped
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
+from rapidsim.motion.configurations.confdata import told_apart
 from rapidsim.motion.configurations.short_lines import end_of_short_line
 from rapidsim.motion.geometry.segments import WRIST_PAIRS, Waypoint
 from rapidsim.motion.robot.robot import Robot
@@ -73,6 +75,8 @@ class Resolver:
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that does not work gives way to the nearest that does."""
+    exact_configuration: bool = False
+    """Whether a stored configuration is not met where an axis is one quarter turn off."""
     conveyors: frozenset[str] = frozenset()
     """Folded names of the mechanical units that are conveyors in the cell."""
     holders: Holders = field(default_factory=Holders)
@@ -94,6 +98,7 @@ class Resolver:
         settings: MotionSettings,
         *,
         is_first: bool = False,
+        starts_free: bool = False,
         lead: targets.Lead | None = None,
     ) -> QueuedMove:
         """Work out where a move goes.
@@ -104,6 +109,7 @@ class Resolver:
             start: Where it starts.
             settings: Of the task.
             is_first: Whether it is the first move of the run.
+            starts_free: Whether nothing says where the arm begins with it.
             lead: The robot of the team that carries the work object along.
 
         Raises:
@@ -111,6 +117,10 @@ class Resolver:
                 called then.
         """
         try:
+            if starts_free:
+                return self._resolved(
+                    move, place, start, settings, lead, is_first=is_first, starts_free=True
+                )
             return self._resolve(move, place, start, settings, lead, is_first=is_first)
         except NotReachableError as error:
             raise MoveImpossible(error.violation) from None
@@ -152,10 +162,11 @@ class Resolver:
         lead: targets.Lead | None = None,
         *,
         is_first: bool = False,
+        starts_free: bool = False,
     ) -> QueuedMove:
         to = move.to
         request = MoveRequest(move, settings, self._placement_of(move, place, lead))
-        asked, placed = AskedMove(request, place, is_first), request.placed
+        asked, placed = AskedMove(request, place, is_first, starts_free), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
         self._tell_what_is_not_simulated(asked)
@@ -185,6 +196,32 @@ class Resolver:
             tcp_from_flange,
             settings.grip_load_kg,
         )
+
+    def first_start(self, move: Move, place: Place, start: Waypoint) -> Waypoint | None:
+        """Where the arm begins with a line or arc, if nothing else says it; see `start_above`.
+
+        None for other moves, and where external axes, other robots or a stationary tool take part.
+        """
+        if not isinstance(move.to, RobTarget) or not move.interpolation.leads_tcp:
+            return None
+        if self.robot.external or not told_apart(self.robot.kinematics):
+            return None
+        try:
+            placed = self._placement_of(move, place, None)
+            for target in (move.to, move.circle_point or move.to):
+                require_orientation(_TARGET, target.rot)
+        except (NotReachableError, Stopped):
+            # The move itself says what is wrong with it.
+            return None
+        if placed.carrier is not None:
+            return None
+        end = placed.curve_from_tcp(move.to)
+        via = None if move.circle_point is None else placed.curve_from_tcp(move.circle_point)
+        tcp_from_flange, stored = placed.tcp_from_flange, rounded(move.to.robconf)
+        joints = start_above(self.robot, end, via, tcp_from_flange, stored, start.joints)
+        if joints is None:
+            return None
+        return Waypoint(joints, self.robot.kinematics.forward(joints), start.external)
 
     def joints(self, target: JointTarget) -> Array:
         """Axis positions [deg, mm where the arm's axis slides] as joints (n,) [rad]."""
@@ -251,7 +288,9 @@ class Resolver:
 
     @cached_property
     def _arrivals(self) -> Arrivals:
-        return Arrivals(self.robot, self.journal, self.nearest_configuration)
+        return Arrivals(
+            self.robot, self.journal, self.nearest_configuration, self.exact_configuration
+        )
 
     def _end(self, asked: AskedMove, start: Waypoint, external: Array) -> tuple[Waypoint, bool]:
         """Where a move ends, and whether its joints there are known.

@@ -86,6 +86,9 @@ class SoloQueue:
     """What moves the robot at the moment; None while it is on its path."""
     corrected: CorrectedMotion | None = None
     """What leads the robot beside its path; None while it is on it."""
+    start_is_free: bool = False
+    """Whether the arm may begin elsewhere: it has not moved, and its position is not known to the
+    station or the program."""
     _left_at: Waypoint | None = None
     """Where the path that was taken up again had been left."""
 
@@ -133,6 +136,12 @@ class SoloQueue:
     def is_led(self) -> bool:
         """Whether a sensor guides the robot or corrects its path."""
         return self.guided is not None or self.corrected is not None
+
+    def begin_at(self, start: Waypoint) -> None:
+        """Let an arm that has not moved begin elsewhere."""
+        self.planner.trajectory.begin_at(start)
+        self.planner.version += 1
+        self.end = start
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
         """Put a move on the path; see `BlockPlanner.append`."""

@@ -20,7 +20,11 @@ import numpy.typing as npt
 
 from rapidsim.frames import rigid
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.reachability import limit_tolerance, turns_within_limits
+from rapidsim.motion.configurations.reachability import (
+    limit_tolerance,
+    pose_tolerance,
+    turns_within_limits,
+)
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.unwrapping import TURN
@@ -75,27 +79,14 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
     joints = np.asarray(joints, dtype=np.float64)
     branch = kinematics.branch_of(joints)
     if joints.ndim == 1:
-        counted = [0 if a is None else joints.item(a) for a in _counted_axes(kinematics)]
+        counted = [0 if a is None else joints.item(a) for a in counted_axes(kinematics)]
         return np.array([*(floor((angle + SNAP) / QUARTER) for angle in counted), int(branch)])
-    return np.concatenate([_counted_quarters(kinematics, joints), branch[..., None]], axis=-1)
+    return np.concatenate([counted_quarters(kinematics, joints), branch[..., None]], axis=-1)
 
 
 def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
     """A joint vector (n,) [rad] with its confdata."""
     return Configuration(joints, _four(confdata_of(kinematics, joints)))
-
-
-def stands_as(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> Mask:
-    """Whether joint vectors (..., n) [rad] match confdata (..., 4).
-
-    The border of a quarter turn belongs to both sides: there the rounding of a target would decide.
-    """
-    wanted = np.asarray(confdata)
-    branch = kinematics.branch_of(np.asarray(joints)) == wanted[..., 3]
-    below = _counted_quarters(kinematics, joints - BORDER) <= wanted[..., :3]
-    above = _counted_quarters(kinematics, joints + BORDER) >= wanted[..., :3]
-    as_said: Mask = branch & (below & above).all(axis=-1)
-    return as_said
 
 
 def select(
@@ -129,8 +120,8 @@ def select(
             found = robot.kinematics.inverse_on_branch(base_from_flange[rows], branch, held[rows])
             joints[rows], exists[rows] = found.joints, found.exists
     joints = turns_within_limits(robot, joints)
-    turns = np.round((wanted[:, :3] - _counted_quarters(robot.kinematics, joints)) / 4.0)
-    for column, axis in enumerate(_counted_axes(robot.kinematics)):
+    turns = np.round((wanted[:, :3] - counted_quarters(robot.kinematics, joints)) / 4.0)
+    for column, axis in enumerate(counted_axes(robot.kinematics)):
         if axis is not None:
             joints[:, axis] += TURN * turns[:, column]
     if robot.kinematics.spherical_wrist:
@@ -139,21 +130,24 @@ def select(
             joints[undetermined], wanted[undetermined], held[undetermined]
         )
     joints[~exists] = 0.0
-    return Selected(joints, exists, _counted_quarters(robot.kinematics, joints) - wanted[:, :3])
+    return Selected(joints, exists, counted_quarters(robot.kinematics, joints) - wanted[:, :3])
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
     """All joint vectors for one pose within the joint limits: all branches, all whole turns.
 
+    If there are none, those that are past a limit by no more than poses of programs are rounded.
     Joint vectors where branches meet are listed once. Where axis 5 is 0 the sum of axes 4 and 6 can
     be split in infinitely many ways; only those with axis 4 at multiples of a half turn are listed.
     """
     branches = robot.kinematics.inverse(base_from_flange)
-    vectors = [
-        turned
-        for joints in distinct(branches.joints[branches.exists], robot.kinematics.turns)
-        for turned in within_limits(robot, joints)
-    ]
+    unturned = distinct(branches.joints[branches.exists], robot.kinematics.turns)
+    vectors = [turned for joints in unturned for turned in within_limits(robot, joints)]
+    if not vectors:
+        tolerance = pose_tolerance(robot)
+        vectors = [
+            turned for joints in unturned for turned in within_limits(robot, joints, tolerance)
+        ]
     if not vectors:
         return ()
     found = np.array(vectors)
@@ -178,9 +172,9 @@ def named(
     found = arm.single.inverse_on_branch(rigid.from_transform(base_from_flange), branch, None)
     if found is None:
         return None
-    quarters = dict(zip(_counted_axes(arm), confdata, strict=False))
+    quarters = dict(zip(counted_axes(arm), confdata, strict=False))
     joints = []
-    for axis, turns in enumerate(_turns_of_each(robot, found)):
+    for axis, turns in enumerate(_turns_of_each(robot, found, limit_tolerance(robot))):
         quarter = quarters.get(axis)
         for turned in turns:
             if quarter is None or quarter == floor((turned + SNAP) / QUARTER):
@@ -194,9 +188,12 @@ def named(
     return Configuration(np.array(joints), confdata)
 
 
-def within_limits(robot: Robot, joints: Array) -> Iterator[tuple[float, ...]]:
-    """A joint vector (n,) [rad] in all whole turns within the limits."""
-    return product(*_turns_of_each(robot, joints.tolist()))
+def within_limits(
+    robot: Robot, joints: Array, tolerance: Array | None = None
+) -> Iterator[tuple[float, ...]]:
+    """A joint vector (n,) [rad] in all whole turns within the limits, or a tolerance (n,) past."""
+    tolerance = limit_tolerance(robot) if tolerance is None else tolerance
+    return product(*_turns_of_each(robot, joints.tolist(), tolerance))
 
 
 def distinct(joints: Array, turns: Array) -> list[Array]:
@@ -208,7 +205,7 @@ def distinct(joints: Array, turns: Array) -> list[Array]:
     return [row for index, row in enumerate(joints) if first[index] == index]
 
 
-def _counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
+def counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
     """The joints, counted from 0, that are RAPID's axes 1, 4 and 6; None where there is no such.
 
     Palletizers have no axis 4, SCARAs no axis 6; five-axis arms roll with the last.
@@ -219,9 +216,9 @@ def _counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
     return 0, axis_4, None if last == axis_4 else last
 
 
-def _counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
+def counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
     """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
-    axes = _counted_axes(kinematics)
+    axes = counted_axes(kinematics)
     columns = [
         np.zeros(joints.shape[:-1], np.int64) if axis is None else _quarters(joints[..., axis])
         for axis in axes
@@ -233,12 +230,14 @@ def _quarters(angles: Array) -> Integers:
     return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
 
 
-def _turns_of_each(robot: Robot, joints: Sequence[float]) -> Iterator[tuple[float, ...]]:
+def _turns_of_each(
+    robot: Robot, joints: Sequence[float], tolerance: Array
+) -> Iterator[tuple[float, ...]]:
     """Each joint [rad] of a vector in the whole turns that lie within its limits, from below.
 
     One where these are endless.
     """
-    turns, tolerances = robot.kinematics.turns.tolist(), limit_tolerance(robot).tolist()
+    turns, tolerances = robot.kinematics.turns.tolist(), tolerance.tolist()
     for value, limits, turn, rounded in zip(joints, robot.joints, turns, tolerances, strict=True):
         if isinf(limits.lower) or isinf(limits.upper):
             yield (value,)

@@ -9,12 +9,14 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.unwrapping import whole_turns
-from rapidsim.motion.robot.external_axes import ROUNDED_AWAY
+from rapidsim.motion.robot.external_axes import ROUNDED_AWAY, ROUNDED_POSE
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import dataclass
 
 LIMIT_TOLERANCE = 1e-9
 """A joint that turns counts as within its limits up to this [rad], for rounding."""
+POSE_TOLERANCE = radians(ROUNDED_POSE)
+"""A joint that turns may be past its limit by this [rad] at a pose of a program, with a warning."""
 SLIDING_TOLERANCE = radians(ROUNDED_AWAY)
 """The same of a joint that slides, 0.05 mm: targets on top of its stroke are usual, and are written
 with as many digits as the way of the flange."""
@@ -74,8 +76,17 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
     """By how much joint vectors (..., n) [rad] exceed limits: + above, - below, 0 within."""
+    return _excess(robot, joints, limit_tolerance(robot))
+
+
+def pose_excess(robot: Robot, joints: Array) -> Array:
+    """Like `limit_excess`, for joints at poses of programs, which are rounded."""
+    return _excess(robot, joints, pose_tolerance(robot))
+
+
+def _excess(robot: Robot, joints: Array, tolerance: Array) -> Array:
     # What is over by more than is tolerated is over by all of it but rounding.
-    tolerated = limit_tolerance(robot) - LIMIT_TOLERANCE
+    tolerated = tolerance - LIMIT_TOLERANCE
     above = joints - robot.upper - LIMIT_TOLERANCE
     below = robot.lower - joints - LIMIT_TOLERANCE
     over: Array = np.where(above > tolerated, above, 0.0) - np.where(below > tolerated, below, 0.0)
@@ -85,6 +96,11 @@ def limit_excess(robot: Robot, joints: Array) -> Array:
 def limit_tolerance(robot: Robot) -> Array:
     """The tolerance of each joint limit (n,) [rad]."""
     return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, LIMIT_TOLERANCE)
+
+
+def pose_tolerance(robot: Robot) -> Array:
+    """The tolerance of each joint limit (n,) [rad] for poses of programs."""
+    return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, POSE_TOLERANCE)
 
 
 def programmed_excess(robot: Robot, joints: Array) -> Array:

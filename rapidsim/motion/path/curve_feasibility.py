@@ -15,7 +15,7 @@ import numpy.typing as npt
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.confdata import told_apart
-from rapidsim.motion.configurations.reachability import limit_excess
+from rapidsim.motion.configurations.reachability import pose_excess
 from rapidsim.motion.geometry.curves import Curves, curves_of
 from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
 from rapidsim.motion.geometry.segments import Segment
@@ -89,7 +89,7 @@ def _survey(
     nodes = _nodes(curves, arms)
     row, joints = nodes.curve, nodes.joints
     last = np.append(np.flatnonzero(np.diff(row)), len(row) - 1)
-    past = (np.abs(limit_excess(robot, joints)) > _PAST_LIMIT).any(axis=-1) | ~nodes.exists
+    past = (np.abs(pose_excess(robot, joints)) > _PAST_LIMIT).any(axis=-1) | ~nodes.exists
     broken = np.zeros(len(segments), dtype=bool)
     np.logical_or.at(broken, row, past)
     np.logical_or.at(broken, row[1:], nodes.jumps(robot.kinematics.turns))

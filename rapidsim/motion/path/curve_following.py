@@ -122,7 +122,7 @@ def limit_fault(
     joints = joints[:, : len(lower)]
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
-    if not len(bad) or not (over > axes.tolerances).any():
+    if not len(bad) or not (over > axes.path_tolerances).any():
         return None
     first = int(bad[0])
     axis = int(over[first].argmax())

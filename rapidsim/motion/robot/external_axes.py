@@ -20,6 +20,9 @@ Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"
 ROUNDED_AWAY = 0.05
 """What a program writes may be past a limit by less [deg or mm]: the controller shows 0.0."""
+ROUNDED_POSE = 0.1
+"""How far [deg] a joint that turns may be past its limit on the way to a pose, which is stored in
+hundredths of a millimetre."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -87,6 +90,15 @@ class Axes:
         """The tolerance of each axis limit (n + e,) [rad or m]."""
         external = [ROUNDED_AWAY / axis.scale for axis in self.external]
         return np.array([math.radians(ROUNDED_AWAY)] * self.joint_count + external)
+
+    @property
+    def path_tolerances(self) -> Array:
+        """The tolerance of each axis limit (n + e,) [rad or m] on paths to poses."""
+        tolerances = self.tolerances
+        for index in range(self.joint_count):
+            if self.measure(index) == "deg":
+                tolerances[index] = math.radians(ROUNDED_POSE)
+        return tolerances
 
     def name(self, index: int) -> str:
         """A name such as `axis 3` or `axis eax_a of TRACK`."""

@@ -107,6 +107,11 @@ class Trajectory:
         self._guided: list[_Guided] = []
         self._corrected: list[CorrectedStretch] = []
 
+    def begin_at(self, start: Waypoint) -> None:
+        """Stand still at another start; for an arm that has not moved."""
+        assert not self.duration
+        self._start = start
+
     @property
     def guided(self) -> tuple[GuidedStretch, ...]:
         """Stretches on which the robot was guided from outside, in the order of time."""

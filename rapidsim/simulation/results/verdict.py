@@ -6,6 +6,11 @@ from collections.abc import Callable, Iterator
 from enum import StrEnum
 from pathlib import Path
 
+from rapidsim.diagnostics import Severity
+from rapidsim.findings.reach_and_motion_data import (
+    ConfigurationChangesOnLine,
+    ConfigurationNotReachable,
+)
 from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.station.task_kind import TaskKind
@@ -69,7 +74,18 @@ def _early_ends(simulation: Simulation) -> Iterator[str]:
             yield f"ended early{times}: {shown_name(error)} at {place} {answer_words(error)}"
 
 
-_QUALIFIERS: tuple[Qualifier, ...] = (_early_ends,)
+def _other_configurations(simulation: Simulation) -> Iterator[str]:
+    """Targets that a run reached in another configuration than the stored one."""
+    targets = sum(
+        isinstance(found.violation, ConfigurationNotReachable | ConfigurationChangesOnLine)
+        and found.severity is Severity.WARNING
+        for found in simulation.diagnostics
+    )
+    if targets:
+        yield f"{targets} target{'s' if targets > 1 else ''} not in the stored configuration"
+
+
+_QUALIFIERS: tuple[Qualifier, ...] = (_early_ends, _other_configurations)
 """Functions that yield the qualifications of a run, in their order in headlines."""
 _WORDS = {
     End.ENDED: "ended as programmed",

@@ -1,0 +1,131 @@
+"""The rule by which a stored configuration is met: the only place that decides it.
+
+A configuration is met if cfx is equal and cf1, cf4 and cf6 each differ by at most one quarter turn.
+Source: RobotStudio API, `ConfigurationMode.Compliant`; docs/configurations.md has the evidence.
+"""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import (
+    BORDER,
+    Integers,
+    counted_axes,
+    counted_quarters,
+    select,
+)
+from rapidsim.motion.configurations.reachability import pose_excess
+from rapidsim.motion.kinematics.arm import Kinematics, Mask
+from rapidsim.motion.kinematics.unwrapping import TURN
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.values import dataclass
+
+TOLERATED_QUARTERS = 1
+"""Quarter turns by which each of cf1, cf4 and cf6 may differ."""
+_SHIFTS = TURN * np.array([0.0, -1.0, 1.0])
+
+
+class Match(IntEnum):
+    """How well joints meet a stored configuration."""
+
+    EXACT = 0
+    COMPLIANT = 1
+    """cf1, cf4 or cf6 differ by one quarter turn."""
+    TURNED = 2
+    """cf1, cf4 or cf6 differ by two quarter turns or more."""
+    OTHER = 3
+    """cfx differs."""
+
+    def meets(self, *, exact: bool) -> bool:
+        """Whether the configuration is met; `exact` tolerates no quarter turn."""
+        return self is Match.EXACT or (self is Match.COMPLIANT and not exact)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeldConfigurations:
+    """The joints that hold best to the configurations stored for a sequence of poses."""
+
+    joints: Array
+    """Shape (k, n) [rad]; 0 where the branch of cfx does not reach the pose."""
+    match: Integers
+    """Shape (k,): a `Match`; OTHER where the branch of cfx does not reach the pose."""
+    excess: Array
+    """Shape (k, n) [rad]: how far the joints are past their limits, see `pose_excess`."""
+
+    @property
+    def possible(self) -> Mask:
+        """Shape (k,): whether the arm can take the joints."""
+        possible: Mask = (self.match < Match.OTHER) & ~self.excess.any(axis=-1)
+        return possible
+
+
+def match(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> Integers:
+    """How well joint vectors (..., n) [rad] meet confdata (..., 4): a `Match` (...).
+
+    The border of a quarter turn belongs to both sides: there the rounding of a target would decide.
+    """
+    stored = np.asarray(confdata, dtype=np.float64)
+    branch = kinematics.branch_of(np.asarray(joints)) == stored[..., 3]
+    below = counted_quarters(kinematics, joints - BORDER)
+    above = counted_quarters(kinematics, joints + BORDER)
+    most = _quarters_off(below, above, stored[..., :3]).max(axis=-1)
+    found: Integers = np.where(
+        branch,
+        np.select(
+            [most <= 0, most <= TOLERATED_QUARTERS], [Match.EXACT, Match.COMPLIANT], Match.TURNED
+        ),
+        Match.OTHER,
+    )
+    return found
+
+
+def hold(
+    robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
+) -> HeldConfigurations:
+    """Joints of poses (k,) on the branch of cfx, as near to their stored configurations as can be.
+
+    Axes 1, 4 and 6 take the turn that is the fewest quarters off; of two turns that are equally far
+    off the one within the limits, and of two of these the one nearer to where the arm comes from.
+    A turn that does not fit stays past its limit: another would be a whole turn off.
+
+    Args:
+        robot: The arm.
+        base_from_flange: Poses (k,).
+        confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
+        near: Joints (k, n) or (n,) [rad] from which the arm comes.
+    """
+    selected = select(robot, base_from_flange, confdata, near)
+    joints, stored = selected.joints, np.asarray(confdata, dtype=np.float64)
+    before = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape)
+    for column, axis in enumerate(counted_axes(robot.kinematics)):
+        if axis is not None:
+            joints[:, axis] = _best_turn(robot, joints, before, stored[:, column], column, axis)
+    found = np.where(selected.exists, match(robot.kinematics, joints, stored), Match.OTHER)
+    return HeldConfigurations(joints, found, pose_excess(robot, joints))
+
+
+def _best_turn(
+    robot: Robot, joints: Array, near: Array, stored: Array, column: int, axis: int
+) -> Array:
+    """Angles (k,) [rad] of an axis in the best whole turn; see `hold`."""
+    turned = joints[:, None, :].repeat(len(_SHIFTS), axis=1)
+    turned[:, :, axis] += _SHIFTS
+    below = counted_quarters(robot.kinematics, turned - BORDER)[..., column]
+    above = counted_quarters(robot.kinematics, turned + BORDER)[..., column]
+    off = _quarters_off(below, above, stored[:, None])
+    angles = turned[:, :, axis]
+    past = pose_excess(robot, turned)[..., axis] != 0.0
+    away = np.abs(angles - near[:, axis, None]).round(9)
+    best = np.lexsort((away, past, off), axis=-1)[:, 0]
+    chosen: Array = angles[np.arange(len(angles)), best]
+    return chosen
+
+
+def _quarters_off(below: Integers, above: Integers, stored: Array) -> Array:
+    """Quarter turns (...) from stored ones to a range of them."""
+    off: Array = np.maximum(np.maximum(below - stored, stored - above), 0)
+    return off
