@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rapidsim.analysis.names.name_violations import AssumedData, UnknownRoutine, UnknownType
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
@@ -111,8 +112,8 @@ def _of_backup(backup: Backup, robot: str | None, beside: Path | None) -> DraftF
     elif unknown is not None or not station.robots:
         why = f"the catalogue has no {unknown}" if unknown else "the backup names no arm"
         robots = (DraftRobot(remark=why),)
-    signals = _undeclared(tasks, station)
-    draft = Draft(remarks, robots, (), signals)
+    signals, missing = _undeclared(tasks, station)
+    draft = Draft(remarks, robots, (), signals, missing)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
     return DraftFile((beside or backup.root) / FILE_NAME, draft, lacks)
 
@@ -154,8 +155,8 @@ def _of_modules(
         replace(task, modules=tuple(_below(module, folder) for module in own))
         for task, own in tasks
     )
-    signals = (*station.io.signals, *_undeclared(grouped, station))
-    return Draft((), robots, named, signals)
+    undeclared, missing = _undeclared(grouped, station)
+    return Draft((), robots, named, (*station.io.signals, *undeclared), missing)
 
 
 def _robots_of(
@@ -256,18 +257,30 @@ def _module(file: SourceFile) -> _Module:
     return _Module(file, declares, uses, has_main, bool(written_moves([parsed])))
 
 
-def _undeclared(tasks: Sequence[TaskFiles], station: Station) -> tuple[SignalDeclaration, ...]:
-    """The signals that programs use and nothing declares, each once."""
-    names = declared_names(station)
-    found: dict[str, SignalDeclaration] = {}
+def _undeclared(
+    tasks: Sequence[TaskFiles], station: Station
+) -> tuple[tuple[SignalDeclaration, ...], tuple[str, ...]]:
+    """The signals that programs use and nothing declares, and the other names, each once."""
+    names = replace(declared_names(station), assumes=True)
+    signals: dict[str, SignalDeclaration] = {}
+    others: dict[str, str] = {}
     for task in tasks:
         for one in load_task(task, names).diagnostics:
-            violation = one.violation
-            if isinstance(violation, UnknownSignal):
-                kind = SignalKind(violation.type.removeprefix("signal"))
-                signal = SignalDeclaration(violation.signal, kind)
-                found.setdefault(violation.signal.lower(), signal)
-    return tuple(found.values())
+            match one.violation:
+                case UnknownSignal(signal=name, type=of):
+                    kind = SignalKind(of.removeprefix("signal"))
+                    signals.setdefault(name.lower(), SignalDeclaration(name, kind))
+                case (
+                    UnknownRoutine(unknown=name, nearest=nearest)
+                    | UnknownType(unknown=name, nearest=nearest)
+                ):
+                    meant = f" (or {nearest}?)" if nearest else ""
+                    others.setdefault(name.lower(), f"{name}{meant}")
+                case AssumedData(missing=name, type=of):
+                    others.setdefault(name.lower(), f"{name} ({of})")
+                case _:
+                    pass
+    return tuple(signals.values()), tuple(others.values())
 
 
 def _below(module: _Module, folder: Path) -> str:

@@ -10,7 +10,12 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job, open_quietly
+from rapidsim.cli.options.asked import (
+    asked_job,
+    assume_missing_option,
+    open_quietly,
+    strict_option,
+)
 from rapidsim.cli.options.numbers import PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
@@ -67,6 +72,8 @@ from rapidsim.values import dataclass
     is_flag=True,
     help="Do not run main to find its errors and the moves that only a run can check.",
 )
+@assume_missing_option
+@strict_option
 @click.option("--each", is_flag=True, help="Check each PATH as a program of its own.")
 @click.option(
     "-j",
@@ -106,6 +113,8 @@ def check(
     counted: bool,
     no_reach: bool,
     no_run: bool,
+    assume_missing: bool,
+    strict: bool,
     each: bool,
     processes: int,
     no_cache: bool,
@@ -133,6 +142,8 @@ def check(
         ignore=_listed(ignore),
         reach=not no_reach,
         trial_run=not no_run,
+        assume_missing=assume_missing,
+        strict=strict,
         fail_on=Severity(fail_on) if fail_on else None,
     )
     programs = [(path,) for path in paths] if each else [paths]
@@ -176,6 +187,8 @@ def check(
         arms = ", ".join(dict.fromkeys(job.robot.text for job in jobs))
         for line in () if no_reach else coverage_lines(result.coverage, arms):
             say(line)
+        if any(one.result.strict for one in judged) and result.qualifications:
+            say(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
     return ExitCode.CLEAN if is_ok else ExitCode.FINDINGS
 
 

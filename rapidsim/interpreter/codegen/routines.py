@@ -46,6 +46,7 @@ from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import Statements
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.references import position_of
+from rapidsim.language.controller import STUB
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -65,7 +66,6 @@ class TranslatedRoutine:
     """What the function begins with if its calls take a tick."""
 
 
-STUB = "what its stub says"
 """What is done instead of a routine of a stub module."""
 
 
