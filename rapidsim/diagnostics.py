@@ -195,6 +195,11 @@ class Violation:
     rule: ClassVar[Rule]
 
     @property
+    def qualifies(self) -> bool:
+        """Whether it is a reservation about the result, which fails a strict check."""
+        return False
+
+    @property
     def is_told_once(self) -> bool:
         """Whether all of them, in all files, are one finding where findings are merged."""
         return False

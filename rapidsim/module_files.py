@@ -87,6 +87,7 @@ def read_tasks(
         InputError: If something is missing, unreadable, or not RAPID.
     """
     modules: list[str | Path] = []
+    absent: list[str] = []
     tasks: list[TaskFiles] = []
     for path in paths:
         if path == "-":
@@ -103,11 +104,14 @@ def read_tasks(
         elif found.is_dir():
             modules += require_inside(_in_folder(found, may_be_empty=more), (found, *rooms))
         elif found.suffix.lower() == ".pgf":
-            modules += require_inside(_in_program_file(found), (found.parent, *rooms))
+            named, not_there = _in_program_file(found)
+            modules += require_inside(named, (found.parent, *rooms))
+            absent += not_there
         else:
             modules.append(found)
     if modules:
-        tasks.insert(0, _read(modules))
+        read = _read(modules)
+        tasks.insert(0, replace(read, unseen=(*read.unseen, *absent)))
     if not tasks and not more:
         raise InputError("no RAPID file was named", "name a module, a .pgf file or a folder")
     return tuple(tasks)
@@ -327,21 +331,31 @@ def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
     return {}
 
 
-def _in_program_file(path: Path) -> list[Path]:
-    """The modules a `.pgf` lists; they lie beside it."""
+def _in_program_file(path: Path) -> tuple[list[Path], list[str]]:
+    """The modules a `.pgf` lists; they lie beside it.
+
+    Returns:
+        Those that are there, and the others, each with the reason in words.
+    """
     names = module_names(path, input_bytes(path))
     if not names:
         raise InputError(f"{path} lists no module")
     beside = {entry.name.lower(): entry for entry in entries_of(path.parent)}
-    modules = []
+    modules: list[Path] = []
+    missing: list[str] = []
     for name in names:
         # The file is not trusted: it names neighbours, never places elsewhere.
         if "\\" in name or len(PurePosixPath(name).parts) != 1 or name == "..":
             raise InputError(f"{path} lists `{name}`, which is not in the same folder")
-        if name.lower() not in beside:
-            raise InputError(f"{path} lists {name}, which is missing", did_you_mean(name, beside))
-        modules.append(beside[name.lower()])
-    return modules
+        if name.lower() in beside:
+            modules.append(beside[name.lower()])
+        else:
+            missing.append(f"{name} (listed by {path.name}, not beside it)")
+    if not modules:
+        raise InputError(
+            f"{path} lists {names[0]}, which is missing", did_you_mean(names[0], beside)
+        )
+    return modules, missing
 
 
 def module_names(path: Path, data: bytes) -> list[str]:

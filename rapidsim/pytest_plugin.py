@@ -204,8 +204,8 @@ class RapidTest(pytest.Item):
         """Run it."""
         run = self._run()
         errors = tuple(one for one in run.diagnostics if one.severity == "error")
-        if run.end != "ended":
-            raise RapidFailedError(errors or run.diagnostics[-1:], run.end)
+        if run.end != "ended" or not run.ok:
+            raise RapidFailedError(errors or run.diagnostics[-1:], run.headline)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *_: Any) -> str:
         """What RAPID users read, without Python's traceback."""

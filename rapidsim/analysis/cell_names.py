@@ -35,15 +35,22 @@ class CellNames:
     robotware: RobotWare | None = None
     """What its controller has; None where nobody says."""
     assumes: bool = False
-    """Whether tools, work objects and loads that nothing declares are taken for those of the
-    system."""
+    """Whether routines, types, signals, tools, work objects and loads that nothing declares are
+    assumed to exist: calls are skipped, tools are those of the system."""
     stubs: frozenset[str] = frozenset()
     """Files whose routines stand for libraries that are not here."""
+    has_signals: bool = False
+    """Whether it declares its signals: a controller would have no others."""
     unseen: tuple[str, ...] = ()
     """Modules that the task has and nobody can read here: what they declare is not known."""
     refers_late: bool = False
     """Whether the task is loaded with references that nothing declares: a run finds out when it
     comes to one."""
+
+    @property
+    def stops_at_unresolved(self) -> bool:
+        """Whether a call of what nothing declares fails; a module not seen here may declare it."""
+        return self.refers_late and not self.unseen
 
     def find(self, key: str) -> ConfiguredSymbol | None:
         """The symbol of a folded name."""

@@ -6,14 +6,15 @@ An `Analysis` lasts for one check; a `Context` is the scope that a pass is looki
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field, replace
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.parameters import Callee, Wanted
 from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
-from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
+from rapidsim.analysis.suggestions import closest
+from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -39,10 +40,14 @@ class SymbolTable:
             scope = scope.outer
         return None
 
-    def symbols(self) -> Iterator[Symbol]:
-        """All symbols from the innermost scope out, in order of declaration."""
+    def symbols(self, until: SymbolTable | None = None) -> Iterator[Symbol]:
+        """All symbols from the innermost scope out, in order of declaration.
+
+        Args:
+            until: The enclosing scope before which it ends; None gives all.
+        """
         scope: SymbolTable | None = self
-        while scope is not None:
+        while scope is not until and scope is not None:
             yield from scope.names.values()
             scope = scope.outer
 
@@ -80,18 +85,24 @@ class Analysis:
     wanted_of_undeclared: dict[tree.Reference, Wanted] = field(default_factory=dict)
     """What such a use must have, where it is known: not all signals are named like one."""
 
-    compared: set[str] = field(default_factory=set)
-    """Folded names that were compared with all known ones, to find which was meant."""
+    nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
+    """By what was looked for, the nearest known name."""
 
-    def may_compare(self, key: str) -> bool:
-        """Whether to search for the known name that a folded one is a slip for.
+    def find_nearest(self, name: tree.Name, where: object, known: Iterable[str]) -> str | None:
+        """Return the known name nearest to an unknown one, compared once, not at each use.
 
-        Comparing many wrong names with many known ones would take too long.
+        Args:
+            name: The unknown name.
+            where: Identifies the known names, such as the module whose names they are.
+            known: Produces the known names. Beyond `MOST_COMPARED` unknown ones that would take too
+                long, and none is returned.
         """
-        if key in self.compared or len(self.compared) >= MOST_COMPARED:
-            return key in self.compared
-        self.compared.add(key)
-        return True
+        key = (name.key, where)
+        if key not in self.nearest:
+            if len(self.nearest) >= MOST_COMPARED:
+                return None
+            self.nearest[key] = closest(name.text, known)
+        return self.nearest[key]
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""
@@ -117,16 +128,27 @@ class Context:
         """The same scope with more names."""
         return replace(self, scope=scope)
 
-    def report(self, violation: Violation, node: tree.Node, *related: Related) -> None:
+    def report(
+        self, violation: Violation, node: tree.Node, *related: Related, fix: Fix | None = None
+    ) -> None:
         """Report a finding at a node of this module."""
-        self.report_at(violation, self.module.span(node), *related)
+        self.report_at(violation, self.module.span(node), *related, fix=fix)
 
-    def report_at(self, violation: Violation, span: Span, *related: Related) -> None:
+    def report_at(
+        self, violation: Violation, span: Span, *related: Related, fix: Fix | None = None
+    ) -> None:
         """Report a finding at a source span."""
         routine = self.routine.name if self.routine else None
         self.analysis.diagnostics.append(
-            Diagnostic(violation, span, related=related, routine=routine)
+            Diagnostic(violation, span, related=related, fix=fix, routine=routine)
         )
+
+    def respelling(self, name: tree.Name, nearest: str | None) -> Fix | None:
+        """Return the fix that replaces an unknown name by the nearest known one."""
+        if nearest is None:
+            return None
+        edit = Edit(self.module.span(name), nearest)
+        return Fix(f"replace it by `{nearest}`", (edit,), safe=False)
 
     def declaration(self, symbol: Symbol | None) -> tuple[Related, ...]:
         """The declaration of a symbol as a related location; None for predefined symbols."""

@@ -31,6 +31,8 @@ def load(
     station: PathLike_ | None = None,
     task: str | None = None,
     home: PathLike_ | None = None,
+    assume_missing: bool = False,
+    strict: bool = False,
 ) -> Cell:
     """Load a program, a folder, a program file or a controller backup.
 
@@ -42,6 +44,8 @@ def load(
         station: The station file; None takes `rapidsim.toml` beside the program or above it.
         task: Only this one of several tasks.
         home: The folder for HOME: of runs that name none; None is `<program>.home`.
+        assume_missing: Whether what no module declares is assumed to exist: calls are skipped.
+        strict: Whether what is unknown, not simulated or not checked fails: `ok` is false.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -53,6 +57,8 @@ def load(
         station=None if station is None else fspath(station),
         task=task,
         home=None if home is None else fspath(home),
+        assume_missing=assume_missing,
+        strict=strict,
     )
     return Cell(asked)
 

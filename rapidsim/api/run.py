@@ -105,6 +105,16 @@ class Run:
         return self.simulation.diagnostics
 
     @property
+    def headline(self) -> str:
+        """How the run ended, with its qualifications, as the summary shows it."""
+        return run_verdict(self.simulation).headline
+
+    @property
+    def skipped(self) -> dict[str, int]:
+        """Routines that no module declares, with how many of their calls were skipped."""
+        return {one.name: one.count for one in self.simulation.skipped}
+
+    @property
     def error(self) -> Diagnostic | None:
         """The error that ended the run, or None."""
         if self.simulation.end is not End.ERROR:

@@ -112,6 +112,6 @@ class TaskHonesty:
     clock: TaskClock
     journal: Journal
 
-    def not_simulated(self, routine: str, treated_as: str) -> None:
+    def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         """Report that a routine was not simulated and what was done instead."""
-        self.journal.unsimulated(routine, treated_as, self.clock.place)
+        self.journal.unsimulated(routine, treated_as, self.clock.place, is_unknown=is_unknown)

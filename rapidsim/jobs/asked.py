@@ -37,7 +37,10 @@ class Asked:
     """A file of signals and what happens to inputs; adds to the station."""
     entry: str = DEFAULT_ENTRY
     assume_missing: bool = False
-    """Whether tools, work objects and loads that nothing declares are tool0, wobj0 and load0."""
+    """Whether what nothing declares is assumed to exist, besides what the station says."""
+    strict: bool = False
+    """Whether what is unknown, not simulated or not checked fails too, besides what the station
+    says."""
     answers: Answers | None = None
     answers_are_typed: bool = False
     home: str | None = None

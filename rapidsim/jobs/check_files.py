@@ -100,7 +100,10 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
         is_looked_for=lambda code: selection.is_looked_for(code) and result.looked_for(code),
     )
     return replace(
-        result, diagnostics=selection.kept(unsuppressed), fail_on=station.check.fails_from
+        result,
+        diagnostics=selection.kept(unsuppressed),
+        fail_on=station.check.fails_from,
+        strict=job.is_strict,
     )
 
 

@@ -68,6 +68,7 @@ def together(results: Sequence[CheckResult]) -> CheckResult:
         coverage=sum((one.coverage for one in results), Coverage()),
         known=_distinct(found for one in results for found in one.known),
         fail_on=results[0].fail_on,
+        strict=results[0].strict,
     )
 
 
@@ -81,7 +82,12 @@ def _distinct(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 def _checked(job: Job, found: Found) -> Checked:
     files = tuple(file.name for file in job.files)
     result = CheckResult(
-        files, found.diagnostics, (), found.coverage, fail_on=job.station.check.fails_from
+        files,
+        found.diagnostics,
+        (),
+        found.coverage,
+        fail_on=job.station.check.fails_from,
+        strict=job.is_strict,
     )
     return Checked(result, found.notices)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import field, replace
 
 from rapidsim.diagnostics import Diagnostic, Severity
@@ -33,12 +34,30 @@ class CheckResult:
     """Findings that a baseline knows."""
     fail_on: Severity = Severity.WARNING
     """The lowest severity that fails the check."""
+    strict: bool = False
+    """Whether any qualification fails the check."""
 
     @property
     def ok(self) -> bool:
         """Whether nothing fails the check: the one place that decides its exit code."""
         failing = _SEVERITIES[: _SEVERITIES.index(self.fail_on) + 1]
-        return all(finding.severity not in failing for finding in self.diagnostics)
+        if any(finding.severity in failing for finding in self.diagnostics):
+            return False
+        return not (self.strict and self.qualifications)
+
+    @property
+    def qualifications(self) -> tuple[str, ...]:
+        """What was not checked or is not simulated, in short phrases."""
+        return tuple(self._qualify())
+
+    def _qualify(self) -> Iterator[str]:
+        others = {one.message for one in self.diagnostics if one.violation.qualifies}
+        if others:
+            yield f"{len(others)} routine{'s' * (len(others) != 1)} not simulated"
+        if unchecked := len(self.coverage.unchecked):
+            yield f"{unchecked} of {self.coverage.moves} moves not checked"
+        if self.coverage.main_left_out:
+            yield f"main not run: {self.coverage.main_left_out}"
 
     @property
     def accepted(self) -> bool:

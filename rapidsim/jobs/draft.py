@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rapidsim.analysis.names.name_violations import AssumedData, UnknownRoutine, UnknownType
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
@@ -132,7 +133,7 @@ def _of_cell(paths: Sequence[str], robot: str | None, file: Path, *, is_backup: 
     if robot is None and (unknown is not None or not station.robots):
         why = f"the catalogue has no {unknown}" if unknown else "no arm is named"
         why = f"{why}: `rapidsim robots` lists those available"
-    suggestions = Suggestions(why, _undeclared(tasks, station))
+    suggestions = Suggestions(why, *_undeclared(tasks, station))
     draft = Draft(remarks, robots, suggestions=suggestions)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
     return DraftFile(file, draft, lacks)
@@ -175,8 +176,8 @@ def _of_modules(
         replace(task, modules=tuple(_below(module, folder) for module in own))
         for task, own in tasks
     )
-    signals = (*station.io.signals, *_undeclared(grouped, station))
-    return Draft((), robots, named, signals)
+    undeclared, missing = _undeclared(grouped, station)
+    return Draft((), robots, named, (*station.io.signals, *undeclared), missing)
 
 
 def _robots_of(
@@ -277,18 +278,30 @@ def _module(file: SourceFile) -> _Module:
     return _Module(file, declares, uses, has_main, bool(written_moves([parsed])))
 
 
-def _undeclared(tasks: Sequence[TaskFiles], station: Station) -> tuple[SignalDeclaration, ...]:
-    """The signals that programs use and nothing declares, each once."""
-    names = declared_names(station)
-    found: dict[str, SignalDeclaration] = {}
+def _undeclared(
+    tasks: Sequence[TaskFiles], station: Station
+) -> tuple[tuple[SignalDeclaration, ...], tuple[str, ...]]:
+    """The signals that programs use and nothing declares, and the other names, each once."""
+    names = replace(declared_names(station), assumes=True)
+    signals: dict[str, SignalDeclaration] = {}
+    others: dict[str, str] = {}
     for task in tasks:
         for one in load_task(task, names).diagnostics:
-            violation = one.violation
-            if isinstance(violation, UnknownSignal):
-                kind = SignalKind(violation.type.removeprefix("signal"))
-                signal = SignalDeclaration(violation.signal, kind)
-                found.setdefault(violation.signal.lower(), signal)
-    return tuple(found.values())
+            match one.violation:
+                case UnknownSignal(signal=name, type=of):
+                    kind = SignalKind(of.removeprefix("signal"))
+                    signals.setdefault(name.lower(), SignalDeclaration(name, kind))
+                case (
+                    UnknownRoutine(unknown=name, nearest=nearest)
+                    | UnknownType(unknown=name, nearest=nearest)
+                ):
+                    meant = f" (or {nearest}?)" if nearest else ""
+                    others.setdefault(name.lower(), f"{name}{meant}")
+                case AssumedData(missing=name, type=of):
+                    others.setdefault(name.lower(), f"{name} ({of})")
+                case _:
+                    pass
+    return tuple(signals.values()), tuple(others.values())
 
 
 def _below(module: _Module, folder: Path) -> str:

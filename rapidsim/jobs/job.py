@@ -56,13 +56,18 @@ class Job:
         return self.robot.reason is None or self.station.robot is not None
 
     @property
+    def is_strict(self) -> bool:
+        """Whether what is unknown, not simulated or not checked fails too."""
+        return self.asked.strict or self.station.check.strict
+
+    @property
     def cell(self) -> CellNames:
         """The names that the station declares for programs."""
         real = {os.path.realpath(stub) for stub in self.station.stubs}
         stubs = (file.name for file in self.files if os.path.realpath(file.name) in real)
         return replace(
             declared_names(self.station),
-            assumes=self.asked.assume_missing,
+            assumes=self.asked.assume_missing or self.station.check.assume_missing,
             stubs=frozenset(stubs),
         )
 

@@ -111,6 +111,8 @@ class PreparedRun:
     """What checking found."""
     title: str
     """What the run is called."""
+    strict: bool = False
+    """Whether any qualification of the verdict fails the run."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -167,7 +169,8 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     options = replace(
         run_options(job), home=home, ramdisk=None if ramdisk is None else Path(ramdisk)
     )
-    return PreparedRun(setups, options, loaded.diagnostics, program_title(job.asked.paths))
+    title = program_title(job.asked.paths)
+    return PreparedRun(setups, options, loaded.diagnostics, title, job.is_strict)
 
 
 def executed(
@@ -196,7 +199,13 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
     diagnostics = (*prepared.diagnostics, *found)
-    run = replace(run, home_files=tuple(written), diagnostics=diagnostics, named=prepared.title)
+    run = replace(
+        run,
+        home_files=tuple(written),
+        diagnostics=diagnostics,
+        named=prepared.title,
+        strict=prepared.strict,
+    )
     return replace(finished, simulation=run)
 
 

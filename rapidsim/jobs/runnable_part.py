@@ -52,7 +52,9 @@ def runnable_part(
             missing[name.lower()] = why
     if not missing:
         return None
-    program = check(tuple(rebuilt(file, instead) for file in files), (), cell=cell).program
+    # The calls that stand for data are of routines that nothing declares.
+    assumed = replace(cell, assumes=True)
+    program = check(tuple(rebuilt(file, instead) for file in files), (), cell=assumed).program
     return program and replace(program, missing_data=missing)
 
 
@@ -61,7 +63,7 @@ def _missing(violation: Violation) -> tuple[str, str | None] | None:
     match violation:
         case UnresolvedReference(undefined=name):
             return name, None
-        case UnseenName(undefined=name):
+        case UnseenName(undefined=name, is_data=True):
             return name, violation.message
         case ComponentOfUnknownType(record=record, type_name=type_name, component=component):
             why = f"`{record}` is {type_name}, whose declaration is missing"

@@ -415,14 +415,14 @@ class ErrorNumbers(Protocol):
         ...
 
 
-ACCEPTED = "accepted without effect"
-"""How the note begins for a routine that only changes what no run shows."""
+ACCEPTED, STUB = "accepted without effect", "what its stub says"
+"""How notes begin: for what only changes what no run shows, for routines of stub modules."""
 
 
 class Honesty(Protocol):
     """How a routine reports that it did less than a controller would."""
 
-    def not_simulated(self, routine: str, treated_as: str) -> None:
+    def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         """Report that a routine was not simulated and what was done instead."""
         ...
 

@@ -74,8 +74,16 @@ TYPES: Mapping[str, Type] = MappingProxyType(
 
 OF_OPTIONS: Final = frozenset(
     {
-        *("capdata", "captrackdata", "capweavedata", "daintdata", "forcedata", "gundata"),
-        *("simdata", "spotdata", "weavestartdata"),
+        # Continuous Application Platform, arc and spot welding
+        *("capdata", "captrackdata", "capweavedata", "caplatrackdata", "capspeeddata", "captestno"),
+        *("weavestartdata", "supervtimeouts", "processtimes", "restartblkdata", "flypointdata"),
+        *("flystartdata", "advseamdata", "forcedata", "gundata", "simdata", "smeqdata", "smeqtype"),
+        *("spotdata", "equalizedata", "daintdata"),
+        # Dispensing, picking, force control
+        *("beaddata", "equipdata", "itmtgt", "selectiondata", "sortdata"),
+        *("fcboxvol", "fccondstatus", "fccylindvol", "fcdamping", "fcforcevector", "fcframe"),
+        *("fclindir", "fcplane", "fcprocessdata", "fcrotdir", "fcspdchgtunetyp", "fcspeedvector"),
+        *("fcspherevol", "fctorquevector", "fcxyznum"),
     }
 )
 """Types of options that differ from site to site: their data are what their values show."""

@@ -184,12 +184,15 @@ def _robot_run(run: TaskRun, outcome: Outcome) -> RobotRun:
 
 def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
     """What all tasks met that was not simulated, each routine once."""
-    counts: dict[tuple[str, str], int] = {}
+    counts: dict[tuple[str, str, bool], int] = {}
     for run in runs:
         for one in run.journal.not_simulated():
-            key = (one.name, one.treated_as)
+            key = (one.name, one.treated_as, one.is_unknown)
             counts[key] = counts.get(key, 0) + one.count
-    return tuple(Unsimulated(name, count, how) for (name, how), count in counts.items())
+    return tuple(
+        Unsimulated(name, count, how, is_unknown)
+        for (name, how, is_unknown), count in counts.items()
+    )
 
 
 def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:

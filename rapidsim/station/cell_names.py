@@ -23,4 +23,4 @@ def declared_names(station: Station) -> CellNames:
         [camera.name for camera in station.io.cameras],
         station.io.wired,
     )
-    return replace(names, robotware=station.robotware)
+    return replace(names, robotware=station.robotware, has_signals=bool(station.io.signals))

@@ -14,7 +14,7 @@ PROJECT_FILE = "pyproject.toml"
 
 _KEYS = (
     *("select", "extend-select", "ignore", "per-file-ignores", "fail-on", "baseline"),
-    "cycle-budget",
+    *("cycle-budget", "assume-missing", "strict"),
 )
 
 
@@ -39,6 +39,10 @@ class CheckSettings:
     """A file of findings that are known."""
     cycle_budget_s: float | None = None
     """Time that one cycle of main may take; `check` tells, `run` fails."""
+    assume_missing: bool = False
+    """Whether what nothing declares is assumed to exist."""
+    strict: bool = False
+    """Whether what is unknown, not simulated or not checked fails too."""
 
     @property
     def fails_from(self) -> Severity:
@@ -63,6 +67,8 @@ def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettin
         fail_on=_severity(reader, check, path),
         baseline=None if baseline is None else reader.inside(baseline, f"{path}.baseline"),
         cycle_budget_s=reader.positive(check, path, "cycle-budget"),
+        assume_missing=reader.flag(check, path, "assume-missing"),
+        strict=reader.flag(check, path, "strict"),
     )
 
 

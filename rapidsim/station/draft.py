@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import textwrap
 from collections.abc import Iterator, Sequence
 from dataclasses import field
 
@@ -18,6 +19,7 @@ from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import dataclass
 
 NOT_NAMED = "no arm is named: `rapidsim robots` lists those available"
+_WIDTH = 96
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _GROUPS = (SignalKind.GI, SignalKind.GO)
 _ANALOG = (SignalKind.AI, SignalKind.AO)
@@ -56,6 +58,8 @@ class Suggestions:
     """Why the arm should be named."""
     signals: tuple[SignalDeclaration, ...] = ()
     """Signals that programs use and a backup does not declare."""
+    missing: tuple[str, ...] = ()
+    """Other names that they use and nothing declares, each with what it may be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +73,8 @@ class Draft:
     tasks: tuple[DraftTask, ...] = ()
     """None where there is one, or a backup says it all."""
     signals: tuple[SignalDeclaration, ...] = ()
+    missing: tuple[str, ...] = ()
+    """Names of routines, types and data that nothing declares, each with what it may be."""
     suggestions: Suggestions = field(default_factory=Suggestions)
 
 
@@ -81,8 +87,10 @@ def draft_text(draft: Draft) -> str:
     ]
     if draft.signals:
         blocks.append(["[signals]", *(_signal(one) for one in draft.signals)])
+    if draft.missing:
+        blocks.append(list(_missing(draft.missing)))
     for block in _suggested(draft.suggestions):
-        blocks.append([f"# {line}".rstrip() for line in block])
+        blocks.append([f"# {line.removeprefix('# ')}".rstrip() for line in block])
     return "\n\n".join("\n".join(block) for block in blocks if block) + "\n"
 
 
@@ -93,6 +101,16 @@ def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
     if suggestions.signals:
         declared = map(_signal, suggestions.signals)
         yield ("Used by the programs, and not declared in EIO.cfg:", "[signals]", *declared)
+    if suggestions.missing:
+        yield tuple(_missing(suggestions.missing))
+
+
+def _missing(names: Sequence[str]) -> Iterator[str]:
+    yield "[check]"
+    yield "# These names are declared nowhere here. Calls of them are skipped, tools are tool0, and"
+    yield "# the headline of each run counts it. Delete this when the modules are here:"
+    yield from textwrap.wrap(", ".join(names), _WIDTH, initial_indent="# ", subsequent_indent="# ")
+    yield "assume-missing = true"
 
 
 def _robot(robot: DraftRobot, *, several: bool) -> Iterator[str]:

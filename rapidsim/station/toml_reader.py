@@ -92,6 +92,14 @@ class Reader:
             return ()
         return tuple(value)
 
+    def flag(self, values: Table, path: str, key: str) -> bool:
+        """A flag; False if it is missing."""
+        value = values.get(key, False)
+        if not isinstance(value, bool):
+            self.wrong(f"{path}.{key}", "true or false is needed")
+            return False
+        return value
+
     def number(self, values: Table, path: str, key: str) -> float | None:
         """A number; None if it is missing."""
         value = values.get(key)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
@@ -14,10 +15,13 @@ HERE = Path(__file__).parent
 CORPUS = HERE / "corpus"
 
 
-def found_in(*paths: Path, every_rule: bool = False) -> tuple[Diagnostic, ...]:
+def found_in(
+    *paths: Path, every_rule: bool = False, assumes: bool = False
+) -> tuple[Diagnostic, ...]:
     """The findings in files or folders without those that need a robot, comments heeded."""
     rules = detectors_of(lambda rule: every_rule or rule.on_by_default)
-    result = check_tasks(read_tasks([str(path) for path in paths]), rules)
+    tasks = read_tasks([str(path) for path in paths])
+    result = check_tasks(tasks, rules, cell=CellNames(assumes=assumes))
     return without_suppressed(result.diagnostics, result.trees)
 
 

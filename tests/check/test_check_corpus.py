@@ -13,12 +13,14 @@ from rapidsim.module_files import MODULE_SUFFIXES
 REPOSITORY = Path(__file__).parents[2]
 # Folders are programs of several modules, a backup of several tasks; other modules stand alone.
 PROGRAMS = sorted(CORPUS.iterdir())
+LACK_MODULES = {"needs_neighbours.mod", "vision.mod"}
 OWN = [REPOSITORY / "programs" / name for name in ("pentagon.mod", "algorithms.mod")]
 
 
 @pytest.mark.parametrize("program", [*PROGRAMS, *OWN], ids=lambda path: path.name)
 def test_a_valid_program_has_no_error(program: Path) -> None:
-    errors = [one for one in found_in(program, every_rule=True) if one.severity is Severity.ERROR]
+    found = found_in(program, every_rule=True, assumes=program.name in LACK_MODULES)
+    errors = [one for one in found if one.severity is Severity.ERROR]
     assert errors == [], lines(tuple(errors))
 
 

@@ -47,7 +47,7 @@ def test_a_check_is_repeated_when_a_file_changes(
     ended = rapidsim("check", name, "--watch", cwd=tmp_path)
     assert ended.code == 99
     assert ended.out.count("Found nothing wrong") == 2
-    assert ended.out.count("Found 1 warning") == 1
+    assert ended.out.count("Found 1 error") == 1
     assert ended.err.count("Watching 1 file;") == 3
     assert ended.err.count("Changed: m.mod") == 2
 

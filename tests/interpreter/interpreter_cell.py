@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
@@ -108,7 +109,7 @@ class RecordingController:
     def answered(self, mark: object, error: AnsweredError) -> None:
         self.answers.append(error)
 
-    def not_simulated(self, routine: str, treated_as: str) -> None:
+    def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         self.skipped.append((routine, treated_as))
 
 
@@ -126,14 +127,14 @@ class Ran:
         return self.controller.texts
 
 
-def checked(text: str, *more: str) -> Program:
-    """A program of one or several files without errors."""
+def checked(text: str, *more: str, assumes: bool = False) -> Program:
+    """A program of one or several files without errors, on request with what it lacks assumed."""
     files = []
     for number, one in enumerate((text, *more)):
         parsed = parse(Source(f"cell{number or ''}.mod", one))
         assert not parsed.diagnostics, [d.violation.message for d in parsed.diagnostics]
         files.append(parsed.file)
-    result = check(files)
+    result = check(files, cell=CellNames(assumes=assumes))
     errors = [d for d in result.diagnostics if d.severity is Severity.ERROR]
     assert result.program is not None, [(d.span and d.span.line, d.violation) for d in errors]
     return result.program
@@ -144,10 +145,15 @@ def loaded(text: str, *more: str) -> tuple[Task, RecordingController]:
     return load(checked(text, *more), one_for_all(controller)), controller
 
 
-def run(text: str, *more: str, controller: RecordingController | None = None) -> Ran:
+def run(
+    text: str,
+    *more: str,
+    controller: RecordingController | None = None,
+    assumes: bool = False,
+) -> Ran:
     """Run main of a program."""
     controller = controller or RecordingController()
-    task = load(checked(text, *more), one_for_all(controller))
+    task = load(checked(text, *more, assumes=assumes), one_for_all(controller))
     fatal: FatalError | None = None
     stopped: Stopped | None = None
     try:

@@ -496,5 +496,5 @@ class RecordingController(NoSockets, Undisturbed):
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         return self.current_target(tool, wobj)
 
-    def not_simulated(self, routine: str, treated_as: str) -> None:
+    def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         self.unsimulated.append((routine, treated_as))

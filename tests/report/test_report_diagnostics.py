@@ -45,7 +45,7 @@ def test_a_finding_with_everything() -> None:
         routine="main",
     )
     assert shown(diagnostic) == (
-        "error[N201] undefined-name: `p10` is not declared (cf. ABB 40165)\n"
+        "error[N201] undefined-name: `p10` is not declared (cf. ABB 40128)\n"
         " --> a.mod:4:8 in main\n"
         "  |\n"
         "4 |     n:=p10;\n"
@@ -189,7 +189,7 @@ def test_json_holds_what_the_text_does() -> None:
         **place,
         "related": [{"file": "a.mod", "line": 1, "message": "this"}],
         "fix": {"title": "Write 1", "safe": True, "edits": [{**place, "text": "1"}]},
-        "cf": "ABB 40165",
+        "cf": "ABB 40128",
         "help": "did you mean `p1`?",
         "routine": "main",
         "repeats": [],

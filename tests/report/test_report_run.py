@@ -92,7 +92,7 @@ def test_the_summary_fits(width: int) -> None:
 def test_the_summary_says_what_happened() -> None:
     shown = " ".join(text(run(), width=120).split())
     for part in (
-        "cell.mod on ABB IRB 1600-6/1.2 ended as programmed after 2.500 s",
+        "cell.mod on ABB IRB 1600-6/1.2 ended after 2.500 s; 3 calls of ArcL not simulated",
         "irb1600-6-1.2 (by default)",
         "moving 2.000 s waiting 0.500 s",
         "2 (1 MoveJ, 1 MoveL), 300.0 mm travelled",
@@ -147,6 +147,7 @@ def test_json_is_the_contract() -> None:
         "events",
         "errors",
         "unsimulated",
+        "skipped",
         "persistents",
         "assertions",
         "cycle_budget",

@@ -17,6 +17,8 @@ PROGRAM = """MODULE Still
     ENDPROC
 ENDMODULE
 """
+LACKS = ("rapidsim.toml", "[check]\nassume-missing = true\n")
+"""For a signal that only the program knows."""
 EIO = """EIO:CFG_1.0:6:1::
 #
 INDUSTRIAL_NETWORK:
@@ -82,7 +84,7 @@ def test_attributes_are_set_all_or_none(tmp_path: Path) -> None:
 def test_signals_stand_behind_their_devices_and_are_written_where_that_is_configured(
     tmp_path: Path,
 ) -> None:
-    for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO)):
+    for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO), LACKS):
         (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "cell" / name).write_text(text)
 
@@ -130,7 +132,11 @@ def test_the_inputs_of_a_device_are_set_at_once(tmp_path: Path) -> None:
 
       -Name "diNowhere" -SignalType "DI" -Device "d651" -DeviceMap "-"
 """
-    for name, text in (("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM), ("SYSPAR/EIO.cfg", EIO + more)):
+    for name, text in (
+        ("RAPID/TASK1/PROGMOD/Still.mod", PROGRAM),
+        ("SYSPAR/EIO.cfg", EIO + more),
+        LACKS,
+    ):
         (tmp_path / "cell" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "cell" / name).write_text(text)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
+from rapidsim.analysis.cell_names import CellNames
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile
@@ -45,9 +46,9 @@ def arm() -> Robot:
     return load_robot("irb1600")
 
 
-def ran(text: str, **options: object) -> Ran:
-    """Run a program without errors."""
-    loaded = load([SourceFile("cell.mod", text, "utf-8")])
+def ran(text: str, *, assumes: bool = False, **options: object) -> Ran:
+    """Run a program without errors, on request with what it lacks assumed."""
+    loaded = load([SourceFile("cell.mod", text, "utf-8")], cell=CellNames(assumes=assumes))
     assert loaded.program is not None, [d.violation.message for d in loaded.diagnostics]
     return Ran(simulate(loaded.program, arm(), options=RunOptions(**options)))  # type: ignore[arg-type]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import radians
+from typing import Any
 
 import numpy as np
 import pytest
@@ -34,7 +35,7 @@ TRACK = ExternalAxis(
 )
 
 
-def both(text: str, **options: object) -> tuple[Ran, Ran]:
+def both(text: str, **options: Any) -> tuple[Ran, Ran]:
     """The same program with smoothing along the path and with smoothing of each axis."""
     return ran(text, model=PATH, **options), ran(text, model=AXES, **options)
 

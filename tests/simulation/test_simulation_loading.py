@@ -10,6 +10,7 @@ from simulation_reach import checked
 from rapidsim.analysis.rules.names.late_names import AmbiguousLateBinding
 from rapidsim.analysis.rules.names.unused import UnusedData, UnusedRoutine
 from rapidsim.analysis.rules.table import detectors_of
+from rapidsim.diagnostics import Severity
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED
@@ -53,10 +54,10 @@ def main(*statements: str) -> str:
     return MAIN.replace("{statements}", "\n    ".join(statements))
 
 
-def ran_with(home: Path, *statements: str, **files: str) -> Ran:
+def ran_with(home: Path, *statements: str, assumes: bool = False, **files: str) -> Ran:
     for name, text in files.items():
         (home / f"{name}.mod").write_text(text)
-    return ran(main(*statements), home=home)
+    return ran(main(*statements), home=home, assumes=assumes)
 
 
 def test_a_loaded_module_uses_the_program_and_is_called_by_name(tmp_path: Path) -> None:
@@ -283,7 +284,12 @@ ENDMODULE
 
 def test_routines_of_add_ins_are_no_unresolved_references(tmp_path: Path) -> None:
     it = ran_with(
-        tmp_path, "OpenGripper;", r'Load "part.mod" \CheckRef;', "CheckProgRef;", part=PART
+        tmp_path,
+        "OpenGripper;",
+        r'Load "part.mod" \CheckRef;',
+        "CheckProgRef;",
+        assumes=True,
+        part=PART,
     )
     assert (it.texts, it.end) == ([], "ended")
 
@@ -300,6 +306,7 @@ def test_a_call_of_what_nothing_declares_finds_a_loaded_module(tmp_path: Path) -
         "told n;",
         "sum 3,mine;",
         "told mine;",
+        assumes=True,
         part=PART.replace(
             "  FUNC", "  PROC sum(num x,INOUT num y)\n    y:=x+y;\n  ENDPROC\n  FUNC"
         ),
@@ -310,14 +317,14 @@ def test_a_call_of_what_nothing_declares_finds_a_loaded_module(tmp_path: Path) -
 
 
 def test_check_says_where_such_names_may_come_from() -> None:
-    text = main('Load "part.mod";', "toled 1;", "n:=total;")
+    text = main('Load "part.mod";', "toled 1;", "draw 1;", "n:=doubled(1);", "n:=total;")
     found = load([SourceFile("cell.mod", text, "utf-8")]).diagnostics
+    assert {one.severity for one in found} == {Severity.ERROR}
+    late = "call a procedure of a loaded module by name: "
     assert [(one.violation.code, one.violation.help) for one in found] == [
-        (
-            "N209",
-            'a module that is loaded by then may declare it; `%"toled"%` says so, and is called '
-            "where a controller refuses unresolved references",
-        ),
+        ("N209", f'did you mean `told`? Else {late}`%"toled"%`'),
+        ("N209", f'{late}`%"draw"%`'),
+        ("N209", "functions of loaded modules can be called where `check_references = false`"),
         ("N201", "read data of a module that is loaded while the program runs with GetDataVal"),
     ]
 

@@ -3,6 +3,7 @@
 import socket
 import threading
 from pathlib import Path
+from typing import Any
 
 import pytest
 from simulation_program import Ran, ran
@@ -55,7 +56,7 @@ ENDMODULE
 """
 
 
-def with_peer(text: str, toml: str, folder: Path, **options: object) -> Ran:
+def with_peer(text: str, toml: str, folder: Path, **options: Any) -> Ran:
     file = folder / "io.toml"
     file.write_text(toml, encoding="utf-8")
     return ran(text, io=read_io(file), **options)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Severity, Violation
 
 
 class UndefinedName(Violation, code="N201"):
@@ -33,11 +33,17 @@ class UndefinedName(Violation, code="N201"):
 class UnseenName(Violation, code="N216"):
     undefined: str
     modules: tuple[str, ...]
+    nearest: str | None = None
+    is_data: bool = True
+    """Whether it is data, at which a run ends; it goes on without types and routines."""
 
     @property
     def help(self) -> str:
-        """Where it may be declared."""
-        return f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
+        """Where it may be declared, or which name may be meant."""
+        where = f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
+        if not self.is_data:
+            where += "; a run goes on without it"
+        return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
 
 class UnresolvedReference(Violation, code="N221"):
@@ -70,45 +76,88 @@ class DuplicateName(Violation, code="N202"):
 
 SKIPS = "skips the call"
 LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
-STOPS_THERE = "fails where it comes to the call (40130)"
+STOPS_THERE = "fails where it comes to the call"
 """What a run does with the call of a routine that no module declares."""
+
+ASSUME = "`--assume-missing` skips calls of what is not here"
 
 
 class UnknownRoutine(Violation, code="N209"):
     unknown: str
     nearest: str | None = None
-    instead: str = SKIPS
-    """What a run does with the call."""
+    instead: str = ""
+    """What a run does with the call; empty if the program cannot run."""
     reserved: bool = False
     """Whether the nearest is a word of the language."""
+    is_function: bool = False
+    foreign: str | None = None
+    """RAPID's routine for a word of another robot language."""
+    loads_modules: bool = False
+    """Whether the task loads other modules while it runs."""
+
+    @property
+    def severity(self) -> Severity:
+        """An error, unless unresolved references are allowed or assumed away."""
+        return Severity.WARNING if self.instead else Severity.ERROR
+
+    @property
+    def cf(self) -> str:
+        """The event of loading the program, or of reaching the call."""
+        if self.instead == STOPS_THERE:
+            return "ABB 40166" if self.is_function else "ABB 40168"
+        return "ABB 40129" if self.is_function else "ABB 40130"
+
+    @property
+    def message(self) -> str:
+        """The name, and what a run does with its calls."""
+        return f"{super().message}; a run {self.instead}" if self.instead else super().message
 
     @property
     def help(self) -> str:
-        """Where the routine may be declared, or which one may be meant."""
+        """Which routine may be meant, or where it may be declared."""
+        if self.foreign:
+            return f"RAPID's routine for this is `{self.foreign}`"
+        if self.loads_modules:
+            return self._help_on_loading()
         if self.instead == STOPS_THERE:
             return (
                 "the task does not check references (-BindRef 0); "
                 "include the module that declares it"
             )
-        if self.instead != SKIPS:
-            return (
-                f'a module that is loaded by then may declare it; `%"{self.unknown}"%` says so, '
-                "and is called where a controller refuses unresolved references"
-            )
-        word = "the word " if self.reserved else ""
-        or_slip = f", or did you mean {word}`{self.nearest}`?" if self.nearest else ""
-        return f"include the module that declares it{or_slip}"
+        include = "include the module that declares it"
+        if self.nearest:
+            word = "the word " if self.reserved else ""
+            meant = f"did you mean {word}`{self.nearest}`?"
+            return f"{include}, or {meant}" if self.instead else meant
+        return include if self.instead else f"{include}; {ASSUME}"
+
+    def _help_on_loading(self) -> str:
+        if self.is_function:
+            late = "functions of loaded modules can be called where `check_references = false`"
+        else:
+            late = f'call a procedure of a loaded module by name: `%"{self.unknown}"%`'
+        return f"did you mean `{self.nearest}`? Else {late}" if self.nearest else late
 
 
 class UnknownType(Violation, code="N210"):
     unknown: str
     nearest: str | None = None
+    allowed: bool = False
+    """Whether unresolved references are allowed or assumed away."""
+
+    @property
+    def severity(self) -> Severity:
+        """An error, unless unresolved references are allowed or assumed away."""
+        return Severity.WARNING if self.allowed else Severity.ERROR
 
     @property
     def help(self) -> str:
-        """Where the type may be declared, or which one may be meant."""
-        where = "include the module that declares it, if it is not the type of an option"
-        return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
+        """Which type may be meant, or where it may be declared."""
+        where = "include the module that declares it"
+        if self.nearest:
+            meant = f"did you mean `{self.nearest}`?"
+            return f"{where}, or {meant}" if self.allowed else meant
+        return where if self.allowed else f"{where}; `--assume-missing` keeps such data as written"
 
 
 class WrongKind(Violation, code="N211"):
@@ -165,3 +214,8 @@ class AssumedData(Violation, code="N220"):
     missing: str
     type: str
     taken: str
+
+    @property
+    def assumed_name(self) -> str:
+        """The name that nothing declares."""
+        return self.missing

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from itertools import chain
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
-from rapidsim.analysis.context import Context
+from rapidsim.analysis.context import Context, SymbolTable
 from rapidsim.analysis.installed import (
     installed_data_names,
     installed_routine_names,
@@ -33,10 +34,12 @@ from rapidsim.analysis.program import (
     TypeSymbol,
     UnknownSymbol,
 )
-from rapidsim.analysis.suggestions import closest, reserved_words
+from rapidsim.analysis.suggestions import reserved_words
+from rapidsim.analysis.syntax_violations import UnfinishedCode
 from rapidsim.language import types
 from rapidsim.language.annotations import Mode
 from rapidsim.language.types import Type
+from rapidsim.library.other_languages import rapid_word_for
 from rapidsim.library.predefined import SET_BY_CONTROLLER
 from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
@@ -109,7 +112,7 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
         # A signal may be called as an instruction is; where one is called, that is meant.
         symbol = installed_symbol(name.key) or symbol
     if symbol is None:
-        return _unknown_routine(name, context)
+        return _unknown_routine(name, context, function=function)
     if function and is_function(symbol):
         return symbol
     if not function and is_procedure(symbol):
@@ -122,22 +125,21 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
 
 def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool = False) -> None:
     """Report an undeclared name, unless its declaration may be in unread text."""
-    if context.analysis.may_be_unread(name.key):
+    analysis = context.analysis
+    if analysis.may_be_unread(name.key):
         return
-    unseen = context.analysis.cell.unseen
-    if unseen:
-        context.report(UnseenName(name.text, unseen), name)
-        context.analysis.runs = False
+    nearest = _nearest_data(name, context)
+    if analysis.cell.unseen:
+        context.report(UnseenName(name.text, analysis.cell.unseen, nearest), name)
+        analysis.runs = False
         return
-    if context.analysis.cell.refers_late:
+    if analysis.cell.refers_late:
         context.report(UnresolvedReference(name.text), name)
-        context.analysis.runs = False
+        analysis.runs = False
         return
-    compares = context.analysis.may_compare(name.key)
-    nearest = closest(name.text, _known_names(context)) if compares else None
     reserved = nearest in reserved_words()
-    loads = context.analysis.loads_modules
-    context.report(UndefinedName(name.text, nearest, reserved, loads, may_be_signal), name)
+    violation = UndefinedName(name.text, nearest, reserved, analysis.loads_modules, may_be_signal)
+    context.report(violation, name, fix=context.respelling(name, nearest))
 
 
 def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
@@ -217,20 +219,32 @@ def is_procedure(symbol: Symbol) -> bool:
             return False
 
 
-def _unknown_routine(name: tree.Name, context: Context) -> UnknownSymbol | None:
+def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> UnknownSymbol | None:
+    """The symbol of a routine that nothing declares, after a finding."""
     analysis = context.analysis
+    cell = analysis.cell
     if analysis.may_be_unread(name.key):
         return None
-    compares = analysis.may_compare(name.key)
-    known = [*_routine_names(context), *installed_routine_names()] if compares else []
-    nearest = closest(name.text, (*known, *reserved_words())) if compares else None
-    instead = SKIPS
-    if analysis.loads_modules:
+    if name.text.startswith("<"):
+        context.report(UnfinishedCode(name.text), name)
+        return analysis.unknown_symbol(name.text)
+    nearest = _nearest_routine(name, context, function=function)
+    if cell.unseen:
+        context.report(UnseenName(name.text, cell.unseen, nearest, False), name)
+        return analysis.unknown_symbol(name.text)
+    instead = ""
+    if analysis.loads_modules and (cell.assumes or cell.refers_late):
         instead = LOOKS_FOR_IT
-    elif analysis.cell.refers_late:
+    elif cell.refers_late:
         instead = STOPS_THERE
+    elif cell.assumes:
+        instead = SKIPS
     reserved = nearest in reserved_words()
-    context.report(UnknownRoutine(name.text, nearest, instead, reserved), name)
+    foreign = None if nearest else rapid_word_for(name.key)
+    violation = UnknownRoutine(
+        name.text, nearest, instead, reserved, function, foreign, analysis.loads_modules
+    )
+    context.report(violation, name, fix=context.respelling(name, nearest))
     return analysis.unknown_symbol(name.text)
 
 
@@ -252,9 +266,21 @@ def _cure(symbol: Symbol, name: str, function: bool) -> str:
             return ""
 
 
-def _known_names(context: Context) -> Iterator[str]:
-    """Names of data and routines, of the program and of the controller."""
-    for symbol in context.scope.symbols():
+def _nearest_data(name: tree.Name, context: Context) -> str | None:
+    """The known name of data or routines nearest to an unknown one; ties go to local data."""
+    analysis, module = context.analysis, context.module
+    home = analysis.home_of[module].scope
+    of_module = analysis.find_nearest(name, module, _known_names(home, context))
+    if context.routine is None:
+        return of_module
+    local = (symbol.name for symbol in context.scope.symbols(home))
+    known = (*local, *([of_module] if of_module else ()))
+    return analysis.find_nearest(name, context.routine, known)
+
+
+def _known_names(home: SymbolTable, context: Context) -> Iterator[str]:
+    """Names of data and routines that a module sees, of the program and of the controller."""
+    for symbol in home.symbols():
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name
     for configured in context.analysis.cell.symbols.values():
@@ -263,7 +289,18 @@ def _known_names(context: Context) -> Iterator[str]:
     yield from reserved_words()
 
 
-def _routine_names(context: Context) -> Iterator[str]:
-    for symbol in context.scope.symbols():
-        if isinstance(symbol, RoutineSymbol):
-            yield symbol.name
+def _nearest_routine(name: tree.Name, context: Context, *, function: bool) -> str | None:
+    """The known function, or else procedure, nearest to an unknown name."""
+    home = context.analysis.home_of[context.module].scope
+    is_meant = is_function if function else is_procedure
+    own = (symbol.name for symbol in home.symbols() if is_meant(symbol))
+    installed = (
+        routine for routine in installed_routine_names() if _is_installed(routine, is_meant)
+    )
+    known = chain(own, installed, reserved_words())
+    return context.analysis.find_nearest(name, (context.module, function), known)
+
+
+def _is_installed(name: str, is_meant: Callable[[Symbol], bool]) -> bool:
+    symbol = installed_symbol(name.lower())
+    return symbol is not None and is_meant(symbol)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rapidsim.diagnostics import Violation
+from rapidsim.diagnostics import Severity, Violation
 
 _NAMED = 4
 """So many signals stand in a message."""
@@ -17,6 +17,18 @@ class UnknownSignal(Violation, code="I801"):
     """Those that are told with it."""
     nearest: str | None = None
     """The signal of the cell that is spelt most like it."""
+    is_closed: bool = False
+    """Whether the cell declares its signals, so that a controller would have no other."""
+
+    @property
+    def severity(self) -> Severity:
+        """An error where the cell declares its signals."""
+        return Severity.ERROR if self.is_closed else Severity.WARNING
+
+    @property
+    def assumed_name(self) -> str:
+        """The name that nothing declares."""
+        return self.signal
 
     @property
     def is_told_once(self) -> bool:
@@ -27,18 +39,22 @@ class UnknownSignal(Violation, code="I801"):
         """All in one finding: they form one table of a station file."""
         new = {one.signal.lower(): one for one in others if isinstance(one, UnknownSignal)}
         new.pop(self.signal.lower(), None)
-        return UnknownSignal(self.signal, self.type, tuple(new.values()), self.nearest)
+        others_once = tuple(new.values())
+        return UnknownSignal(self.signal, self.type, others_once, self.nearest, self.is_closed)
 
     @property
     def message(self) -> str:
         """One signal, or the first few of several by name."""
+        runs = "" if self.is_closed else "; a run creates"
         if not self.others:
-            return super().message
+            return f"the signal `{self.signal}` is not declared{runs and f'{runs} it'}"
         names = [f"`{one.signal}`" for one in (self, *self.others)]
         if len(names) > _NAMED:
             names[_NAMED:] = [f"{len(names) - _NAMED} more"]
         *names, last = names
-        return f"the signals {', '.join(names)} and {last} are not declared; a run creates them"
+        return (
+            f"the signals {', '.join(names)} and {last} are not declared{runs and f'{runs} them'}"
+        )
 
     @property
     def help(self) -> str:

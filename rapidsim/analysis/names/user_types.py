@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import keyword
 from collections.abc import Mapping, Sequence
+from itertools import chain
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.installed import installed_type, installed_type_names
 from rapidsim.analysis.names.declaration_violations import BadAlias, CircularDefinition
-from rapidsim.analysis.names.name_violations import DuplicateName, UnknownType
+from rapidsim.analysis.names.name_violations import DuplicateName, UnknownType, UnseenName
 from rapidsim.analysis.program import TypeSymbol
-from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import data_of
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
@@ -113,16 +113,9 @@ class UserTypes:
         return Alias(node.name.text, of)
 
     def _unknown_type(self, name: tree.Name, context: Context) -> Type:
-        known = [
-            node.name.text
-            for (module, _), node in self._nodes.items()
-            if module in (None, context.module)
-        ]
         analysis = context.analysis
         if name.key not in OF_OPTIONS and not analysis.may_be_unread(name.key):
-            compares = analysis.may_compare(name.key)
-            meant = closest(name.text, [*known, *installed_type_names()]) if compares else None
-            context.report(UnknownType(name.text, meant), name)
+            self._report_unknown(name, context)
         analysis.shapeless.add(name.key)
         shape = self._unknown.get(name.key)
         if shape is None:
@@ -130,6 +123,22 @@ class UserTypes:
             shape = _shape(name.text, value, dimensions)
             self._unknown[name.key] = shape
         return shape
+
+    def _report_unknown(self, name: tree.Name, context: Context) -> None:
+        own = (
+            node.name.text
+            for (module, _), node in self._nodes.items()
+            if module in (None, context.module)
+        )
+        known = chain(own, installed_type_names())
+        nearest = context.analysis.find_nearest(name, (context.module, UnknownType), known)
+        cell = context.analysis.cell
+        if cell.unseen:
+            context.report(UnseenName(name.text, cell.unseen, nearest, False), name)
+            return
+        allowed = cell.assumes or cell.refers_late
+        fix = context.respelling(name, nearest)
+        context.report(UnknownType(name.text, nearest, allowed), name, fix=fix)
 
 
 def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue | None, int]]:

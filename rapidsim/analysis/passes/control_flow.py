@@ -17,7 +17,6 @@ from rapidsim.analysis.passes.flow_violations import (
     UnreachableCode,
 )
 from rapidsim.analysis.program import Symbol, does
-from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
@@ -229,9 +228,9 @@ def _check_jumps(
                 place = Related(context.module.span(label.name), "the label is here")
                 context.report(GotoTarget(problem), name, place)
             else:
-                compares = context.analysis.may_compare(name.key)
-                known = (one.name.text for one in all_labels.values() if compares)
+                known = (one.name.text for one in all_labels.values())
+                nearest = context.analysis.find_nearest(name, (context.routine, "label"), known)
                 problem = f"this routine has no label `{name.text}`"
-                context.report(GotoTarget(problem, closest(name.text, known)), name)
+                context.report(GotoTarget(problem, nearest), name)
         for block in blocks(statement):
             _check_jumps(block, within_reach, all_labels, context)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.names.names import evident_signal, report_undefined
 from rapidsim.analysis.names.signal_violations import UnknownSignal
+from rapidsim.analysis.passes.assumed_signals import compared_signals
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import agrees, report_mismatch
-from rapidsim.language.types import BOOL, DNUM, NUM, Type, resolved
+from rapidsim.language.types import BOOL, DNUM, NUM, SIGNAL_DI, Type, resolved
 
 
 def decide_undeclared(analysis: Analysis) -> None:
@@ -16,12 +17,14 @@ def decide_undeclared(analysis: Analysis) -> None:
     A signal is reported at its first use.
     """
     reported: set[str] = set()
+    compared = compared_signals(analysis) if analysis.cell.assumes else frozenset()
     for reference, context in analysis.undeclared:
         name = reference.name
         of = (
             analysis.signals.get(name.key)
             or evident_signal(name, context)
             or _of_siblings(name.key, analysis)
+            or (SIGNAL_DI if name.key in compared else None)
         )
         wanted = analysis.wanted_of_undeclared.get(reference)
         if of is None:
@@ -31,7 +34,9 @@ def decide_undeclared(analysis: Analysis) -> None:
         if name.key not in reported and name.key not in analysis.cell.wired:
             declared = (one.name for one in analysis.cell.symbols.values() if one.type == of)
             nearest = closest(name.text, declared)
-            context.report(UnknownSignal(name.text, of.name, nearest=nearest), name)
+            closed = analysis.cell.has_signals and not analysis.cell.assumes
+            violation = UnknownSignal(name.text, of.name, nearest=nearest, is_closed=closed)
+            context.report(violation, name, fix=context.respelling(name, nearest))
             reported.add(name.key)
         analysis.signals.setdefault(name.key, of)
         analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)

@@ -11,7 +11,12 @@ import click
 
 from rapidsim.cli.broken_off import limited_to
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job, open_quietly
+from rapidsim.cli.options.asked import (
+    asked_job,
+    assume_missing_option,
+    open_quietly,
+    strict_option,
+)
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
@@ -74,6 +79,8 @@ from rapidsim.values import dataclass
     type=POSITIVE,
     help="End the check after this much real time; the run of main may take half of it.",
 )
+@assume_missing_option
+@strict_option
 @click.option("--each", is_flag=True, help="Check each PATH as a program of its own.")
 @click.option(
     "-j",
@@ -114,6 +121,8 @@ def check(
     no_reach: bool,
     no_run: bool,
     max_wall: float | None,
+    assume_missing: bool,
+    strict: bool,
     each: bool,
     processes: int,
     no_cache: bool,
@@ -142,6 +151,8 @@ def check(
         reach=not no_reach,
         trial_run=not no_run,
         max_wall_s=max_wall,
+        assume_missing=assume_missing,
+        strict=strict,
         fail_on=Severity(fail_on) if fail_on else None,
     )
     programs = [(path,) for path in paths] if each else [paths]
@@ -186,6 +197,8 @@ def check(
         arms = ", ".join(dict.fromkeys(job.robot.text for job in jobs))
         for line in () if no_reach else coverage_lines(result.coverage, arms):
             say(line)
+        if any(one.result.strict for one in judged) and result.qualifications:
+            say(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
     return ExitCode.CLEAN if is_ok else ExitCode.FINDINGS
 
 

@@ -14,6 +14,7 @@ import click
 
 from rapidsim import __version__
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.asked import assume_missing_option
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
 from rapidsim.cli.viewer import require_screen
@@ -61,6 +62,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
     show_default=True,
     help="Virtual seconds per second of real time; max is as fast as possible.",
 )
+@assume_missing_option
 @click.option(
     "--lock-step", is_flag=True, help="Virtual time passes only with requests, so that runs repeat."
 )
@@ -150,6 +152,7 @@ def serve(
     sensors: tuple[str, ...],
     home: str | None,
     ramdisk: str | None,
+    assume_missing: bool,
     opmode: str,
     motors: str,
     users: tuple[str, ...],
@@ -204,6 +207,7 @@ def serve(
         task=task,
         io=io,
         entry=DEFAULT_ENTRY,
+        assume_missing=assume_missing,
         home=home,
         ramdisk=ramdisk,
     )

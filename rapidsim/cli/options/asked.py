@@ -23,6 +23,14 @@ if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network
     from rapidsim.motion.robot.robot import Robot
 
+assume_missing_option = click.option(
+    "--assume-missing",
+    is_flag=True,
+    help="Assume that what no module declares exists: skip calls, use tool0 for tools.",
+)
+strict_option = click.option(
+    "--strict", is_flag=True, help="Fail on what is unknown, not simulated or not checked, too."
+)
 _PROGRAM = (
     click.argument("paths", metavar="PATH...", nargs=-1, required=True),
     click.option(
@@ -53,11 +61,8 @@ _INPUTS = (
         multiple=True,
         help="Another host that sockets may reach.",
     ),
-    click.option(
-        "--assume-missing",
-        is_flag=True,
-        help="Use tool0, wobj0 and load0 for missing tools, work objects and loads.",
-    ),
+    assume_missing_option,
+    strict_option,
     click.option(
         "--start-time",
         metavar="DATE",
@@ -107,6 +112,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
         allow_network: bool,
         network_hosts: tuple[str, ...],
         assume_missing: bool,
+        strict: bool,
         start_time: datetime | None,
         max_time: float,
         max_wall: float | None,
@@ -128,6 +134,7 @@ def program_options(command: Callable[..., int]) -> Callable[..., int]:
             home=home,
             network=_network(network_hosts) if allow_network else None,
             assume_missing=assume_missing,
+            strict=strict,
             starts_at=start_time,
             max_time_s=max_time,
             max_wall_s=max_wall,

@@ -69,6 +69,7 @@ def _report(findings: Sequence[Finding], result: CheckResult, *, is_ok: bool) ->
     return {
         "schema": 1,
         "ok": is_ok,
+        "qualifications": list(result.qualifications),
         "files": len(result.files),
         "diagnostics": [diagnostic_json(finding) for finding in findings],
         "coverage": {

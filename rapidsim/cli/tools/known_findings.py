@@ -36,11 +36,11 @@ def alike(
     jobs: Sequence[Job], results: Sequence[CheckResult], baselines: Sequence[Path | None]
 ) -> list[Group]:
     """The results of jobs, those with the same settings as one."""
-    groups: dict[tuple[Path | None, Severity, str], list[CheckResult]] = {}
+    groups: dict[tuple[Path | None, Severity, bool, str], list[CheckResult]] = {}
     for job, result, baseline in zip(jobs, results, baselines, strict=True):
-        settings = (baseline, result.fail_on, job.station.model.version)
+        settings = (baseline, result.fail_on, result.strict, job.station.model.version)
         groups.setdefault(settings, []).append(result)
-    return [Group(together(group), file, model) for (file, _, model), group in groups.items()]
+    return [Group(together(group), file, model) for (file, *_, model), group in groups.items()]
 
 
 def judged_with(group: Group, *, update: bool, create: bool) -> Judged:

@@ -94,3 +94,5 @@ class Unsimulated:
     name: str
     count: int
     treated_as: str
+    is_unknown: bool = False
+    """Whether no module declares it: its calls were skipped."""

@@ -111,8 +111,8 @@ class Journal:
     _failed_moves: list[FailedMove] = field(default_factory=list)
     _reported: set[object] = field(default_factory=set)
     _errors: dict[AnsweredError, _Tally] = field(default_factory=dict)
-    _unsimulated: dict[tuple[str, str], int] = field(default_factory=dict)
-    _first_met: dict[tuple[str, str], Place] = field(default_factory=dict)
+    _unsimulated: dict[tuple[str, str, bool], int] = field(default_factory=dict)
+    _first_met: dict[tuple[str, str, bool], Place] = field(default_factory=dict)
     hears: Callable[[Diagnostic], None] | None = None
     """Told at once what is found or not simulated, once for each rule and place."""
     remarks: int = 0
@@ -252,10 +252,12 @@ class Journal:
         """Whether a finding with this key has been recorded, so its facts need no work."""
         return once in self._reported
 
-    def unsimulated(self, name: str, treated_as: str, place: Place) -> None:
+    def unsimulated(
+        self, name: str, treated_as: str, place: Place, *, is_unknown: bool = False
+    ) -> None:
         """Count a routine that was not simulated, and record where it was first called."""
         self.remarks += 1
-        key = (name, treated_as)
+        key = (name, treated_as, is_unknown)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
         self._first_met.setdefault(key, place)
         self._tell(not_simulated_finding(name, treated_as, place))
@@ -294,11 +296,14 @@ class Journal:
 
     def not_simulated(self) -> tuple[Unsimulated, ...]:
         """All routines that were not simulated, in the order of their first calls."""
-        return tuple(Unsimulated(n, count, how) for (n, how), count in self._unsimulated.items())
+        return tuple(
+            Unsimulated(name, count, how, is_unknown)
+            for (name, how, is_unknown), count in self._unsimulated.items()
+        )
 
     def first_met(self, one: Unsimulated) -> Place:
         """Where a routine that was not simulated was first called."""
-        return self._first_met[one.name, one.treated_as]
+        return self._first_met[one.name, one.treated_as, one.is_unknown]
 
 
 def not_simulated_finding(name: str, treated_as: str, place: Place) -> Diagnostic:

@@ -120,7 +120,7 @@ class Calls:
                 instead = at.constant(self._taken_for(call, value))
                 constant = at.name(self._names.module.constant(value))
                 node: ast.expr = at.call("_stand_in", [place, at.constant(name), instead, constant])
-                fails = self._program.cell.refers_late
+                fails = self._program.cell.stops_at_unresolved
                 if fails:
                     node = at.call("_unresolved_function", [at.constant(name)])
                 if name.lower() in self._program.missing_data:
@@ -150,9 +150,9 @@ class Calls:
                     return [at.do(self._missing_data(name, at))]
                 if may_be_loaded(call, self._program):
                     late = self._late_arguments(call, at.constant(name), at)
-                    form = "_late" if self._program.cell.refers_late else "_loaded"
+                    form = "_late" if self._program.cell.stops_at_unresolved else "_loaded"
                     return [at.do(at.call(form, late))]
-                if self._program.cell.refers_late:
+                if self._program.cell.stops_at_unresolved:
                     return [at.do(at.call("_unresolved_procedure", [at.constant(name)]))]
                 place = at.name(self._place(call, {}))
                 return [at.do(at.call("_skip", [place, at.constant(name)]))]

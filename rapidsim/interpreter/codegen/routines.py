@@ -48,6 +48,7 @@ from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import ANSWERED, Statements
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.references import position_of
+from rapidsim.language.controller import STUB
 from rapidsim.language.moves import Place
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -68,7 +69,6 @@ class TranslatedRoutine:
     """What the function begins with if its calls take a tick."""
 
 
-STUB = "what its stub says"
 """What is done instead of a routine of a stub module."""
 
 

@@ -25,7 +25,7 @@ from rapidsim.interpreter.runtime.late_binding import (
     unresolved_procedure,
 )
 from rapidsim.interpreter.runtime.memory import is_persistent
-from rapidsim.language.controller import CONCERNS, Controller
+from rapidsim.language.controller import CONCERNS, STUB, Controller
 from rapidsim.language.error_numbers import ERR_ALRDYCNT, ERR_ARGDUPCND, ERR_EXECPHR, rapid_error
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.moves import Place
@@ -142,7 +142,7 @@ def task_functions(
 
     def stand_in(place: Place, name: str, instead: str, value: object) -> object:
         clock.place = place
-        controller.honesty.not_simulated(name, instead)
+        controller.honesty.not_simulated(name, instead, is_unknown=instead != STUB)
         return value
 
     def skip(place: Place, name: str) -> None:

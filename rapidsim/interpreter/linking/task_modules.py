@@ -18,6 +18,7 @@ from rapidsim.analysis.names.name_violations import (
     ComponentOfUnknownType,
     UndefinedName,
     UnknownRoutine,
+    UnknownType,
 )
 from rapidsim.analysis.passes.checker import Checked, check
 from rapidsim.diagnostics import Diagnostic, Severity, Source
@@ -175,6 +176,9 @@ class TaskModules:
         }
 
 
+_UNDECLARED = (UndefinedName, UnknownRoutine, UnknownType)
+
+
 def _parsed(file: str, text: str) -> Parsed:
     """Read a file; by its text, because each time it is read it is a new `Source`."""
     return parse(Source(file, text))
@@ -210,7 +214,7 @@ def _undeclared(checked: Checked) -> list[Diagnostic]:
         return [
             one for one in checked.diagnostics if isinstance(one.violation, ComponentOfUnknownType)
         ]
-    return errors if all(isinstance(one.violation, UndefinedName) for one in errors) else []
+    return errors if all(isinstance(one.violation, _UNDECLARED) for one in errors) else []
 
 
 def _errors(checked: Checked) -> list[Diagnostic]:

@@ -43,7 +43,7 @@ class Recorder:
         del identity, move
         put()
 
-    def not_simulated(self, routine: str, treated_as: str) -> None:
+    def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         """Nothing; the run that executes it reports it."""
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:

@@ -66,6 +66,7 @@ def run_json(
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
             for one in simulation.unsimulated
         ],
+        "skipped": [{"name": one.name, "count": one.count} for one in simulation.skipped],
         "persistents": [
             {"name": one.name, "module": one.module, "old": one.old, "new": one.new}
             for one in simulation.persistents
@@ -141,6 +142,7 @@ def rejected_json(
         "events": [],
         "errors": [],
         "unsimulated": [],
+        "skipped": [],
         "persistents": [],
         **NOTHING_ASKED.as_json(),
         "models": {},

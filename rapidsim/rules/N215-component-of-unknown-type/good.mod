@@ -1,5 +1,5 @@
 MODULE example
-  RECORD gluegundata
+  RECORD beaddata
     num number;
     num pressure;
     glueoffset offset;
@@ -8,18 +8,18 @@ MODULE example
     num on;
     num off;
   ENDRECORD
-  TASK PERS gluegundata gun1:=[1,5,[0,0]];
+  TASK PERS beaddata gun1:=[1,5,[0,0]];
   PROC main()
     gun1.pressure:=6;
   ENDPROC
 ENDMODULE
 ! ---
 MODULE example
-  RECORD gluegundata
+  RECORD beaddata
     num number;
     num pressure;
   ENDRECORD
-  TASK PERS gluegundata gun1:=[1,5];
+  TASK PERS beaddata gun1:=[1,5];
   PROC main()
     gun1.pressure:=6;
   ENDPROC

@@ -1,6 +1,6 @@
 ! ---
 MODULE bad
   PROC main()
-    AcmeGrip 1; ! found
+    CapNoProcess 1; ! found
   ENDPROC
 ENDMODULE

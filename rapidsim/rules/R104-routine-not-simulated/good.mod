@@ -1,9 +1,9 @@
 ! ---
 MODULE near_miss
   PROC main()
-    AcmeGrip 1;
+    softGrip 1;
   ENDPROC
-  PROC AcmeGrip(num how)
+  PROC softGrip(num how)
     WaitTime how;
   ENDPROC
 ENDMODULE

@@ -145,6 +145,11 @@ class Simulation:
         return f"{first} and {len(others)} more" if others else first
 
     @property
+    def skipped(self) -> tuple[Unsimulated, ...]:
+        """The routines that no module declares, with how many of their calls were skipped."""
+        return tuple(one for one in self.unsimulated if one.is_unknown)
+
+    @property
     def only(self) -> RobotRun:
         """What the robot did.
 

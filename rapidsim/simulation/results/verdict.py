@@ -6,15 +6,21 @@ from collections.abc import Callable, Iterator
 from enum import StrEnum
 from pathlib import Path
 
+from rapidsim.analysis.names.name_violations import AssumedData
+from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.diagnostics import Severity
 from rapidsim.findings.reach_and_motion_data import (
     ConfigurationChangesOnLine,
     ConfigurationNotReachable,
 )
+from rapidsim.language.controller import ACCEPTED, STUB
 from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.values import dataclass
+
+_NAMED = 3
+"""Most routines that a qualification names."""
 
 
 class Level(StrEnum):
@@ -55,6 +61,43 @@ class Verdict:
         return self.failure is None
 
 
+def _skipped_calls(simulation: Simulation) -> Iterator[str]:
+    skipped = simulation.skipped
+    if skipped:
+        count, names = sum(one.count for one in skipped), len(skipped)
+        yield (
+            f"{count} call{'s' * (count != 1)} of "
+            f"{names} unknown routine{'s' * (names != 1)} skipped"
+        )
+
+
+def _calls_not_simulated(simulation: Simulation) -> Iterator[str]:
+    done_otherwise = [
+        one
+        for one in simulation.unsimulated
+        if not (one.is_unknown or one.treated_as == STUB or one.treated_as.startswith(ACCEPTED))
+    ]
+    match done_otherwise:
+        case []:
+            return
+        case [one] if one.name.isidentifier():
+            yield f"{one.count} call{'s' * (one.count != 1)} of {one.name} not simulated"
+        case [*first, last] if len(done_otherwise) <= _NAMED:
+            names = " and ".join((*(one.name for one in first), last.name))
+            yield f"not simulated: {names}"
+        case [*several]:
+            names = ", ".join(one.name for one in several[: _NAMED - 1])
+            yield f"not simulated: {names} and {len(several) - _NAMED + 1} more"
+
+
+def _assumed_names(simulation: Simulation) -> Iterator[str]:
+    for kind, words in ((AssumedData, "name"), (UnknownSignal, "signal")):
+        violations = (found.violation for found in simulation.diagnostics)
+        assumed = {one.assumed_name.lower() for one in violations if isinstance(one, kind)}
+        if assumed:
+            yield f"{len(assumed)} undeclared {words}{'s' * (len(assumed) != 1)} assumed"
+
+
 Qualifier = Callable[[Simulation], Iterator[str]]
 
 
@@ -85,7 +128,13 @@ def _other_configurations(simulation: Simulation) -> Iterator[str]:
         yield f"{targets} target{'s' if targets > 1 else ''} not in the stored configuration"
 
 
-_QUALIFIERS: tuple[Qualifier, ...] = (_early_ends, _other_configurations)
+_QUALIFIERS: tuple[Qualifier, ...] = (
+    _early_ends,
+    _skipped_calls,
+    _calls_not_simulated,
+    _assumed_names,
+    _other_configurations,
+)
 """Functions that yield the qualifications of a run, in their order in headlines."""
 _WORDS = {
     End.ENDED: "ended as programmed",

@@ -4,9 +4,9 @@ MODULE names
   LOCAL VAR num hidden;
   VAR num COUNT;                        ! error: N202
   CONST robtarget pPick:=[[600,0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  VAR nmu unknown;                      ! warning: N210
-  PERS beaddata seam1:=[1,2,[0,0]];     ! warning: N210
-  PERS beaddata seam2:=[3,4,[5,6]];     ! warning: N210
+  VAR nmu unknown;                      ! error: N210
+  PERS beaddata seam1:=[1,2,[0,0]];
+  PERS beaddata seam2:=[3,4,[5,6]];
 
   PROC main()
     VAR num here;
@@ -36,12 +36,12 @@ MODULE names
   ENDFUNC
 
   PROC calls()
-    OpenGripper;                        ! warning: N209
-    WaitUntill count=1;                 ! warning: N209
-    hleper2;                            ! warning: N209
-    count:=AddOnFunction(1);            ! warning: N209
-    ArcLike pPick,weld9,\Fast,fine;     ! warning: N209
-    ArcLike pPcik,weld9;                ! warning: N209
+    OpenGripper;                        ! error: N209
+    WaitUntill count=1;                 ! error: N209
+    hleper2;                            ! error: N209
+    count:=AddOnFunction(1);            ! error: N209
+    ArcLike pPick,weld9,\Fast,fine;     ! error: N209
+    ArcLike pPcik,weld9;                ! error: N209
     LOCAL VAR num late;                 ! error: N213, E104
   ENDPROC
 

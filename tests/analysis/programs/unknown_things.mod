@@ -1,8 +1,8 @@
 MODULE unknown_things
-  ! Add-ins, signals and units that the program does not declare: a run goes on without them.
-  PERS beaddata seam1:=[1,2,[0,0]];         ! warning: N210
-  PERS beaddata seam2:=[3,4,[5,6]];         ! warning: N210
-  PERS weldlist list{2}:=[[1,"a"],[2,"b"]]; ! warning: N210
+  ! Routines and types that nothing declares are errors, signals and units are not.
+  PERS beaddata seam1:=[1,2,[0,0]];
+  PERS beaddata seam2:=[3,4,[5,6]];
+  PERS weldlist list{2}:=[[1,"a"],[2,"b"]]; ! error: N210
   VAR num n;
   VAR bool b;
   VAR string s;
@@ -11,14 +11,14 @@ MODULE unknown_things
   PROC main()
     seam1:=seam2;
     list{1}:=list{2};
-    OpenGripper;                            ! warning: N209
-    n:=AddOnFunction(1)+2;                  ! warning: N209
-    n:=2*AddOnFunction(seam1);              ! warning: N209
-    b:=AddOnFunction(1) AND n>2;            ! warning: N209
-    s:=AddOnFunction(1)+"a";                ! warning: N209
-    TPWrite ValToStr(AddOnFunction(-n));    ! warning: N209
-    b:=NOT AddOnFunction(1);                ! warning: N209
-    ArcLike pWeld,weld9,\Fast,fine;         ! warning: N209
+    OpenGripper;                            ! error: N209
+    n:=AddOnFunction(1)+2;                  ! error: N209
+    n:=2*AddOnFunction(seam1);              ! error: N209
+    b:=AddOnFunction(1) AND n>2;            ! error: N209
+    s:=AddOnFunction(1)+"a";                ! error: N209
+    TPWrite ValToStr(AddOnFunction(-n));    ! error: N209
+    b:=NOT AddOnFunction(1);                ! error: N209
+    ArcLike pWeld,weld9,\Fast,fine;         ! error: N209
     IF diDoor=1 AND doLamp=0 n:=diDoor;     ! warning: I801, I801
     AliasIO doConfigured,doAlias;           ! warning: I801
     WaitUntil giPart>3 AND diDoor=high;     ! warning: I801

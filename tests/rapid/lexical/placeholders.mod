@@ -12,7 +12,7 @@ MODULE placeholders
     n:=<EXP>;                   ! warning: E148
     <VAR>:=1;                   ! warning: E148
     Add n,<ARG>;                ! warning: E148
-    <ID>;                       ! warning: N209
+    <ID>;                       ! warning: E148
     IF n=1 <SMT>                ! warning: E148
     IF n=1 THEN
       n:=2;

@@ -1,10 +1,14 @@
-! Field practice, Routines of other modules: a call that nothing answers is reported and skipped.
+! RAPID Kernel, Scope rules: a procedure or function that nothing declares keeps a program from loading.
 MODULE unknown_routines
   VAR num n:=1;
 
   PROC main()
-    OpenGripper;                          ! warning: N209 ! warning: R104
-    n:=ReadSensor(3);                     ! warning: N209 ! warning: R104
-    TPWrite "n is "\Num:=n;               ! -> n is 0
+    OpenGripper;                          ! error: N209
+    n:=ReadSensor(3);                     ! error: N209
+    MovJ home,v1000,fine,tool0;           ! error: N209
+    PickPrat;                             ! error: N209
+    TPWrite "n is "\Num:=n;
+  ENDPROC
+  PROC PickPart()
   ENDPROC
 ENDMODULE

@@ -67,7 +67,7 @@ def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
             match installed_symbol(name.key):
                 case DataSymbol(type=of) if not is_local or of.name in _OF_MOTION:
                     what = f"{'an' if of.name[0] in _VOWELS else 'a'} {of.name}"
-                case LibrarySymbol(routine=routine) if not is_local:
+                case LibrarySymbol(routine=routine) if not (is_local or routine.signature.is_open):
                     is_function = routine.signature.result is not None
                     what = "a function" if is_function else "an instruction"
                 case _:

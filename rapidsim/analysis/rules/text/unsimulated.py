@@ -7,11 +7,17 @@ from collections.abc import Iterator
 from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.controller import ACCEPTED
 
 
 class UnsupportedConstruct(Violation, code="E105"):
     routine: str
     treated_as: str
+
+    @property
+    def qualifies(self) -> bool:
+        """Whether a run differs from the controller's in what it shows."""
+        return not self.treated_as.startswith(ACCEPTED)
 
 
 def find_unsupported(facts: Facts) -> Iterator[Diagnostic]:

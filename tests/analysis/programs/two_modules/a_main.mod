@@ -5,6 +5,6 @@ MODULE a_main
     helper shared;
     shared:=limit;
     own:=private;                       ! error: N201
-    secret;                             ! warning: N209
+    secret;                             ! error: N209
   ENDPROC
 ENDMODULE

@@ -10,7 +10,6 @@ MODULE MainModule
     shared:=shared+1;
     TPWrite ValToStr(shared);           ! -> 2
     TPWrite ValToStr(next.number);      ! -> 7
-    hidden_report;                      ! warning: N209 ! warning: R104
     %"Tools:hidden_report"%;
   ENDPROC
 ENDMODULE

@@ -1,4 +1,4 @@
-! Field practice, Options: an instruction of a process that is not there is skipped and said.
+! Field practice, Options: on request an instruction of a process that is not there is skipped.
 MODULE unknown_instruction
   CONST jointtarget jHome:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
 
