@@ -178,6 +178,11 @@ def loose_cell_among(paths: Iterable[str]) -> LooseCell | None:
     return None
 
 
+def has_modules(folder: Path) -> bool:
+    """Whether a folder has modules, or the tasks of a backup."""
+    return bool(task_folders(folder) or _in_folder(folder, may_be_empty=True))
+
+
 def configuration_below(folder: Path) -> tuple[str, ...] | None:
     """The folders that lead to configuration files: none, or SYSPAR; None if there are no files."""
     if _has_configuration(folder):

@@ -32,6 +32,27 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
+class ConfigurationChange:
+    """One change of system parameters, options or a station file."""
+
+    source: str
+    """The domain, such as `EIO`; `BACKINFO` or `station`."""
+    type: str
+    """The type of the instance, such as `EIO_SIGNAL`."""
+    name: str
+    """The name of the instance, or the path of the table."""
+    key: str
+    """The attribute; "" for a whole instance."""
+    old: str | None
+    """None where it is new."""
+    new: str | None
+    """None where it is gone."""
+    unit: str = ""
+    note: str = ""
+    """The distance between both, where the values do not show it."""
+
+
+@dataclass(frozen=True, slots=True)
 class TimeChange:
     """A line or routine whose time changed."""
 
@@ -118,9 +139,12 @@ class Comparison:
     why_no_run: str | None = None
     paths: tuple[tuple[tuple[float, ...], ...], tuple[tuple[float, ...], ...]] = ((), ())
     """The TCP of both sides over time [mm], for a picture; empty where nothing ran."""
+    configuration: tuple[ConfigurationChange, ...] = ()
+    not_compared: tuple[str, ...] = ()
+    """What only one side has, in words."""
 
     @property
     def is_same(self) -> bool:
         """Whether nothing differs."""
         runs_alike = self.run is None or self.run.is_same
-        return not self.changes and not self.findings and runs_alike
+        return not (self.changes or self.findings or self.configuration) and runs_alike

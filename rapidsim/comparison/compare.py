@@ -4,14 +4,21 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import field, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TypeAlias
 
 import numpy as np
 
+from rapidsim.comparison.cell_configuration import (
+    CellConfiguration,
+    cell_configuration,
+    is_configuration_file,
+)
 from rapidsim.comparison.changes import At, Comparison, FindingChange, RunChange
+from rapidsim.comparison.configuration_changes import configuration_changes
 from rapidsim.comparison.program_changes import program_changes
 from rapidsim.comparison.program_parts import Parts, parts_of
 from rapidsim.comparison.run_changes import RanProgram, run_changes
@@ -23,7 +30,7 @@ from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.run_files import ProgramRejectedError, run_job
-from rapidsim.module_files import TaskFiles
+from rapidsim.module_files import TaskFiles, backup_among, has_modules, opened
 from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK
@@ -45,22 +52,35 @@ class _Side:
     run: RanProgram | None = None
     path: tuple[tuple[float, ...], ...] = ()
     why_no_run: str | None = None
+    configuration: CellConfiguration = field(default_factory=CellConfiguration)
 
 
-def compare(old: Asked, new: Asked, *, run: bool = True, answers: str | None = None) -> Comparison:
+Shown: TypeAlias = Callable[[str], str]
+"""The name of a file as it is shown."""
+
+
+def compare(
+    old: Asked,
+    new: Asked,
+    *,
+    run: bool = True,
+    answers: str | None = None,
+    shown: Shown = str,
+) -> Comparison:
     """Compare what two paths refer to.
 
     Args:
-        old: Files, a folder, a backup, or the JSON of a run.
+        old: Files, a folder, a backup, a configuration, or the JSON of a run.
         new: Likewise.
         run: Whether to run the programs.
         answers: A file of the operator's answers in both runs.
+        shown: The names of the files of `old`.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
     """
-    a, b = _side(old, run, answers), _side(new, run, answers)
-    if bool(a.parts) != bool(b.parts) and (a.run is None or b.run is None):
+    a, b = _side(old, run, answers, shown), _side(new, run, answers, str)
+    if not run and bool(a.run) != bool(b.run):
         raise InputError("a saved run can only be compared with a run", "leave out --no-run")
     changes = [
         change
@@ -72,21 +92,39 @@ def compare(old: Asked, new: Asked, *, run: bool = True, answers: str | None = N
     return Comparison(
         (a.name, b.name),
         tuple(changes),
-        _finding_changes(a.findings, b.findings) if a.parts and b.parts else (),
+        _finding_changes(a.findings, b.findings, shown) if a.parts and b.parts else (),
         ran,
         None if ran or not run else a.why_no_run or b.why_no_run,
         (a.path, b.path),
+        configuration_changes(a.configuration, b.configuration),
+        tuple(_not_compared(a, b)),
     )
 
 
-def _side(asked: Asked, run: bool, answers: str | None) -> _Side:
-    name = asked.paths[0]
-    if name.lower().endswith(".json"):
-        return _Side(name, {}, run=RanProgram(_saved(Path(name))))
+def _not_compared(a: _Side, b: _Side) -> Iterator[str]:
+    """What only one side has."""
+    for one, other in ((a, b), (b, a)):
+        if other.configuration.parameters and not one.configuration.parameters:
+            yield f"the configuration, for {one.name} has none"
+        if other.parts and not one.parts and one.run is None:
+            yield f"the program, for {one.name} has none"
+
+
+def _side(asked: Asked, run: bool, answers: str | None, shown: Shown) -> _Side:
+    path = asked.paths[0]
+    name = shown(path)
+    if path.lower().endswith(".json"):
+        return _Side(name, {}, run=RanProgram(_saved(Path(path))))
+    configuration = cell_configuration(asked)
+    if _has_no_program(path):
+        if configuration.is_empty:
+            # It says what is missing.
+            job(asked)
+        return _Side(name, {}, configuration=configuration)
     found = job(asked)
-    parts = {task.name or DEFAULT_TASK: _parts(task) for task in found.tasks}
+    parts = {task.name or DEFAULT_TASK: _parts(task, shown) for task in found.tasks}
     findings = check_job(replace(found, asked=replace(asked, trial_run=run))).diagnostics
-    side = _Side(name, parts, findings)
+    side = _Side(name, parts, findings, configuration=configuration)
     if not run:
         return side
     try:
@@ -100,6 +138,14 @@ def _side(asked: Asked, run: bool, answers: str | None) -> _Side:
     return replace(side, run=RanProgram(record, position), path=_path(simulation))
 
 
+def _has_no_program(path: str) -> bool:
+    """Whether a path brings a configuration alone."""
+    if path == "-" or is_configuration_file(path):
+        return path != "-"
+    folder = opened(path)
+    return folder.is_dir() and not has_modules(folder) and backup_among([path]) is None
+
+
 def _ran(found: Job, answers: str | None) -> Simulation:
     """Run without leaving anything behind."""
     with TemporaryDirectory(prefix="rapidsim-") as home:
@@ -108,8 +154,8 @@ def _ran(found: Job, answers: str | None) -> Simulation:
         return run_job(replace(found, asked=asked)).simulation
 
 
-def _parts(task: TaskFiles) -> Parts:
-    trees = [parse(Source(file.name, file.text)).file for file in task.files]
+def _parts(task: TaskFiles, shown: Shown) -> Parts:
+    trees = [parse(Source(shown(file.name), file.text)).file for file in task.files]
     return parts_of([module for one in trees for module in one.modules])
 
 
@@ -139,7 +185,7 @@ def _path(simulation: Simulation) -> tuple[tuple[float, ...], ...]:
 
 
 def _finding_changes(
-    old: Sequence[Diagnostic], new: Sequence[Diagnostic]
+    old: Sequence[Diagnostic], new: Sequence[Diagnostic], shown: Shown
 ) -> tuple[FindingChange, ...]:
     """Findings that are new or gone, wherever they stand."""
     before, after = Counter(map(_key, old)), Counter(map(_key, new))
@@ -148,7 +194,7 @@ def _finding_changes(
         for one in found:
             if surplus[_key(one)] > 0:
                 surplus[_key(one)] -= 1
-                at = At(one.span.file, one.span.line) if one.span else None
+                at = At(shown(one.span.file), one.span.line) if one.span else None
                 changes.append(
                     FindingChange(is_new, one.code, str(one.severity), one.message, one.routine, at)
                 )

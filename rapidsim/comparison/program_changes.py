@@ -14,6 +14,7 @@ from typing import TypeVar
 from rapidsim.comparison.changes import Change
 from rapidsim.comparison.program_parts import Declaration, Line, Parts, Routine, folded, literal
 from rapidsim.comparison.values import difference, kind_of
+from rapidsim.comparison.world import object_in_world, target_in_world
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.syntax import tree
 from rapidsim.syntax.printer import print_expression
@@ -125,9 +126,9 @@ def _data_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterato
         if before is None:
             yield Change(kind, one.name, f"added: {one.type}", new=one.at)
         elif folded(before.text, renamed) != folded(one.text) or before.type != one.type:
-            frame = _frame_of(key, new) if kind == "target" else ""
+            where = _where(before, one, _objects_of(key, new), old, new)
             text = _said(before, one)
-            yield Change(kind, one.name, f"{text}{frame}", old=before.at, new=one.at)
+            yield Change(kind, one.name, f"{text}{where}", old=before.at, new=one.at)
         elif before.folded != one.folded and folded(before.folded, renamed) != one.folded:
             text = f"{before.storage} {before.type} -> {one.storage} {one.type}"
             if before.storage == one.storage:
@@ -146,7 +147,22 @@ def _said(old: Declaration, new: Declaration) -> str:
     return f"{old.text} -> {new.text}" if old.type == new.type else f"{old.type} -> {new.type}"
 
 
-def _frame_of(key: str, parts: Parts) -> str:
+def _where(
+    before: Declaration, after: Declaration, objects: Sequence[str], old: Parts, new: Parts
+) -> str:
+    """In which frames data have changed, and by how much in the world."""
+    values = before.value, after.value
+    if kind_of(after.type) == "work object":
+        return object_in_world(values)
+    if kind_of(after.type) != "target" or not objects:
+        return ""
+    found = [_named(parts.data, objects[0].lower()) for parts in (old, new)]
+    pair = tuple(one.value for one in found if one is not None)
+    world = target_in_world(values, pair) if len(objects) == 1 and len(pair) == 2 else ""
+    return f", in {' and '.join(objects)}{world}"
+
+
+def _objects_of(key: str, parts: Parts) -> Sequence[str]:
     """The work objects in which a target is approached, as the moves to it name them."""
     name = key.rpartition("/")[2]
     frames: dict[str, None] = {}
@@ -156,7 +172,7 @@ def _frame_of(key: str, parts: Parts) -> str:
                 given = _arguments(line.node)
                 if name in _WORD.findall(folded(given.get("topoint", ""))):
                     frames[given.get("wobj", "wobj0")] = None
-    return f", in {' and '.join(frames)}" if frames else ""
+    return tuple(frames)
 
 
 def _named(parts: Mapping[str, T], name: str) -> T | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
@@ -10,6 +11,7 @@ from rapidsim.comparison.changes import (
     At,
     Change,
     Comparison,
+    ConfigurationChange,
     FindingChange,
     RunChange,
     TimeChange,
@@ -20,6 +22,9 @@ _MOST_LINES = 20
 _SHOWN_S = 0.001
 """Smaller changes of a time are counted; JSON has them all."""
 SAME = "No difference."
+_OF_THE_ARM = ("model", "urdf", "use_robot_type")
+"""Keys of a configuration that name the arm."""
+_CODE_SPAN = re.compile(r"(`[^`]*`)")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +55,7 @@ def as_markdown(comparison: Comparison) -> str:
         lines += [f"**{block.title}**", ""]
         if block.times:
             lines += ["| | before | after | change |", "|---|--:|--:|--:|"]
-            lines += [f"| {' | '.join(map(_escaped, time_cells(one)))} |" for one in block.times]
+            lines += [f"| {' | '.join(map(_table_cell, time_cells(one)))} |" for one in block.times]
             lines.append("")
         if block.lines:
             lines += [*(f"- {_escaped(line)}" for line in block.lines), ""]
@@ -64,6 +69,8 @@ def as_json(comparison: Comparison) -> dict[str, object]:
         "schema": 1,
         "names": list(comparison.names),
         "same": comparison.is_same,
+        "configuration": [asdict(change) for change in comparison.configuration],
+        "not_compared": list(comparison.not_compared),
         "changes": [asdict(change) for change in comparison.changes],
         "findings": [asdict(finding) for finding in comparison.findings],
         "run": None
@@ -88,6 +95,24 @@ def _change_line(change: Change) -> str:
     where = f" in {change.routine}" if change.routine else ""
     named = "" if change.routine else f" `{change.name}`"
     return f"{change.kind}{named}{where}: {change.message}{_places(change.old, change.new)}"
+
+
+def _configuration_line(change: ConfigurationChange) -> str:
+    """One change of the configuration in a line."""
+    kind = "" if change.type == "table" else f"{change.type} "
+    key = f", {change.key}" if change.key else ""
+    unit = f" {change.unit}" if change.unit else ""
+    if change.key:
+        note = f" ({change.note})" if change.note else ""
+        old, new = ("not set" if one is None else one for one in (change.old, change.new))
+        values = f"{old} -> {new}{unit}{note}"
+    elif change.old is None:
+        values = f"added: {change.new}"
+    elif change.new is None:
+        values = f"removed: {change.old}"
+    else:
+        values = f"{change.old} -> {change.new}"
+    return f"{change.source}: {kind}`{change.name}`{key}: {values}"
 
 
 def time_cells(change: TimeChange) -> tuple[str, str, str, str]:
@@ -115,8 +140,11 @@ def blocks(comparison: Comparison) -> Iterator[Block]:
     if comparison.is_same:
         yield Block(SAME)
     run = comparison.run
-    if run is not None and run.robots[0] != run.robots[1]:
+    named = any(one.key.lower() in _OF_THE_ARM for one in comparison.configuration)
+    if run is not None and run.robots[0] != run.robots[1] and not named:
         yield Block("Cell", (f"robot: {run.robots[0]} -> {run.robots[1]}",))
+    if comparison.configuration:
+        yield Block("Configuration", tuple(map(_configuration_line, comparison.configuration)))
     if comparison.changes:
         yield Block("Program", tuple(map(_change_line, comparison.changes)))
     if run is not None and not run.is_same:
@@ -127,6 +155,8 @@ def blocks(comparison: Comparison) -> Iterator[Block]:
             yield Block("Outputs", tuple(f"{one.signal}: {one.message}" for one in run.outputs))
     if comparison.findings:
         yield Block("Findings", tuple(map(_finding_line, comparison.findings)))
+    for note in comparison.not_compared:
+        yield Block(f"Not compared: {note}.")
     if comparison.why_no_run:
         yield Block(f"No times: {comparison.why_no_run}.")
 
@@ -180,4 +210,13 @@ def _place(at: At) -> str:
 
 
 def _escaped(line: str) -> str:
-    return line.replace("*", "\\*").replace("<", "&lt;").replace("|", "\\|")
+    """Text in which only code spans mean something to Markdown."""
+    parts = _CODE_SPAN.split(line)
+    # Text and code spans alternate.
+    parts[::2] = (one.replace("*", "\\*").replace("<", "&lt;") for one in parts[::2])
+    return "".join(parts)
+
+
+def _table_cell(text: str) -> str:
+    # A table is cut at each `|`, in code spans too.
+    return _escaped(text).replace("|", "\\|")

@@ -1,4 +1,7 @@
-"""How two values differ, in the terms of their type: mm, degrees, mm/s."""
+"""How two values differ, in the terms of their type: mm, degrees, mm/s.
+
+Each component that differs is named with both values and its unit.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,7 @@ _KINDS = {
     "jointtarget": "target",
     "tooldata": "tool",
     "wobjdata": "work object",
+    "loaddata": "load",
     "speeddata": "speed",
     "zonedata": "zone",
 }
@@ -39,11 +43,15 @@ def difference(type_name: str, old: object, new: object) -> str | None:
                 return _listed(_tool(old, new))
             case "wobjdata":
                 return _listed(_work_object(old, new))
+            case "loaddata":
+                return _listed(_load(_row(old), _row(new)))
             case "pose" | "pos" | "orient":
                 return _listed(_frame(type_name, old, new))
             case "speeddata":
                 pairs = zip(_SPEEDS, _row(old), _row(new), strict=True)
-                return _listed([f"{n} {a:g} -> {b:g} {u}" for (n, u), a, b in pairs if a != b])
+                return _listed(
+                    [f"{n} {shown(a)} -> {shown(b)} {u}" for (n, u), a, b in pairs if a != b]
+                )
             case "zonedata":
                 return _listed(_zone(old, new))
             case _:
@@ -75,20 +83,24 @@ def _pose_parts(old: object, new: object) -> list[str]:
 
 def _target_parts(old: object, new: object) -> list[str]:
     told = [
-        f"{name} {a:g} -> {b:g}"
+        f"{name} {shown(a)} -> {shown(b)}"
         for name, a, b in zip(_CONFIGURATION, _row(old)[2], _row(new)[2], strict=True)
         if a != b
     ]
     axes = zip("abcdef", _row(old)[3], _row(new)[3], strict=True)
-    return told + [f"eax_{n} {shown(a)} -> {shown(b)}" for n, a, b in axes if a != b]
+    return told + [f"eax_{n} {shown(a)} -> {shown(b)} deg or mm" for n, a, b in axes if a != b]
 
 
 def _moved(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
     if tuple(old) == tuple(new):
         return []
-    way = [b - a for a, b in zip(old, new, strict=True)]
-    each = ", ".join(f"{axis} {d:+.3f}" for axis, d in zip("xyz", way, strict=True) if d)
-    return [f"{what}moved by {math.hypot(*way):.3f} mm ({each})"]
+    apart = [b - a for a, b in zip(old, new, strict=True)]
+    each = ", ".join(
+        f"{axis} {d:+.3f}: {shown(a)} -> {shown(b)}"
+        for axis, d, a, b in zip("xyz", apart, old, new, strict=True)
+        if d
+    )
+    return [f"{what}moved by {math.hypot(*apart):.3f} mm ({each})"]
 
 
 def _turned(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
@@ -96,32 +108,36 @@ def _turned(old: Sequence[float], new: Sequence[float], what: str = "") -> list[
         return []
     lengths = math.hypot(*old) * math.hypot(*new)
     cosine = abs(sum(a * b for a, b in zip(old, new, strict=True))) / lengths
-    return [f"{what}turned by {math.degrees(2.0 * math.acos(min(1.0, cosine))):.3f} deg"]
+    angle = math.degrees(2.0 * math.acos(min(1.0, cosine)))
+    return [f"{what}turned by {angle:.3f} deg ({shown(old)} -> {shown(new)})"]
 
 
 def _axes(old: object, new: object) -> list[str]:
     pairs = list(zip(_row(old)[0], _row(new)[0], strict=True))
     # Axis 3 of a SCARA, which has no axes 5 and 6, slides; which arm it is, the text does not say.
-    slides = {3} if pairs[4:] == [(0.0, 0.0)] * 2 else set()
+    units = {3: "deg or mm"} if pairs[4:] == [(0.0, 0.0)] * 2 else {}
     told = [
-        f"axis {n} by {b - a:+.3f} {'deg or mm' if n in slides else 'deg'}"
+        f"axis {n} by {b - a:+.3f} {units.get(n, 'deg')}: {shown(a)} -> {shown(b)}"
         for n, (a, b) in enumerate(pairs, 1)
         if a != b
     ]
     axes = zip("abcdef", _row(old)[1], _row(new)[1], strict=True)
-    return told + [f"eax_{n} {shown(a)} -> {shown(b)}" for n, a, b in axes if a != b]
+    return told + [f"eax_{n} {shown(a)} -> {shown(b)} deg or mm" for n, a, b in axes if a != b]
 
 
 def _tool(old: object, new: object) -> list[str]:
     (a_held, a_frame, a_load), (b_held, b_frame, b_load) = _row(old), _row(new)
     told = [f"robhold {shown(a_held)} -> {shown(b_held)}"] if a_held != b_held else []
     told += _moved(a_frame[0], b_frame[0], "TCP ") + _turned(a_frame[1], b_frame[1], "TCP ")
-    if a_load[0] != b_load[0]:
-        told.append(f"mass {a_load[0]:g} -> {b_load[0]:g} kg")
-    told += _moved(a_load[1], b_load[1], "centre of gravity ")
-    if tuple(a_load[2:]) != tuple(b_load[2:]):
-        told.append("moments of inertia")
-    return told
+    return told + _load(a_load, b_load)
+
+
+def _load(old: Sequence[Any], new: Sequence[Any]) -> list[str]:
+    told = [f"mass {shown(old[0])} -> {shown(new[0])} kg"] if old[0] != new[0] else []
+    told += _moved(old[1], new[1], "centre of gravity ")
+    told += _turned(old[2], new[2], "axes of moment ")
+    moments = zip("xyz", old[3:], new[3:], strict=True)
+    return told + [f"i{n} {shown(a)} -> {shown(b)} kgm2" for n, a, b in moments if a != b]
 
 
 def _work_object(old: object, new: object) -> list[str]:
@@ -137,6 +153,11 @@ def _frame(type_name: str, old: object, new: object) -> list[str]:
     if type_name == "pos":
         return _moved(_row(old), _row(new))
     return _turned(_row(old), _row(new)) if type_name == "orient" else _pose_parts(old, new)
+
+
+def _speed(old: Sequence[Any], new: Sequence[Any]) -> list[str]:
+    rows = zip(_SPEEDS, old, new, strict=True)
+    return [f"{n} {shown(a)} -> {shown(b)} {unit}" for (n, unit), a, b in rows if a != b]
 
 
 def _zone(old: object, new: object) -> list[str]:

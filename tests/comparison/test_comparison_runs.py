@@ -95,7 +95,9 @@ def test_another_arm_and_an_error_are_told_first(sides: Path) -> None:
     for side, arm in (("old", "irb1600"), ("new", "irb1600-8-1.45")):
         (sides / side / "rapidsim.toml").write_text(f'[robot]\nmodel = "{arm}"\n')
     told = call("diff", "old", "new", cwd=sides).out
-    assert told.startswith("Cell\n  robot: irb1600-6-1.2 -> irb1600-8-1.45\n\nProgram\n")
+    assert told.startswith(
+        'Configuration\n  station: `robot`, model: "irb1600" -> "irb1600-8-1.45"\n\nProgram\n'
+    )
     assert "End of the run\n  ended -> error (R101: " in told
     report = json.loads(call("diff", "old", "new", "--format", "json", cwd=sides).out)
     assert report["run"]["robots"] == ["irb1600-6-1.2", "irb1600-8-1.45"]

@@ -17,8 +17,8 @@ _FORMATS = ("text", "json", "markdown", "html")
 
 
 @click.command()
-@click.argument("old", metavar="A")
-@click.argument("new", metavar="B")
+@click.argument("paths", metavar="[A B | --git REV [PATH]]", nargs=-1)
+@click.option("--git", "revision", metavar="REV", help="Take A from this git revision of PATH.")
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option("--task", metavar="NAME", help="Only this task, of several.")
@@ -45,8 +45,8 @@ _FORMATS = ("text", "json", "markdown", "html")
 @click.option("--output", metavar="FILE", help="Write to this file; required for html.")
 @terminal_options
 def diff(
-    old: str,
-    new: str,
+    paths: tuple[str, ...],
+    revision: str | None,
     robot: str | None,
     station: str | None,
     task: str | None,
@@ -58,24 +58,33 @@ def diff(
     output_format: str,
     output: str | None,
 ) -> int:
-    """Show what changed from A to B: two programs, folders, backups, or JSON of saved runs.
+    """Show what changed from A to B: programs, folders, backups, configurations, saved runs.
+
+    With --git, from revision REV of PATH, by default the working folder, to PATH as it is now.
 
     Targets, tools, work objects, speeds, zones, signals and routines; the time of each routine and
     line before and after; outputs that fire at another place or time; findings that are new or
-    gone. Layout, comments and the order of routines do not count as changes.
+    gone. Of backups and cells also signals, wiring, axes, frames, tasks and all other system
+    parameters, and the station file; these may stand alone, as a folder SYSPAR, a .cfg or a .toml
+    file. Layout, comments and order do not count as changes.
 
     Exit codes: 0 the same, 1 different, 2 wrong usage.
     """
     from rapidsim.comparison.compare import compare
     from rapidsim.comparison.page import comparison_page
+    from rapidsim.comparison.revision import checked_out
     from rapidsim.comparison.told import as_json, as_markdown, as_text
 
+    if len(paths) > 1 if revision is not None else len(paths) != 2:
+        help = "rapidsim diff A B, or rapidsim diff --git REV [PATH]"
+        what = "--git takes one PATH" if revision is not None else "two paths are compared"
+        raise InputError(f"{what}, not {len(paths)}", help)
     if output_format == "html" and output is None:
         raise InputError("--format html needs a file", "name it with --output FILE.html")
     suffixes = {"text": (".txt",), "json": (".json",), "markdown": (".md",)}
     target = new_file(output, suffixes.get(output_format, (".html", ".htm"))) if output else None
 
-    def asked(path: str) -> Asked:
+    def asked(path: str, station: str | None = station) -> Asked:
         return Asked(
             paths=(path,),
             robot=robot,
@@ -86,7 +95,18 @@ def diff(
             max_time_s=max_time,
         )
 
-    found = compare(asked(old), asked(new), run=not no_run, answers=answers)
+    if revision is None:
+        found = compare(asked(paths[0]), asked(paths[1]), run=not no_run, answers=answers)
+    else:
+        path = paths[0] if paths else "."
+        with checked_out(revision, path) as older:
+            before = asked(older.path, station or older.station)
+            try:
+                found = compare(
+                    before, asked(path), run=not no_run, answers=answers, shown=older.shown
+                )
+            except InputError as error:
+                raise InputError(older.in_words(error.message), error.help) from None
     match output_format:
         case "json":
             text = json.dumps(as_json(found), indent=2, allow_nan=False) + "\n"

@@ -1,0 +1,280 @@
+"""Changes between two configurations: system parameters, options, station files.
+
+Instances of a type are matched by name, those without a name by their attributes. Their order, the
+layout of a file and the way a number is written are no changes.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from rapidsim.comparison.cell_configuration import CellConfiguration
+from rapidsim.comparison.changes import ConfigurationChange
+from rapidsim.comparison.station_changes import station_changes
+from rapidsim.controller.cell.description import mapped_bits
+from rapidsim.language.equipment import Configured
+from rapidsim.values import dataclass
+
+_Attributes = Mapping[str, str]
+
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+_QUATERNION = re.compile(r"(.*)_u([0-3])")
+_UNITS = (
+    (re.compile(r"base_frame_pos_[xyz]|.*mass_centre_[xyz]"), "mm", 1e3),
+    (re.compile(r"(cal|calib|com)_offset|gravity_(alpha|beta)"), "deg", math.degrees(1.0)),
+    (re.compile(r".*inertia_[xyz]"), "kgm2", 1.0),
+    (re.compile(r"(.*_)?mass"), "kg", 1.0),
+    (re.compile(r"speed_absolute_max"), "rad/s", 1.0),
+    (re.compile(r"filt(er)?(active|passive)"), "ms", 1.0),
+)
+"""Units of attributes, and what the numbers of a file are multiplied by."""
+_BOUNDS = re.compile(r"(upper|lower)_(joint|check_point)_bound.*")
+_MAPS = ("devicemap", "unitmap")
+_SLIDING = ("TRACK", "EXT_LIN", "FREE_LIN")
+_SAME_TURN_DEG = 1e-6
+
+
+def configuration_changes(
+    old: CellConfiguration, new: CellConfiguration
+) -> tuple[ConfigurationChange, ...]:
+    """All changes between what both sides have."""
+    changes: list[ConfigurationChange] = []
+    if old.parameters and new.parameters:
+        changes += _parameter_changes(old.parameters, new.parameters)
+        changes += _product_changes(old.products, new.products)
+    return (*changes, *station_changes(old.station, new.station))
+
+
+def _parameter_changes(old: Configured, new: Configured) -> Iterator[ConfigurationChange]:
+    for domain in sorted({*old, *new}):
+        a, b = old.get(domain, {}), new.get(domain, {})
+        sliding = _sliding_arms(a) | _sliding_arms(b)
+        for kind in dict.fromkeys((*a, *b)):
+            before = [_instance(kind, one, sliding) for one in a.get(kind, ())]
+            after = [_instance(kind, one, sliding) for one in b.get(kind, ())]
+            yield from _type_changes(domain, kind, before, after)
+
+
+@dataclass(frozen=True, slots=True)
+class _Value:
+    """The value of an attribute."""
+
+    text: str
+    unit: str
+    key: object
+    """Equal for values that mean the same."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Instance:
+    name: str | None
+    values: Mapping[str, _Value]
+    """By folded attribute."""
+    written: Mapping[str, str]
+    """The attributes as they are written, by folded attribute."""
+
+    @property
+    def keys(self) -> Mapping[str, object]:
+        """What the attributes mean."""
+        return {attribute: value.key for attribute, value in self.values.items()}
+
+    @property
+    def text(self) -> str:
+        """All attributes but the name."""
+        parts = (
+            f"{self.written[key]} {value.text}{_unit(value.unit)}"
+            for key, value in self.values.items()
+            if key != "name"
+        )
+        return ", ".join(parts) or "no attributes"
+
+
+def _unit(unit: str) -> str:
+    return f" {unit}" if unit else ""
+
+
+def _instance(kind: str, attributes: _Attributes, sliding: set[str]) -> _Instance:
+    name = attributes.get("name")
+    slides = kind == "ARM" and (name or "").lower() in sliding
+    values: dict[str, _Value] = {}
+    written: dict[str, str] = {}
+    quaternions: dict[str, list[float]] = {}
+    for attribute, text in attributes.items():
+        key = attribute.lower()
+        turned = _QUATERNION.fullmatch(key)
+        if turned is not None and _NUMBER.fullmatch(text):
+            parts = quaternions.setdefault(turned[1], [0.0] * 4)
+            parts[int(turned[2])] = float(text)
+            written.setdefault(turned[1], attribute[: -len("_u0")])
+        else:
+            values[key] = _value(key, text, slides=slides)
+            written[key] = attribute
+    for key, parts in quaternions.items():
+        text = f"[{','.join(f'{one:.9g}' for one in parts)}]"
+        values[key] = _Value(text, "", tuple(parts))
+    return _Instance(name, values, written)
+
+
+def _value(key: str, text: str, *, slides: bool) -> _Value:
+    if key in _MAPS and (bits := mapped_bits(text)):
+        return _Value(text, "", bits)
+    if not _NUMBER.fullmatch(text):
+        return _Value(text, "", text.lower())
+    number, unit, factor = float(text), "", 1.0
+    if _BOUNDS.fullmatch(key):
+        unit, factor = ("mm", 1e3) if slides else ("deg", math.degrees(1.0))
+    for pattern, one, scale in _UNITS:
+        if pattern.fullmatch(key):
+            unit, factor = one, scale
+    return _Value(f"{number * factor:.9g}", unit, number)
+
+
+def _sliding_arms(motion: Mapping[str, Sequence[_Attributes]]) -> set[str]:
+    """Folded names of the ARM instances of axes that slide."""
+    types = {
+        one.get("name")
+        for one in motion.get("SINGLE_TYPE", ())
+        if one.get("mechanics", "").upper() in _SLIDING
+    }
+    joints = {
+        one.get("use_joint")
+        for one in motion.get("SINGLE", ())
+        if one.get("use_single_type") in types
+    }
+    arms = (one.get("use_arm") for one in motion.get("JOINT", ()) if one.get("name") in joints)
+    return {arm.lower() for arm in arms if arm}
+
+
+def _type_changes(
+    domain: str, kind: str, old: Sequence[_Instance], new: Sequence[_Instance]
+) -> Iterator[ConfigurationChange]:
+    """Changes of the instances of one type."""
+    gone, come = list(old), list(new)
+    for one in old:
+        twin = next((other for other in come if _is_same(one, other)), None)
+        if twin is not None:
+            gone.remove(one)
+            come.remove(twin)
+    for before, after in _pairs(gone, come):
+        gone.remove(before)
+        come.remove(after)
+        yield from _attribute_changes(domain, kind, before, after)
+    for one in gone:
+        yield ConfigurationChange(domain, kind, _name(one), "", one.text, None)
+    for one in come:
+        yield ConfigurationChange(domain, kind, _name(one), "", None, one.text)
+
+
+def _is_same(a: _Instance, b: _Instance) -> bool:
+    if a.values.keys() != b.values.keys():
+        return False
+    return all(_means_same(value, b.values[key]) for key, value in a.values.items())
+
+
+def _means_same(a: _Value | None, b: _Value | None) -> bool:
+    if a is None or b is None:
+        return a is b
+    if isinstance(a.key, tuple) and isinstance(b.key, tuple) and _is_quaternion(a.key, b.key):
+        return _turn_deg(a.key, b.key) < _SAME_TURN_DEG
+    return a.key == b.key
+
+
+def _is_quaternion(*keys: tuple[object, ...]) -> bool:
+    return all(len(key) == 4 and all(isinstance(x, float) for x in key) for key in keys)
+
+
+def _turn_deg(a: tuple[float, ...], b: tuple[float, ...]) -> float:
+    lengths = math.hypot(*a) * math.hypot(*b)
+    if lengths == 0.0:
+        return 0.0 if a == b else 180.0
+    # By the sine of half the angle, which is exact for small ones.
+    sign = 1.0 if sum(x * y for x, y in zip(a, b, strict=True)) >= 0.0 else -1.0
+    a_length, b_length = math.hypot(*a), math.hypot(*b)
+    apart = math.hypot(*(x / a_length - sign * y / b_length for x, y in zip(a, b, strict=True)))
+    return math.degrees(4.0 * math.asin(min(1.0, apart / 2.0)))
+
+
+def _pairs(
+    gone: Sequence[_Instance], come: Sequence[_Instance]
+) -> Iterator[tuple[_Instance, _Instance]]:
+    """Instances that are one, changed: of one name, or else those with most in common."""
+    left, waiting = list(gone), list(come)
+    for one in gone:
+        key = None if one.name is None else one.name.lower()
+        twin = next((x for x in waiting if key and x.name and x.name.lower() == key), None)
+        if twin is not None:
+            left.remove(one)
+            waiting.remove(twin)
+            yield one, twin
+    while True:
+        scored = [
+            (_in_common(a, b), -n, -m) for n, a in enumerate(left) for m, b in enumerate(waiting)
+        ]
+        best = max(scored, default=None)
+        if best is None or best[0] <= 0.0:
+            return
+        one, twin = left.pop(-best[1]), waiting.pop(-best[2])
+        yield one, twin
+
+
+def _in_common(a: _Instance, b: _Instance) -> float:
+    """How much two instances of other names have in common; 0 for those that are not one."""
+    equal = sum(
+        _means_same(value, b.values.get(key)) for key, value in a.values.items() if key != "name"
+    )
+    most = max(len(a.values.keys() - {"name"}), len(b.values.keys() - {"name"}), 1)
+    if a.name is not None or b.name is not None:
+        # Renamed, if nothing else differs.
+        return float(equal == most)
+    return equal / most if 2 * equal >= most else 0.0
+
+
+def _attribute_changes(
+    domain: str, kind: str, old: _Instance, new: _Instance
+) -> Iterator[ConfigurationChange]:
+    for key in dict.fromkeys((*old.values, *new.values)):
+        a, b = old.values.get(key), new.values.get(key)
+        if _means_same(a, b):
+            continue
+        keys = [one.key for one in (a, b) if one is not None and isinstance(one.key, tuple)]
+        turned = len(keys) == 2 and _is_quaternion(*keys)
+        note = f"turned by {_turn_deg(*keys):.3f} deg" if turned else ""
+        written = new.written.get(key) or old.written[key]
+        unit = (a or b).unit  # type: ignore[union-attr]
+        yield ConfigurationChange(
+            domain,
+            kind,
+            _name(old),
+            written,
+            None if a is None else a.text,
+            None if b is None else b.text,
+            unit,
+            note,
+        )
+
+
+def _name(instance: _Instance) -> str:
+    """Its name, or what tells it from others."""
+    if instance.name is not None:
+        return instance.name
+    return " ".join(value.text for value in list(instance.values.values())[:2])
+
+
+def _product_changes(old: Sequence[str], new: Sequence[str]) -> Iterator[ConfigurationChange]:
+    """Changes of the RobotWare version, and options that are new or gone."""
+    before, after = map(_products, (old, new))
+    for key in dict.fromkeys((*before, *after)):
+        a, b = before.get(key), after.get(key)
+        if a != b:
+            yield ConfigurationChange("BACKINFO", "product", key, "", a, b)
+
+
+def _products(listed: Sequence[str]) -> Mapping[str, str]:
+    """The products by a name that stays when the version changes."""
+    found: dict[str, str] = {}
+    for one in listed:
+        version = re.fullmatch(r"(RobotWare)[^\d]*(\d[\d.+]*)", one, re.IGNORECASE)
+        found[version[1] if version else one] = version[2] if version else "installed"
+    return found
