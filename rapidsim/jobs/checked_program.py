@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
+from rapidsim.analysis.passes.flow_violations import UnreachableCode
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile
@@ -14,6 +15,7 @@ from rapidsim.jobs.runnable_part import runnable_part
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
+from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import dataclass
 
 
@@ -53,7 +55,9 @@ def load(
     trees = tuple(one.file for one in parsed)
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
-    diagnostics = (*(d for one in parsed for d in one.diagnostics), *checked.diagnostics)
+    of_syntax = [found for one in parsed for found in one.diagnostics]
+    of_names = _without_guesses(checked.diagnostics, of_syntax, trees)
+    diagnostics = (*of_syntax, *of_names)
     program = checked.program
     if any(d.severity is Severity.ERROR for d in diagnostics):
         program = None
@@ -80,3 +84,27 @@ def load_task(
         runs_of=runs_of,
         keeps_data=keeps_data,
     )
+
+
+def _without_guesses(
+    found: Sequence[Diagnostic], of_syntax: Sequence[Diagnostic], files: Sequence[tree.File]
+) -> Iterator[Diagnostic]:
+    """The findings but for unreachable code where the end of a block is missing.
+
+    Its repair puts the end where it must be at the latest, so the statements behind a RETURN seem
+    to be in the block.
+    """
+    unclosed = [
+        one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock) and one.span
+    ]
+    broken = [
+        module.span(routine)
+        for file in files
+        for module in file.modules
+        for routine in (module.routines if unclosed else ())
+        if any(span.begins_in(module.span(routine)) for span in unclosed)
+    ]
+    for one in found:
+        span = one.span if isinstance(one.violation, UnreachableCode) else None
+        if span is None or not any(map(span.begins_in, broken)):
+            yield one
