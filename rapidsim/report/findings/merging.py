@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.values import dataclass
 
 _MOST_OF_A_RULE = 20
@@ -25,6 +25,8 @@ def merged(
 ) -> tuple[Finding, ...]:
     """Findings in order of file and place; equal messages of one rule in one file become one.
 
+    A warning never stands for an error of the same words.
+
     So do all beyond the twentieth of one rule in one file, whatever they say: who moves a work
     object wants to know that 5,000 targets are out of reach, and not to read 5,000 findings.
     Programs that read findings, which are not `spoken`, get what is assumed one by one.
@@ -32,16 +34,16 @@ def merged(
     ordered = sorted(diagnostics, key=_order)
     if not merge:
         return tuple(Finding(diagnostic) for diagnostic in ordered)
-    alike: dict[tuple[str, str, str], list[Diagnostic]] = {}
+    alike: dict[tuple[str, str, Severity, str], list[Diagnostic]] = {}
     for diagnostic in ordered:
         violation = diagnostic.violation
-        key = (diagnostic.order[0], violation.code, violation.message)
+        key = (diagnostic.order[0], violation.code, diagnostic.severity, violation.message)
         if violation.is_told_once and (spoken or not diagnostic.assumed):
-            key = ("", violation.code, "")
+            key = ("", violation.code, diagnostic.severity, "")
         alike.setdefault(key, []).append(diagnostic)
-    shown: dict[tuple[str, str], list[list[Diagnostic]]] = {}
-    for (file, code, _), group in alike.items():
-        of_rule = shown.setdefault((file, code), [])
+    shown: dict[tuple[str, str, Severity], list[list[Diagnostic]]] = {}
+    for (file, code, severity, _), group in alike.items():
+        of_rule = shown.setdefault((file, code, severity), [])
         if len(of_rule) < _MOST_OF_A_RULE:
             of_rule.append(group)
         else:
