@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.values import dataclass
 
 _MOST_OF_A_RULE = 20
@@ -52,6 +52,12 @@ def merged(
         for group in of_rule
     ]
     return tuple(sorted(findings, key=lambda finding: _order(finding.first)))
+
+
+def errors_first(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Findings in order of severity; those of one severity stay in their order."""
+    order = list(Severity)
+    return tuple(sorted(findings, key=lambda finding: order.index(finding.first.severity)))
 
 
 def _finding(first: Diagnostic, repeats: Sequence[Diagnostic]) -> Finding:
