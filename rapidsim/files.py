@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import difflib
 import os
-import re
 import stat
 import sys
 from collections.abc import Iterable, Sequence
@@ -48,11 +47,30 @@ _AS_NEAR = 0.1
 class InputError(Exception):
     """Unusable input of the user: a path, a name, a value. Never a defect of rapidsim."""
 
-    def __init__(self, message: str, help: str | None = None) -> None:
-        """Say what is wrong, and the cure if it is known, in one line each."""
+    def __init__(self, message: str, help: str | None = None, similar: Sequence[str] = ()) -> None:
+        """Say what is wrong, and the cure if it is known, in one line each.
+
+        Args:
+            message: What is wrong.
+            help: The cure.
+            similar: Known names near the one that is not; those of a `Suggestion` are known.
+        """
         super().__init__(message)
         self.message = message
         self.help = help
+        self.similar = tuple(similar) or (help.names if isinstance(help, Suggestion) else ())
+
+
+class Suggestion(str):
+    """A help line that names what was meant."""
+
+    names: tuple[str, ...]
+
+    def __new__(cls, names: Sequence[str]) -> Suggestion:
+        """Ask for names, of one at least."""
+        line = super().__new__(cls, f"did you mean {' or '.join(f'`{name}`' for name in names)}?")
+        line.names = tuple(names)
+        return line
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,7 +161,7 @@ def decode(data: bytes) -> tuple[str, str]:
     return data.decode(_LAST_RESORT), _LAST_RESORT
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str | None:
+def did_you_mean(name: str, known: Iterable[str]) -> Suggestion | None:
     """The help line for a name that is not known, if something known is near."""
     folded = {candidate.lower(): candidate for candidate in known}
     near = difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.6)
@@ -156,7 +174,7 @@ def did_you_mean(name: str, known: Iterable[str]) -> str | None:
         ratios.append(likeness.ratio())
     # A slip of the finger is nearer to what was meant than to anything else.
     meant = [one for one, ratio in zip(near, ratios, strict=True) if ratio > ratios[0] - _AS_NEAR]
-    return f"did you mean {' or '.join(f'`{folded[candidate]}`' for candidate in meant)}?"
+    return Suggestion([folded[candidate] for candidate in meant])
 
 
 def is_encoded(data: bytes) -> bool:
@@ -195,7 +213,7 @@ def _bounded(stream: BinaryIO, name: str) -> bytes:
     return data
 
 
-def _near_file(path: Path) -> str | None:
+def _near_file(path: Path) -> Suggestion | None:
     """The help line with the file beside it that was meant, if one is near.
 
     Compared without the suffix, which makes all modules alike.
@@ -206,7 +224,7 @@ def _near_file(path: Path) -> str | None:
         return None
     alike = {Path(one).stem: one for one in names if one.lower().endswith(path.suffix.lower())}
     near = did_you_mean(path.stem, alike)
-    return near and re.sub("`(.*?)`", lambda stem: f"`{alike[stem[1]]}`", near)
+    return near and Suggestion([alike[stem] for stem in near.names])
 
 
 def seen_from_here(path: Path) -> Path:

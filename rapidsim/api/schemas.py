@@ -17,7 +17,7 @@ def json_schema(name: str) -> dict[str, Any]:
 
     Args:
         name: `run`, `check`, `kin-fk`, `kin-ik`, `kin-jacobian`, `robots`, `robot`, `frames`,
-            `follow`, `follow-compare` or `calibrate`.
+            `follow`, `follow-compare`, `calibrate`, `diff` or `error`.
 
     Raises:
         InputError: If there is none with that name.

@@ -19,9 +19,17 @@ from rapidsim.cli.broken_off import Terminated, TimeOverError
 from rapidsim.cli.completion import COMPLETE, complete
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
+from rapidsim.cli.machine_output import (
+    SCHEMA,
+    error_record,
+    output_aside,
+    print_object,
+    wants_json,
+)
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.syntax.collection import seldom_collected
+from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.jobs.processes import DefectError
@@ -53,11 +61,21 @@ def run_commands(arguments: Sequence[str]) -> int:
         _give_up_output()
         return ExitCode.USAGE
     except (KeyboardInterrupt, click.Abort) as broken_off:
-        _say_last("interrupted" + "".join(map(str, broken_off.args)))
+        _broken_off("interrupted", broken_off)
         return ExitCode.INTERRUPTED
     except Terminated as broken_off:
-        _say_last("terminated" + "".join(map(str, broken_off.args)))
+        _broken_off("terminated", broken_off)
         return ExitCode.TERMINATED
+
+
+@dataclass(frozen=True, slots=True)
+class _Failure:
+    """Why a command did not do what it was for."""
+
+    code: ExitCode
+    message: str
+    help: str | None = None
+    similar: tuple[str, ...] = ()
 
 
 def _code_of(arguments: Sequence[str]) -> int:
@@ -66,6 +84,35 @@ def _code_of(arguments: Sequence[str]) -> int:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors=PLAIN_CHARACTERS)
     terminal = Terminal()
+    if wants_json(arguments):
+        return _printing_an_object(arguments, terminal)
+    ended = _invoked(arguments, terminal)
+    if terminal.report is not None:
+        print_object(terminal.report)
+    return ended.code if isinstance(ended, _Failure) else ended
+
+
+def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
+    """Run a command and print one object, be it that of an error."""
+    ended: _Failure | int
+    with output_aside() as aside:
+        try:
+            ended = _invoked(arguments, terminal)
+        except (KeyboardInterrupt, click.Abort) as broken_off:
+            ended = _Failure(ExitCode.INTERRUPTED, _broken_off("interrupted", broken_off))
+        except Terminated as broken_off:
+            ended = _Failure(ExitCode.TERMINATED, _broken_off("terminated", broken_off))
+    report = terminal.report
+    if isinstance(ended, _Failure):
+        error = error_record(_shortened(ended.message), ended.help, ended.similar)
+        report = {**(report or {"schema": SCHEMA}), "error": error}
+    print_object(report or {"schema": SCHEMA, "text": aside.getvalue()})
+    sys.stdout.flush()
+    return ended.code if isinstance(ended, _Failure) else ended
+
+
+def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
+    """Run a command; what is wrong is said on standard error."""
     try:
         with (
             seldom_collected(),
@@ -77,14 +124,11 @@ def _code_of(arguments: Sequence[str]) -> int:
     except click.exceptions.Exit as exit:
         return exit.exit_code
     except click.ClickException as error:
-        _say(*_usage_error(error))
-        return ExitCode.USAGE
+        failure = _usage_error(error)
     except InputError as error:
-        _say(error.message, error.help)
-        return ExitCode.USAGE
+        failure = _Failure(ExitCode.USAGE, error.message, error.help, error.similar)
     except TimeOverError as over:
-        _say(f"--max-wall ended the command{over}", None)
-        return ExitCode.LIMIT
+        failure = _Failure(ExitCode.LIMIT, f"--max-wall ended the command{over}")
     except (BrokenPipeError, KeyboardInterrupt, click.Abort, SystemExit, Terminated):
         raise
     except BaseException as error:
@@ -92,15 +136,31 @@ def _code_of(arguments: Sequence[str]) -> int:
         if isinstance(error, OSError) and error.errno in _UNWRITABLE:
             # Files have messages of their own; what is left is what was to be printed.
             _give_up_output()
-            _say(f"the output cannot be written: {error.strerror}", None)
-            return ExitCode.USAGE
-        from rapidsim.jobs.processes import defect_of
+            failure = _Failure(ExitCode.USAGE, f"the output cannot be written: {error.strerror}")
+        else:
+            return _defect(error, terminal)
+    say("error: " + _shortened(failure.message), err=True)
+    if failure.help:
+        say(f" help: {failure.help}", err=True)
+    return failure
 
-        defect = defect_of(error)
-        if terminal.verbose:
-            say(defect.told, err=True)
-        say(_told(defect), err=True)
-        return ExitCode.DEFECT
+
+def _defect(error: BaseException, terminal: Terminal) -> _Failure:
+    from rapidsim.jobs.processes import defect_of
+
+    defect = defect_of(error)
+    if terminal.verbose:
+        say(defect.told, err=True)
+    message = _told(defect)
+    say(f"error: {message}", err=True)
+    return _Failure(ExitCode.DEFECT, message)
+
+
+def _broken_off(word: str, exception: BaseException) -> str:
+    """Say that a command was broken off, and how far it was."""
+    message = word + "".join(map(str, exception.args))
+    _say_last(message)
+    return message
 
 
 @contextmanager
@@ -144,38 +204,38 @@ def _say_last(word: str) -> None:
         say(word, err=True)
 
 
-def _say(message: str, help: str | None) -> None:
+def _shortened(message: str) -> str:
+    """A message with the ends of long lines left out."""
     lines = (
         line if len(line) <= _LONGEST else f"{line[:_LONGEST]}..." for line in message.split("\n")
     )
-    say("error: " + "\n".join(lines), err=True)
-    if help:
-        say(f" help: {help}", err=True)
+    return "\n".join(lines)
 
 
-def _usage_error(error: click.ClickException) -> tuple[str, str | None]:
-    """Message and help line of a mistake on the command line."""
+def _usage_error(error: click.ClickException) -> _Failure:
+    """A mistake on the command line."""
     context = getattr(error, "ctx", None)
     shown = f"`{context.command_path} --help` lists them all" if context else None
     match error:
         case click.NoSuchOption():
             options = [o for p in context.command.params for o in p.opts] if context else []
             near = did_you_mean(error.option_name, [o for o in options if o.startswith("--")])
-            return f"there is no option `{error.option_name}`", near or shown
+            message = f"there is no option `{error.option_name}`"
+            return _Failure(ExitCode.USAGE, message, near or shown, near.names if near else ())
         case click.MissingParameter(param=click.Argument() as argument):
             wanted = argument.make_metavar(context)  # type: ignore[arg-type]
             if wanted == "PATH..." and context:
                 shown = f"`{context.command_path} .` takes this folder; --help lists the options"
-            return f"{wanted} is missing", shown
+            return _Failure(ExitCode.USAGE, f"{wanted} is missing", shown)
         case _:
             message = error.format_message().rstrip(".")
-            return message[:1].lower() + message[1:], shown
+            return _Failure(ExitCode.USAGE, message[:1].lower() + message[1:], shown)
 
 
 def _told(defect: DefectError) -> str:
     """One line that says what failed, where, and how to report it."""
     return (
-        f"error: rapidsim {__version__} has a defect ({defect.what}, at {defect.place}); please "
+        f"rapidsim {__version__} has a defect ({defect.what}, at {defect.place}); please "
         f"report this line with the program and the command, and with the output of the same "
         f"command with -v"
     )

@@ -51,6 +51,8 @@ class Terminal:
     quiet: bool = False
     verbose: bool = False
     no_color: bool = False
+    report: dict[str, object] | None = None
+    """What is printed as JSON when the command has ended."""
 
     @property
     def coloured(self) -> bool:
@@ -124,6 +126,11 @@ def say(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = Fal
         err: Whether it goes to standard error.
     """
     click.echo(palette.outside(printable_lines, text), nl=nl, err=err)
+
+
+def print_json(report: dict[str, object]) -> None:
+    """Print one object when the command ends; the boundary adds what goes wrong until then."""
+    current_terminal().report = report
 
 
 def terminal_options(command: Command) -> Command:

@@ -80,6 +80,7 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
     ),
     "follow-compare": (("follow", PROGRAMS / "kr10_row.csv", "--robot", "kr10", "--compare"),),
     "calibrate": (("calibrate", "short.csv"),),
+    "error": (("run", "missing.mod"), ("robots", "irb121"), ("check", "--selct", "K6")),
     "diff": (
         ("diff", "short.mod", "moved.mod", "--robot", "irb1600"),
         ("diff", "short.mod", "short.mod", "--no-run"),
@@ -124,9 +125,8 @@ def test_output_is_as_its_schema_says(name: str, tmp_path: Path) -> None:
         )
     schema = rapidsim.json_schema(name)
     Draft202012Validator.check_schema(schema)
-    option = "--output-format" if name == "check" else "--format"
     for arguments in CALLS[name]:
-        ended = call(*arguments, option, "json", cwd=tmp_path)
+        ended = call(*arguments, "--format", "json", cwd=tmp_path)
         printed = json.loads(ended.out)
         Draft202012Validator(schema).validate(printed)
         assert not unknown_keys(printed, schema, schema)

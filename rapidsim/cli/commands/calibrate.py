@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,7 +10,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import say_remarks
 from rapidsim.cli.options.numbers import Number
-from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, table_or_json, terminal_options
 from rapidsim.files import InputError
 from rapidsim.jobs.choices import choose_robot, choose_station
 from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
@@ -72,7 +71,7 @@ def calibrate(
         runs.append(LoggedRun(loaded.program, replace(read, times=read.times * clock)))
     calibration = fit(runs, arm, settings.model)
     if output_format == "json":
-        say(json.dumps(as_json(calibration), indent=2, allow_nan=False))
+        print_json(as_json(calibration))
     else:
         current_terminal().show(as_text(calibration), soft_wrap=True)
     return ExitCode.CLEAN

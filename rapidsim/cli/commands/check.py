@@ -19,8 +19,8 @@ from rapidsim.cli.options.asked import (
 )
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
-from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
+from rapidsim.cli.terminal import current_terminal, print_json, say, terminal_options
+from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
 from rapidsim.cli.tools.known_findings import alike, judged_with
@@ -33,8 +33,8 @@ from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job, read_again
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.report.findings.checked_moves import coverage_lines
-from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.statistics import statistics
+from rapidsim.report.findings.merging import errors_first, merged
+from rapidsim.report.findings.statistics import statistics, statistics_json
 from rapidsim.report.findings.text import summary_line
 from rapidsim.values import dataclass
 
@@ -46,11 +46,18 @@ from rapidsim.values import dataclass
 @scale_option
 @click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
 @click.option(
+    "--format",
     "--output-format",
+    "output_format",
     type=click.Choice(FORMATS),
     default="full",
     show_default=True,
     help="Source excerpts, one line per finding, or a format for other tools.",
+)
+@click.option(
+    "--sort",
+    type=click.Choice(["severity", "place"]),
+    help="Order of the findings.  [default: severity in full and concise, else place]",
 )
 @click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
 @click.option("--extend-select", metavar="CODES", help="These rules in addition, such as `S9`.")
@@ -109,6 +116,7 @@ def check(
     scale: float | None,
     station: str | None,
     output_format: str,
+    sort: str | None,
     select: str | None,
     extend_select: str | None,
     ignore: str | None,
@@ -164,8 +172,10 @@ def check(
         raise click.UsageError("--update-baseline needs --baseline FILE")
     with limited_to(max_wall):
         results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
-        if diff:
-            return _show_differences(jobs, results, unsafe=unsafe_fixes)
+        differences = _differences(jobs, results, unsafe=unsafe_fixes) if diff else ""
+        if diff and output_format != "json":
+            say(differences, nl=False)
+            return ExitCode.FINDINGS if differences else ExitCode.CLEAN
         mended = [
             _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
             for job, result in zip(jobs, results, strict=True)
@@ -179,7 +189,16 @@ def check(
     is_ok = all(one.result.ok for one in judged)
     spoken = output_format in SPOKEN_FORMATS
     findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
-    if counted:
+    if sort == "severity" or (spoken and sort is None):
+        findings = errors_first(findings)
+    if output_format == "json":
+        report = checked_json(findings, result, is_ok=is_ok)
+        if counted:
+            report["statistics"] = statistics_json(result.diagnostics)
+        if diff:
+            report["diff"] = differences
+        print_json(report)
+    elif counted:
         say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:
         text = checked_text(output_format, findings, result, terminal, is_ok=is_ok)
@@ -199,7 +218,8 @@ def check(
             say(line)
         if any(one.result.strict for one in judged) and result.qualifications:
             say(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
-    return ExitCode.CLEAN if is_ok else ExitCode.FINDINGS
+    is_clean = not differences if diff else is_ok
+    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
 
 
 def _listed(option: str | None) -> tuple[str, ...]:
@@ -232,14 +252,13 @@ def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
     return _Mended(result, cure.count, cure.left_out)
 
 
-def _show_differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe: bool) -> int:
-    """Show what fixes would change."""
-    would_change = False
+def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe: bool) -> str:
+    """The text of what fixes would change; empty if nothing."""
+    parts = []
     for job, result in zip(jobs, results, strict=True):
         chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe)
-        say(difference(chosen.edits, job.tasks), nl=False)
-        would_change |= bool(chosen.edits)
-    return ExitCode.FINDINGS if would_change else ExitCode.CLEAN
+        parts.append(difference(chosen.edits, job.tasks))
+    return "".join(parts)
 
 
 def _remarks(

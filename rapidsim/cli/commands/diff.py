@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.outputs import new_file
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, say, terminal_options
 from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 
@@ -106,7 +106,10 @@ def diff(
                     before, asked(path), run=not no_run, answers=answers, shown=older.shown
                 )
             except InputError as error:
-                raise InputError(older.in_words(error.message), error.help) from None
+                message = older.in_words(error.message)
+                raise InputError(message, error.help, error.similar) from None
+    if output_format == "json":
+        print_json(as_json(found))
     match output_format:
         case "json":
             text = json.dumps(as_json(found), indent=2, allow_nan=False) + "\n"
@@ -121,6 +124,6 @@ def diff(
 
         with whole_file(target) as temporary:
             temporary.write_text(text, encoding="utf-8", newline="\n")
-    elif not current_terminal().quiet:
+    elif output_format != "json" and not current_terminal().quiet:
         say(text, nl=False)
     return ExitCode.CLEAN if found.is_same else ExitCode.FINDINGS

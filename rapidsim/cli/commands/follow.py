@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from math import radians
 from pathlib import Path
@@ -20,7 +19,7 @@ from rapidsim.cli.options.poses import (
     scale_option,
     world_from_base,
 )
-from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.choices import DEFAULT_ROBOT
@@ -273,7 +272,7 @@ def follow(
             report = compared_json(task.asked, attempts)
         else:
             report = follow_json(task.asked, attempts) | starts_json(tried)
-        say(json.dumps(report, indent=2, allow_nan=False))
+        print_json(report)
     elif not current_terminal().quiet:
         current_terminal().show(shown(task, attempts, files, compare=compare))
         if tried:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import json
-
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.asked import asked_job
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import summary_line
+from rapidsim.report.findings.text import diagnostic_json, summary_line
 from rapidsim.report.tables.frame_text import frame_json, frame_text
 from rapidsim.report.tables.frame_tree import frame_tree
 from rapidsim.simulation.start_values import start_values
@@ -51,6 +49,9 @@ def frames(
     loaded = load(files, cell=job.cell, unseen=task_files.unseen)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
+        if output_format == "json":
+            found = [diagnostic_json(finding) for finding in findings]
+            print_json({"schema": 1, "root": None, "diagnostics": found})
         say(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
@@ -58,7 +59,7 @@ def frames(
     stands = IDENTITY_POSE if place is None else pose(place)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)
     if output_format == "json":
-        say(json.dumps({"schema": 1, "root": frame_json(root)}, indent=2, allow_nan=False))
+        print_json({"schema": 1, "root": frame_json(root)})
     else:
         terminal.show(frame_text(root))
     return ExitCode.CLEAN

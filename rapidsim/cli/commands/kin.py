@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from time import perf_counter
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -19,7 +18,7 @@ from rapidsim.cli.options.poses import (
     posture_options,
     scale_option,
 )
-from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.choices import DEFAULT_ROBOT
@@ -123,7 +122,7 @@ def fk(
         f"{arm.title} at {_list(joints)} {arm.units()}",
     )
     if output_format == "json":
-        _print_json(forward_json(shown, Convention(convention)))
+        print_json(forward_json(shown, Convention(convention)))
     else:
         current_terminal().show(forward_page(shown, Convention(convention), tables=tables))
     kin_steps.write(shown, files, quiet=output_format == "json")
@@ -236,7 +235,7 @@ def ik(
         else:
             found = solve_pose_as(arm, pose, _whole(conf))
     if output_format == "json":
-        _print_json(inverse_json(arm, name, found, searched))
+        print_json(inverse_json(arm, name, found, searched))
     else:
         current_terminal().show(inverse_page(arm, name, asked, found, searched))
     if found.solutions:
@@ -288,7 +287,7 @@ def jacobian(
     if twist is not None:
         wanted = np.array([*(v / 1000.0 for v in twist[:3]), *np.radians(twist[3:])])
     if output_format == "json":
-        _print_json(jacobian_json(arm, found, wanted))
+        print_json(jacobian_json(arm, found, wanted))
     else:
         current_terminal().show(jacobian_page(arm, found, wanted))
     shown = Postures(
@@ -353,7 +352,3 @@ def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, Searched]:
         nearest = (solution(arm, pose, found.joints),)
         return PoseSolutions(nearest, known.message if known else why), searched
     return PoseSolutions((), known.message if known else came.message), searched
-
-
-def _print_json(report: dict[str, object]) -> None:
-    say(json.dumps(report, indent=2, allow_nan=False))

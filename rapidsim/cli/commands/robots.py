@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from math import degrees
 
 import click
@@ -11,7 +10,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.outputs import new_plots
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.options.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.files import InputError
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
@@ -65,7 +64,7 @@ def robots(
             one = _as_json(robot, short)
             one |= axis_tables_json(robot) if table else {}
             one |= {} if reached is None else {"workspace": workspace_json(reached)}
-            say(json.dumps(one, indent=2, allow_nan=False))
+            print_json(one)
         else:
             terminal.show(robot_page(robot, short))
             for page in (
@@ -88,7 +87,7 @@ def robots(
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]
-        say(json.dumps({"schema": 1, "robots": report}, indent=2, allow_nan=False))
+        print_json({"schema": 1, "robots": report})
     else:
         terminal.show(catalogue_table(listed))
     return ExitCode.CLEAN

@@ -31,4 +31,4 @@ def robot_of(name: str, scale: float | None = None) -> Robot:
     except RobotError as error:
         is_file = name.lower().endswith(DESCRIPTIONS)
         help = None if is_file else "`rapidsim robots` lists the catalogue"
-        raise InputError(str(error), help) from error
+        raise InputError(str(error), help, error.similar) from error

@@ -52,14 +52,23 @@ def checked_text(
 
             return junit(findings, result.files)
         case _:
-            return _json(_report(findings, result, is_ok=is_ok))
+            return _json(checked_json(findings, result, is_ok=is_ok))
 
 
 def _json(value: object) -> str:
     return f"{json.dumps(value, indent=2, allow_nan=False)}\n"
 
 
-def _report(findings: Sequence[Finding], result: CheckResult, *, is_ok: bool) -> dict[str, object]:
+def checked_json(
+    findings: Sequence[Finding], result: CheckResult, *, is_ok: bool
+) -> dict[str, object]:
+    """The findings as JSON values.
+
+    Args:
+        findings: What is shown.
+        result: What was checked.
+        is_ok: Whether nothing fails the check.
+    """
     coverage = result.coverage
     unchecked = [
         {"file": move.span.file, "line": move.span.line, "reason": move.reason}

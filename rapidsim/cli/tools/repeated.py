@@ -34,6 +34,8 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
         assert isinstance(paths, tuple)
         if "-" in paths:
             raise InputError("--watch: standard input does not change")
+        if options.get("output_format") == "json":
+            raise InputError("--watch prints again and again, and --format json one object")
         if options.get("write_pers"):
             raise InputError("--watch and --write-pers exclude each other")
         beside = [options.get(name) for name in ("station", "io", "answers")]

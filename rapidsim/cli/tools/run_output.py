@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from rapidsim.cli.options.outputs import VALUES
-from rapidsim.cli.terminal import Terminal, say
+from rapidsim.cli.terminal import Terminal, print_json, say
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.jobs.choices import RobotChoice
 from rapidsim.jobs.run_files import LoadedJob
 from rapidsim.jobs.task_files import missing_neighbours
-from rapidsim.report.findings.merging import merged
+from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
@@ -41,7 +40,7 @@ def print_rejected(
     files = loaded.job.files
     if output_format == "json":
         names = [file.name for file in files]
-        say(_as_text(rejected_json(names, loaded.robot.name, findings)))
+        print_json(rejected_json(names, loaded.robot.name, findings))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -77,7 +76,7 @@ def print_run(
     findings = done.simulation.diagnostics
     if output_format == "json":
         files = _json_files(written)
-        say(_as_text(run_json(done.simulation, done.figures(), findings, files, done.judgement)))
+        print_json(run_json(done.simulation, done.figures(), findings, files, done.judgement))
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
@@ -91,14 +90,11 @@ def _json_files(written: Sequence[Written]) -> dict[str, object]:
     return {**files, "program": program} if program else files
 
 
-def _as_text(report: dict[str, object]) -> str:
-    return json.dumps(report, indent=2, allow_nan=False)
-
-
 def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     if terminal.quiet:
         findings = [finding for finding in findings if finding.severity is Severity.ERROR]
-    say(findings_text(merged(findings), terminal), palette=terminal.palette, nl=False)
+    shown = errors_first(merged(findings))
+    say(findings_text(shown, terminal), palette=terminal.palette, nl=False)
 
 
 def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:

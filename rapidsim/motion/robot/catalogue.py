@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis, FiveAxisGeometry
@@ -36,8 +37,12 @@ NEAR_NAMES = 5
 """How many similar names an unknown one is answered with."""
 
 
-class RobotError(Exception):
+class RobotError(InputError):
     """A robot that cannot be loaded; the message says which, why, and what to do."""
+
+    def __init__(self, message: str, similar: Sequence[str] = ()) -> None:
+        """Say so; `similar` are known names near one that is not."""
+        super().__init__(message, similar=similar)
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +120,7 @@ def find_entry(name: str) -> CatalogueEntry:
     """
     wanted = entry_name(name)
     if wanted not in robot_names():
-        raise RobotError(_unknown(name))
+        raise _unknown(name)
     return read_entry(robots_folder() / wanted)
 
 
@@ -249,8 +254,8 @@ def _by_number(name: str) -> list[tuple[int, str]]:
     return [(int(part or 0), "") if part.isdigit() else (0, part) for part in _PARTS.split(name)]
 
 
-def _unknown(name: str) -> str:
+def _unknown(name: str) -> RobotError:
     known = (*robot_names(), *aliases())
     near = difflib.get_close_matches(name.lower(), known, n=NEAR_NAMES, cutoff=0.4)
     nearest = f"; similar names: {', '.join(near)}" if near else ""
-    return f"robot `{name}` is not in the catalogue{nearest}"
+    return RobotError(f"robot `{name}` is not in the catalogue{nearest}", near)

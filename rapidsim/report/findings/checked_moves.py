@@ -23,7 +23,7 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     for move in coverage.unchecked[:_SHOWN]:
         yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
     if (more := len(coverage.unchecked) - _SHOWN) > 0:
-        yield f"  ... and {more} more (--output-format json lists all)"
+        yield f"  ... and {more} more (--format json lists all)"
 
 
 def _counts(coverage: Coverage, robot: str) -> str:

@@ -56,6 +56,12 @@ def merged(
     return tuple(sorted(findings, key=lambda finding: _order(finding.first)))
 
 
+def errors_first(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Findings in order of severity; those of one severity stay in their order."""
+    order = list(Severity)
+    return tuple(sorted(findings, key=lambda finding: order.index(finding.first.severity)))
+
+
 def _finding(first: Diagnostic, repeats: Sequence[Diagnostic]) -> Finding:
     if first.violation.is_told_once and repeats:
         told = first.violation.with_others([one.violation for one in repeats])

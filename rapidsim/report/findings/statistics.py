@@ -5,19 +5,49 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from rapidsim.diagnostics import Diagnostic
+from rapidsim.diagnostics import Diagnostic, Rule
 from rapidsim.report.palette import Palette
+from rapidsim.values import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class RuleCount:
+    """How often one rule was broken."""
+
+    rule: Rule
+    count: int
+    fixable: int
+    """Of these, the findings with a fix."""
+
+
+def rule_counts(diagnostics: Iterable[Diagnostic]) -> tuple[RuleCount, ...]:
+    """Count the findings of each rule, the most frequent first."""
+    diagnostics = list(diagnostics)
+    counts = Counter(one.violation.rule for one in diagnostics)
+    fixable = Counter(one.violation.rule for one in diagnostics if one.fix is not None)
+    rows = sorted(counts.items(), key=lambda row: (-row[1], row[0].code))
+    return tuple(RuleCount(rule, count, fixable[rule]) for rule, count in rows)
 
 
 def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
     """One line per rule, the most frequent first: count, code, name, whether `--fix` helps."""
-    diagnostics = list(diagnostics)
-    counts = Counter(one.violation.rule for one in diagnostics)
-    fixable = Counter(one.violation.rule for one in diagnostics if one.fix is not None)
-    widest = len(str(max(counts.values(), default=0)))
-    rows = sorted(counts.items(), key=lambda row: (-row[1], row[0].code))
+    rows = rule_counts(diagnostics)
+    widest = len(str(max((row.count for row in rows), default=0)))
     return "".join(
-        f"{count:>{widest}}  {palette.paint(rule.code, palette.of(rule.severity))} {rule.name}"
-        f"{f'  ({fixable[rule]} with a fix)' if fixable[rule] else ''}\n"
-        for rule, count in rows
+        f"{row.count:>{widest}}  {palette.paint(row.rule.code, palette.of(row.rule.severity))} "
+        f"{row.rule.name}{f'  ({row.fixable} with a fix)' if row.fixable else ''}\n"
+        for row in rows
     )
+
+
+def statistics_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
+    """The same as JSON values."""
+    return [
+        {
+            "code": row.rule.code,
+            "name": row.rule.name,
+            "count": row.count,
+            "fixable": row.fixable,
+        }
+        for row in rule_counts(diagnostics)
+    ]

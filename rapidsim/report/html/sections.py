@@ -10,7 +10,7 @@ from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.motion.robot.external_axes import with_unit
-from rapidsim.report.findings.merging import Finding, merged
+from rapidsim.report.findings.merging import Finding, errors_first, merged
 from rapidsim.report.html.collision_section import collision_tile
 from rapidsim.report.html.elements import bar, prose, section, table, text, tile
 from rapidsim.report.run.figures import Figures
@@ -81,8 +81,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
 
 def findings(found: Sequence[Diagnostic]) -> str:
     """What is wrong, with the lines and the cures, errors first."""
-    order = list(Severity)
-    all_of_them = sorted(merged(found), key=lambda one: order.index(one.first.severity))
+    all_of_them = errors_first(merged(found))
     told = all_of_them[:_MOST_FINDINGS]
     body = "".join(_finding(one) for one in told[:_OPEN_FINDINGS])
     folded = told[_OPEN_FINDINGS:]

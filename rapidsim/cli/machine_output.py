@@ -1,0 +1,57 @@
+"""One JSON object on standard output, whatever happens: for commands with `--format json`."""
+
+from __future__ import annotations
+
+import io
+import json
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, redirect_stdout
+from itertools import zip_longest
+
+from rapidsim.cli.terminal import say
+
+SCHEMA = 1
+_OPTIONS = ("--format", "--output-format")
+_FORMAT = "json"
+
+
+def wants_json(arguments: Sequence[str]) -> bool:
+    """Whether a command line asks for JSON; read from its words, for it may be unusable."""
+    wants = False
+    for word, following in zip_longest(arguments, arguments[1:], fillvalue=""):
+        name, equals, value = word.partition("=")
+        if word == "--":
+            break
+        if name in _OPTIONS:
+            wants = (value if equals else following).lower() == _FORMAT
+    return wants
+
+
+def error_record(message: str, help: str | None, similar: Sequence[str]) -> dict[str, object]:
+    """An error of use, or what broke a command off, as JSON values."""
+    return {"message": message, "help": help or "", "similar": list(similar)}
+
+
+def print_object(value: dict[str, object]) -> None:
+    """Print one object on standard output."""
+    say(json.dumps(value, indent=2, allow_nan=False))
+
+
+class _Aside(io.StringIO):
+    """What is printed beside an object: it goes to standard error, and is kept."""
+
+    def write(self, text: str) -> int:
+        sys.stderr.write(text)
+        return super().write(text)
+
+    def isatty(self) -> bool:
+        return sys.stderr.isatty()
+
+
+@contextmanager
+def output_aside() -> Iterator[io.StringIO]:
+    """Let everything that is printed in here go to standard error; yields what was printed."""
+    aside = _Aside()
+    with redirect_stdout(aside):
+        yield aside
