@@ -14,11 +14,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
 from rapidsim.jobs.choices import configured_station
+from rapidsim.jobs.stimulus_suggestions import other_undriven, suggested_stimuli
 from rapidsim.jobs.task_files import all_tasks
 from rapidsim.module_files import (
     Backup,
@@ -132,7 +133,8 @@ def _of_cell(paths: Sequence[str], robot: str | None, file: Path, *, is_backup: 
     if robot is None and (unknown is not None or not station.robots):
         why = f"the catalogue has no {unknown}" if unknown else "no arm is named"
         why = f"{why}: `rapidsim robots` lists those available"
-    suggestions = Suggestions(why, _undeclared(tasks, station))
+    undeclared, trees = _looked_at(tasks, station)
+    suggestions = replace(_suggested(tasks, trees, station.io), arm=why, signals=undeclared)
     draft = Draft(remarks, robots, suggestions=suggestions)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
     return DraftFile(file, draft, lacks)
@@ -175,8 +177,20 @@ def _of_modules(
         replace(task, modules=tuple(_below(module, folder) for module in own))
         for task, own in tasks
     )
-    signals = (*station.io.signals, *_undeclared(grouped, station))
-    return Draft((), robots, named, signals)
+    undeclared, trees = _looked_at(grouped, station)
+    io = replace(station.io, signals=(*station.io.signals, *undeclared))
+    return Draft((), robots, named, io.signals, _suggested(grouped, trees, io))
+
+
+def _suggested(tasks: Sequence[TaskFiles], trees: Sequence[tree.File], io: CellIo) -> Suggestions:
+    """What the user may want to add, as far as the programs show it."""
+    stimuli = suggested_stimuli(trees, io)
+    texts = [file.text for task in tasks for file in task.files]
+    return Suggestions(
+        stimuli=stimuli,
+        undriven=other_undriven(texts, io, stimuli),
+        objects=bool(written_moves(trees)),
+    )
 
 
 def _robots_of(
@@ -277,18 +291,23 @@ def _module(file: SourceFile) -> _Module:
     return _Module(file, declares, uses, has_main, bool(written_moves([parsed])))
 
 
-def _undeclared(tasks: Sequence[TaskFiles], station: Station) -> tuple[SignalDeclaration, ...]:
-    """The signals that programs use and nothing declares, each once."""
+def _looked_at(
+    tasks: Sequence[TaskFiles], station: Station
+) -> tuple[tuple[SignalDeclaration, ...], tuple[tree.File, ...]]:
+    """The signals that programs use and nothing declares, each once; and the programs."""
     names = declared_names(station)
     found: dict[str, SignalDeclaration] = {}
+    files: list[tree.File] = []
     for task in tasks:
-        for one in load_task(task, names).diagnostics:
+        loaded = load_task(task, names)
+        files += loaded.files
+        for one in loaded.diagnostics:
             violation = one.violation
             if isinstance(violation, UnknownSignal):
                 kind = SignalKind(violation.type.removeprefix("signal"))
                 signal = SignalDeclaration(violation.signal, kind)
                 found.setdefault(violation.signal.lower(), signal)
-    return tuple(found.values())
+    return tuple(found.values()), tuple(files)
 
 
 def _below(module: _Module, folder: Path) -> str:
