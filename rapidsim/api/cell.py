@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.jobs.answers import answers_in_order, answers_of_file
 from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.check_files import check_job
+from rapidsim.jobs.check_files import check_job, with_best_arm_of_files
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import job
 
@@ -75,7 +75,7 @@ class Cell:
         self._asked = asked
         found = job(asked)
         self._files = tuple(file.name for file in found.files)
-        self._robot = found.robot.name
+        self._robot = found.robot.name if found.is_arm_named else None
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -85,6 +85,8 @@ class Cell:
     @property
     def robot(self) -> str:
         """The name of the arm, of the first where there are several."""
+        if self._robot is None:
+            self._robot = with_best_arm_of_files(job(self._asked)).robot.name
         return self._robot
 
     def check(
@@ -204,7 +206,7 @@ class Cell:
     def __repr__(self) -> str:
         """One line."""
         name = Path(self._asked.paths[0]).name[:50]
-        return f"<cell {name}, files: {len(self._files)}, robot: {self._robot[:30]}>"
+        return f"<cell {name}, files: {len(self._files)}, robot: {self.robot[:30]}>"
 
 
 def _answers(given: PathLike_ | Sequence[str] | Callable[[str], str | None]) -> Answers:

@@ -16,8 +16,8 @@ def json_schema(name: str) -> dict[str, Any]:
     `schema` in the output stays the same. New keys may be added at any time.
 
     Args:
-        name: `run`, `check`, `kin-fk`, `kin-ik`, `kin-jacobian`, `robots`, `robot`, `frames`,
-            `follow`, `follow-compare`, `calibrate`, `diff` or `error`.
+        name: `run`, `check`, `kin-fk`, `kin-ik`, `kin-jacobian`, `robots`, `robots-for`, `robot`,
+            `frames`, `diff`, `follow`, `follow-compare`, `calibrate` or `error`.
 
     Raises:
         InputError: If there is none with that name.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import partial
 from os import PathLike
@@ -20,7 +21,7 @@ from rapidsim.findings.runs import EndlessWait, is_of_runs
 from rapidsim.jobs.baseline import read_baseline
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.checked_program import Loaded, load_task
-from rapidsim.jobs.faultless_part import faultless_part
+from rapidsim.jobs.faultless_part import FaultlessPart, faultless_part
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
@@ -82,14 +83,17 @@ def check(
 def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     """Check a job with the requested rules and those of the settings."""
     station, selection = job.station, _selection(job)
+    rules = detectors_of(selection.wants)
+    job, loaded = _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)
     result = check_tasks(
         job.tasks,
-        detectors_of(selection.wants),
+        rules,
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
         cell=job.cell,
         together=_together(job),
         moves_of=moves_of,
+        loaded=loaded,
     )
     undriven = find_never_driven(result.trees, station.io)
     if selection.is_looked_for(EndlessWait.rule.code):
@@ -104,14 +108,51 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
         diagnostics=selection.kept(unsuppressed),
         fail_on=station.check.fails_from,
         strict=job.is_strict,
+        arm=job.robot,
     )
+
+
+def with_best_arm_of_files(job: Job) -> Job:
+    """The job with the arm that suits its targets best, if none is named."""
+    rules = detectors_of(_selection(job).wants)
+    return _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)[0]
+
+
+def programs_of(job: Job) -> list[Program]:
+    """The programs of a job's tasks, without the statements that have errors."""
+    return _programs(job, [load_task(task, job.cell, ()) for task in job.tasks])
+
+
+def _with_arm(
+    job: Job, loaded: Sequence[Loaded], rules: Sequence[Find]
+) -> tuple[Job, tuple[Loaded, ...]]:
+    """The job with its arm, and its tasks as they were loaded to choose it."""
+    has_moves = any(written_moves(one.files) for one in loaded)
+    if job.is_arm_named or not job.asked.reach or not has_moves:
+        return job, tuple(loaded)
+    # A program without moves imports no arm.
+    from rapidsim.jobs.best_arm import with_best_arm
+
+    try:
+        return with_best_arm(job, _programs(job, loaded)), tuple(loaded)
+    except RunNotFollowedError:
+        whole = tuple(load_task(task, job.cell, rules) for task in job.tasks)
+        return with_best_arm(job, _programs(job, whole)), whole
+
+
+def _programs(job: Job, loaded: Iterable[Loaded]) -> list[Program]:
+    """The programs of tasks; of one with errors, what is left without the erroneous statements."""
+    parts = (one.program or faultless_part(one, job.cell) for one in loaded)
+    found = (part.program if isinstance(part, FaultlessPart) else part for part in parts)
+    return [program for program in found if program is not None]
 
 
 def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:
     """The report on the moves of one task of a job, as `check_job` makes it."""
     rules = detectors_of(_selection(job).wants)
     has_budget = job.station.check.cycle_budget_s is not None
-    return _checked(task, rules, choose_move_check(job), has_budget, job.cell, made_now)[1]
+    loaded = _loaded(task, rules, job.cell)
+    return _checked(task, loaded, rules, choose_move_check(job), has_budget, job.cell, made_now)[1]
 
 
 def _selection(job: Job) -> Selection:
@@ -136,6 +177,7 @@ def check_tasks(
     cell: CellNames = NO_CELL,
     together: CheckTogether | None = None,
     moves_of: TaskMoves = made_now,
+    loaded: Sequence[Loaded] | None = None,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own, and then all of them.
 
@@ -148,19 +190,23 @@ def check_tasks(
         cell: What the configuration declares besides the modules.
         together: Runs all tasks together; None runs none.
         moves_of: Whether reports on the moves of tasks are known.
+        loaded: The tasks as loaded with these rules; None loads them.
     """
-    wanted = detectors_of() if rules is None else rules
+    wanted, tasks = detectors_of() if rules is None else rules, tuple(tasks)
+    if loaded is None:
+        loaded = [_loaded(task, wanted, cell) for task in tasks]
     checked = [
-        (task, *_checked(task, wanted, moves, even_without_moves, cell, moves_of)) for task in tasks
+        (task, *_checked(task, one, wanted, moves, even_without_moves, cell, moves_of))
+        for task, one in zip(tasks, loaded, strict=True)
     ]
-    loaded = [(task, one) for task, one, _ in checked]
-    disagreements = _disagreements([one for _, one in loaded])
+    looked_at = [(task, one) for task, one, _ in checked]
+    disagreements = _disagreements([one for _, one in looked_at])
     of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
-    of_all = None if together is None or disagreements else together(loaded)
+    of_all = None if together is None or disagreements else together(looked_at)
     if of_all is not None:
         of_moves = _as_all_tasks(of_moves, of_all)
     found = [
-        *(diagnostic for _, one in loaded for diagnostic in one.diagnostics),
+        *(diagnostic for _, one in looked_at for diagnostic in one.diagnostics),
         *of_moves,
         *disagreements,
     ]
@@ -179,35 +225,40 @@ def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> 
     return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
 
 
+def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> Loaded:
+    """Load a task; long runs of moves as runs, as far as nothing is to be said of their statements.
+
+    Only rules that are looked for by default are written to be content with these.
+    """
+    if frozenset(rules) <= frozenset(detectors_of()):
+        loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
+        with suppress(RunNotFollowedError):
+            if stand_for_all(loaded.files, loaded.diagnostics, cell):
+                return loaded
+    return load_task(task, cell, rules)
+
+
 def _checked(
     task: TaskFiles,
+    loaded: Loaded,
     rules: Sequence[Find],
     moves: CheckMoves | None,
     even_without_moves: bool,
     cell: CellNames,
     moves_of: TaskMoves,
 ) -> tuple[Loaded, ReachReport]:
-    """One task, and what is found of its moves.
-
-    Long runs of moves are looked at as runs, as long as nothing is to be said of the statements
-    that stand for them. Only rules that are looked for by default are written to be content with
-    these.
-    """
+    """One task, and what is found of its moves."""
     name = task.name or DEFAULT_TASK
 
     def report(loaded: Loaded) -> ReachReport:
         make = partial(_moves_checked, loaded, name, moves, even_without_moves, cell)
         return moves_of(task, loaded, make)
 
-    if frozenset(rules) <= frozenset(detectors_of()):
-        loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
-        try:
-            if stand_for_all(loaded.files, loaded.diagnostics, cell):
-                return loaded, report(loaded)
-        except RunNotFollowedError:
-            pass
-    loaded = load_task(task, cell, rules)
-    return loaded, report(loaded)
+    try:
+        return loaded, report(loaded)
+    except RunNotFollowedError:
+        whole = load_task(task, cell, rules)
+        return whole, report(whole)
 
 
 def _may_end_badly(program: Program) -> bool:

@@ -88,6 +88,7 @@ def _checked(job: Job, found: Found) -> Checked:
         found.coverage,
         fail_on=job.station.check.fails_from,
         strict=job.is_strict,
+        arm=found.arm,
     )
     return Checked(result, found.notices)
 
@@ -96,6 +97,11 @@ def _only(job: Job, kept: KeptResults, processes: int) -> Record:
     """The record of a job; some of its tasks may be known, others are looked at side by side."""
     if len(job.tasks) < 2:
         return _job_record(job)
+    if not job.is_arm_named:
+        from rapidsim.jobs.check_files import with_best_arm_of_files
+
+        # What is found of one task depends on the arm, and that on the targets of all.
+        job = with_best_arm_of_files(job)
     known = {task.name: record for task in job.tasks if (record := kept.of_task(job, task))}
     left = [task for task in job.tasks if task.name not in known]
     if processes > 1 and len(left) > 1:
@@ -156,8 +162,9 @@ class _Watched:
         """The record of what was found; of notices those from a number on."""
         notices = tuple(dict.fromkeys(self.notices[heard:]))
         lasts = _runs_ended() == self._runs_ended
+        arm = found.arm if isinstance(found, CheckResult) else None
         return record_of(
-            Found(found.diagnostics, found.coverage, notices, lasts), sources_of(self.job)
+            Found(found.diagnostics, found.coverage, notices, lasts, arm), sources_of(self.job)
         )
 
 

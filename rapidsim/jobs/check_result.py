@@ -9,6 +9,7 @@ from dataclasses import field, replace
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.findings.runs import FAMILY_OF_RUNS
 from rapidsim.jobs.baseline import Key, told_apart
+from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage
 from rapidsim.syntax import tree
 from rapidsim.values import dataclass
@@ -32,6 +33,8 @@ class CheckResult:
     """How many moves were checked for reach, limits and path, and why others were not."""
     known: tuple[Diagnostic, ...] = ()
     """Findings that a baseline knows."""
+    arm: RobotChoice | None = None
+    """The arm on which moves were checked, the first of several, and what determined it."""
     fail_on: Severity = Severity.WARNING
     """The lowest severity that fails the check."""
     strict: bool = False

@@ -10,30 +10,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.files import seen_from_here
+from rapidsim.jobs.robot_choice import DEFAULT_ROBOT, RobotChoice
 from rapidsim.module_files import backup_among, loose_cell_among
 from rapidsim.station.station import Station, find_station
-from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
-
-DEFAULT_ROBOT = "irb1600-6-1.2"
-
-
-@dataclass(frozen=True, slots=True)
-class RobotChoice:
-    """A robot, and what determined it."""
-
-    name: str
-    reason: str | None
-    """For the summary; None where the user named the robot."""
-    scale: float | None = None
-    """What the lengths of a URDF file are multiplied by; None leaves them."""
-
-    @property
-    def text(self) -> str:
-        """The arm as named in a summary."""
-        return self.name if self.reason is None else f"{self.name} ({self.reason})"
 
 
 def choose_station(paths: Sequence[str], file: str | None) -> Station:

@@ -15,11 +15,12 @@ from pathlib import Path
 
 from rapidsim.analysis.names.name_violations import AssumedData, UnknownRoutine, UnknownType
 from rapidsim.analysis.names.signal_violations import UnknownSignal
-from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
+from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.checked_program import load_task
 from rapidsim.jobs.choices import configured_station
+from rapidsim.jobs.stimulus_suggestions import other_undriven, suggested_stimuli
 from rapidsim.jobs.task_files import all_tasks
 from rapidsim.module_files import (
     Backup,
@@ -133,7 +134,9 @@ def _of_cell(paths: Sequence[str], robot: str | None, file: Path, *, is_backup: 
     if robot is None and (unknown is not None or not station.robots):
         why = f"the catalogue has no {unknown}" if unknown else "no arm is named"
         why = f"{why}: `rapidsim robots` lists those available"
-    suggestions = Suggestions(why, *_undeclared(tasks, station))
+    undeclared, missing, trees = _undeclared(tasks, station)
+    suggestions = _suggested(tasks, trees, station.io)
+    suggestions = replace(suggestions, arm=why, signals=undeclared, missing=missing)
     draft = Draft(remarks, robots, suggestions=suggestions)
     lacks = station.remarks if robot else (*station.remarks, *_without_speeds(station))
     return DraftFile(file, draft, lacks)
@@ -176,8 +179,20 @@ def _of_modules(
         replace(task, modules=tuple(_below(module, folder) for module in own))
         for task, own in tasks
     )
-    undeclared, missing = _undeclared(grouped, station)
-    return Draft((), robots, named, (*station.io.signals, *undeclared), missing)
+    undeclared, missing, trees = _undeclared(grouped, station)
+    io = replace(station.io, signals=(*station.io.signals, *undeclared))
+    return Draft((), robots, named, io.signals, missing, _suggested(grouped, trees, io))
+
+
+def _suggested(tasks: Sequence[TaskFiles], trees: Sequence[tree.File], io: CellIo) -> Suggestions:
+    """What the user may want to add, as far as the programs show it."""
+    stimuli = suggested_stimuli(trees, io)
+    texts = [file.text for task in tasks for file in task.files]
+    return Suggestions(
+        stimuli=stimuli,
+        undriven=other_undriven(texts, io, stimuli),
+        objects=bool(written_moves(trees)),
+    )
 
 
 def _robots_of(
@@ -280,13 +295,16 @@ def _module(file: SourceFile) -> _Module:
 
 def _undeclared(
     tasks: Sequence[TaskFiles], station: Station
-) -> tuple[tuple[SignalDeclaration, ...], tuple[str, ...]]:
-    """The signals that programs use and nothing declares, and the other names, each once."""
+) -> tuple[tuple[SignalDeclaration, ...], tuple[str, ...], tuple[tree.File, ...]]:
+    """The signals that programs use and nothing declares, the other names; and the programs."""
     names = replace(declared_names(station), assumes=True)
     signals: dict[str, SignalDeclaration] = {}
     others: dict[str, str] = {}
+    files: list[tree.File] = []
     for task in tasks:
-        for one in load_task(task, names).diagnostics:
+        loaded = load_task(task, names)
+        files += loaded.files
+        for one in loaded.diagnostics:
             match one.violation:
                 case UnknownSignal(signal=name, type=of):
                     kind = SignalKind(of.removeprefix("signal"))
@@ -301,7 +319,7 @@ def _undeclared(
                     others.setdefault(name.lower(), f"{name} ({of})")
                 case _:
                     pass
-    return tuple(signals.values()), tuple(others.values())
+    return tuple(signals.values()), tuple(others.values()), tuple(files)
 
 
 def _below(module: _Module, folder: Path) -> str:

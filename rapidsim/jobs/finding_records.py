@@ -11,6 +11,7 @@ from importlib import import_module
 from typing import Any
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
+from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage, UncheckedMove
 from rapidsim.values import dataclass
 
@@ -33,6 +34,8 @@ class Found:
     """What is special about the arms that were used."""
     lasts: bool
     """Whether another check finds the same; not where a run had no more time on the clock."""
+    arm: RobotChoice | None = None
+    """The arm on which moves were checked; None of one task."""
 
 
 def record_of(found: Found, sources: Iterable[Source]) -> Record:
@@ -47,7 +50,8 @@ def record_of(found: Found, sources: Iterable[Source]) -> Record:
     diagnostics = [_diagnostic_record(one, places) for one in found.diagnostics]
     unchecked = [[places.of(one.span), one.reason] for one in coverage.unchecked]
     counts = [coverage.by_value, coverage.by_run, unchecked, coverage.main_left_out]
-    return [places.texts, diagnostics, counts, list(found.notices), found.lasts]
+    arm = None if found.arm is None else [found.arm.name, found.arm.reason, found.arm.scale]
+    return [places.texts, diagnostics, counts, list(found.notices), found.lasts, arm]
 
 
 def found_in(record: object, sources: Iterable[Source]) -> Found:
@@ -63,7 +67,7 @@ def found_in(record: object, sources: Iterable[Source]) -> Found:
 
 
 def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
-    texts, diagnostics, (by_value, by_run, unchecked, left_out), notices, lasts = record
+    texts, diagnostics, (by_value, by_run, unchecked, left_out), notices, lasts, arm = record
     sources = [known[name] if text is None else Source(name, text) for name, text in texts]
     spans = _Spans(sources)
     return Found(
@@ -76,6 +80,7 @@ def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
         ),
         tuple(notices),
         lasts,
+        None if arm is None else RobotChoice(*arm),
     )
 
 

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile
 from rapidsim.jobs.asked import DEFAULT_ENTRY, Asked
-from rapidsim.jobs.choices import RobotChoice, choose_robot, choose_station
+from rapidsim.jobs.choices import choose_robot, choose_station
 from rapidsim.jobs.given_options import with_given
+from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
 from rapidsim.module_files import TaskFiles

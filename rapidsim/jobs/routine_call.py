@@ -94,7 +94,7 @@ def call_routine(
     text = _module(routine, given, entry, result)
     program = _with_call(task.program, text)
     only = LoadedJob(
-        replace(job, asked=replace(job.asked, entry=entry)),
+        replace(ready.job, asked=replace(job.asked, entry=entry)),
         ready.robot,
         (replace(task, program=program),),
         ready.diagnostics,

@@ -14,16 +14,19 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, seen_from_here
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.jobs.best_arm import with_best_arm
 from rapidsim.jobs.entry import require_entry
 from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.misspelt_signals import misspelt_in
+from rapidsim.jobs.move_checks import of_unnamed_arm
 from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
 from rapidsim.jobs.task_files import program_name, program_title
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress
@@ -113,6 +116,8 @@ class PreparedRun:
     """What the run is called."""
     strict: bool = False
     """Whether any qualification of the verdict fails the run."""
+    is_arm_named: bool = True
+    """Whether the arm was named; if not, what it does not reach is a warning."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -142,8 +147,16 @@ def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
         in_runs: Execute long runs of alike moves as one loop, unless a tracer follows the execution
             of Python: it would not see each move on its own line.
     """
-    robot = job.arm()
+    if job.is_arm_named:
+        # An unknown name is an error before any of the program.
+        job.arm()
     found = load_tasks(job.tasks, job.cell, in_runs=in_runs and not _is_followed())
+    try:
+        job = with_best_arm(job, [task.program for task in found.tasks])
+    except RunNotFollowedError:
+        whole = load_tasks(job.tasks, job.cell, in_runs=False)
+        job = with_best_arm(job, [task.program for task in whole.tasks])
+    robot = job.arm()
     asked_for = tuple(one for one in found.diagnostics if one.violation.rule.on_by_default)
     diagnostics = (*asked_for, *misspelt_in(job, found.diagnostics))
     return LoadedJob(job, robot, found.tasks, diagnostics)
@@ -170,7 +183,8 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
         run_options(job), home=home, ramdisk=None if ramdisk is None else Path(ramdisk)
     )
     title = program_title(job.asked.paths)
-    return PreparedRun(setups, options, loaded.diagnostics, title, job.is_strict)
+    diagnostics = loaded.diagnostics
+    return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_named)
 
 
 def executed(
@@ -198,6 +212,8 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
+    if not prepared.is_arm_named:
+        found = of_unnamed_arm(found)
     diagnostics = (*prepared.diagnostics, *found)
     run = replace(
         run,

@@ -37,7 +37,7 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
         for module in file.modules:
             for routine in module.routines:
                 for call in statements(*clauses(routine)):
-                    wait = _wait(call)
+                    wait = waited_for(call)
                     if wait is None or wait[0].key not in begins_with or wait[0].key in driven:
                         continue
                     name, value = wait
@@ -56,7 +56,7 @@ def not_told(undriven: Iterable[Diagnostic], told: Iterable[Diagnostic]) -> Iter
             yield one
 
 
-def _wait(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
+def waited_for(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
     """The signal and the value that a statement waits for."""
     if not isinstance(statement, tree.Call):
         return None

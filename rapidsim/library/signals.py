@@ -241,8 +241,8 @@ def _group_num(value: float, signal: Signal) -> float:
 
 SIGNALS = table(
     routine("SetDO", set_do, r"\SDelay|\Sync Signal Value", does=Does.OUTPUT),
-    routine("Set", set_, does=Does.OUTPUT),
-    routine("Reset", reset, does=Does.OUTPUT),
+    routine("Set", set_, does=Does.OUTPUT | Does.SWITCH_ON),
+    routine("Reset", reset, does=Does.OUTPUT | Does.SWITCH_OFF),
     routine("InvertDO", invert_do, does=Does.OUTPUT),
     routine("PulseDO", pulse_do, r"\High \PLength Signal", does=Does.OUTPUT),
     routine("SetAO", set_ao, does=Does.OUTPUT),

@@ -25,6 +25,10 @@ class Does(Flag):
     """Waits for a person."""
     OUTPUT = auto()
     """Sets an output at once."""
+    SWITCH_ON = auto()
+    """Sets it to 1, which the call does not say."""
+    SWITCH_OFF = auto()
+    """Sets it to 0, which the call does not say."""
     TELL = auto()
     """Shows or logs a text, and changes nothing."""
     INSTANT = auto()

@@ -20,6 +20,13 @@ from rapidsim.values import dataclass
 
 NOT_NAMED = "no arm is named: `rapidsim robots` lists those available"
 _WIDTH = 96
+_OBJECTS = (
+    "Bodies that the arm must not touch; sizes and positions in mm:",
+    "[[object]]",
+    'name = "table"',
+    "box = [800, 600, 40]",
+    "pose = { position = [900, 0, -20] }",
+)
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _GROUPS = (SignalKind.GI, SignalKind.GO)
 _ANALOG = (SignalKind.AI, SignalKind.AO)
@@ -51,6 +58,16 @@ class DraftTask:
 
 
 @dataclass(frozen=True, slots=True)
+class SuggestedStimulus:
+    """A value that a program waits for, and that nothing sets."""
+
+    signal: str
+    value: float
+    after: str | None = None
+    """The output that the program sets before, as a condition; None where it sets none."""
+
+
+@dataclass(frozen=True, slots=True)
 class Suggestions:
     """Tables that a user may want, written as comments: they change nothing."""
 
@@ -60,6 +77,11 @@ class Suggestions:
     """Signals that programs use and a backup does not declare."""
     missing: tuple[str, ...] = ()
     """Other names that they use and nothing declares, each with what it may be."""
+    stimuli: tuple[SuggestedStimulus, ...] = ()
+    undriven: tuple[str, ...] = ()
+    """Other inputs that nothing sets."""
+    objects: bool = False
+    """Whether the programs move something that could collide."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +125,20 @@ def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
         yield ("Used by the programs, and not declared in EIO.cfg:", "[signals]", *declared)
     if suggestions.missing:
         yield tuple(_missing(suggestions.missing))
+    if suggestions.stimuli:
+        yield ("Inputs that a program waits for and nothing sets; what does, and when?",)
+        for one in suggestions.stimuli:
+            after = None if one.after is None else json.dumps(one.after)
+            when = "at = 2.0" if after is None else f"when = {after}\nafter = 0.4"
+            yield (
+                "[[stimulus]]",
+                *when.split("\n"),
+                f"set = {{ {_key(one.signal)} = {one.value:.10g} }}",
+            )
+    if suggestions.undriven:
+        yield (f"Other inputs that nothing sets: {', '.join(suggestions.undriven)}",)
+    if suggestions.objects:
+        yield _OBJECTS
 
 
 def _missing(names: Sequence[str]) -> Iterator[str]:
@@ -139,8 +175,12 @@ def _task(task: DraftTask) -> Iterator[str]:
         yield f"robot = {json.dumps(task.robot)}"
 
 
+def _key(name: str) -> str:
+    return name if _BARE.fullmatch(name) else json.dumps(name)
+
+
 def _signal(signal: SignalDeclaration) -> str:
-    name = signal.name if _BARE.fullmatch(signal.name) else json.dumps(signal.name)
+    name = _key(signal.name)
     parts = [f'type = "{signal.kind}"']
     if signal.status is not None:
         parts.append(f"system = {json.dumps(signal.status.value)}")

@@ -68,6 +68,7 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
     ),
     "kin-jacobian": (("kin", "jacobian", *ROBOT, "--joints", "0,0,0,0,0,0"),),
     "robots": (("robots",),),
+    "robots-for": (("robots", "--for", PROGRAMS / "cell"),),
     "robot": (
         ("robots", "irb120", "--table", "--workspace"),
         ("robots", "rvm1"),

@@ -52,21 +52,27 @@ def test_a_finding_says_how_far_why_and_what_cures_it(folder: Path) -> None:
 
 def test_an_arm_that_nobody_named_is_said(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", cwd=folder)
+    assert "checked on irb1600-6-1.2" not in done.out
+    assert "(best of the catalogue: 1 of 1 targets reached, 1 as stored; next irb" in done.out
+    assert "; --robot names another): 1 by value." in done.out
+    # No arm reaches so far.
+    (folder / "cell.mod").write_text(FAR.replace("[[1300", "[[9300"))
+    done = rapidsim("check", "cell.mod", cwd=folder)
     assert "checked on irb1600-6-1.2 (by default; --robot names another): 1 by value." in done.out
 
 
 def test_targets_out_of_reach_of_an_arm_that_nobody_named_are_one_finding(folder: Path) -> None:
     far = FAR.replace('TPReadNum height, "How high?"', "MoveL Offs(pDrop,0,0,50),v500,fine,tool0")
-    (folder / "cell.mod").write_text(far)
+    (folder / "cell.mod").write_text(far.replace("[[1300", "[[9300"))
     done = rapidsim("check", "cell.mod", cwd=folder)
     text = " ".join(done.out.split())
     assert text.count("K601") == 1
-    assert "`pDrop` and 1 more target cannot be reached by ABB IRB 1600-6/1.2" in text
+    assert "`pDrop` and 2 more targets cannot be reached by ABB IRB 1600-6/1.2" in text
     assert "name yours with --robot or as `model` under [robot] in rapidsim.toml" in text
     told = json.loads(rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder).out)
-    assert [one["line"] for one in told["diagnostics"] if one["code"] == "K601"] == [6, 7]
+    assert [one["line"] for one in told["diagnostics"] if one["code"] == "K601"] == [6, 7, 8]
     named = rapidsim("check", "cell.mod", "--robot", "irb1600", cwd=folder)
-    assert named.out.count("K601") == 2
+    assert named.out.count("K601") == 3
 
 
 def test_a_wait_at_which_the_run_ends_is_one_finding(folder: Path) -> None:

@@ -213,3 +213,75 @@ def test_what_a_run_lacks_of_a_backup_is_said(tmp_path: Path) -> None:
     assert it.code == 0, it.err
     assert "note: the unit STN_1 of the backup is known only by name" in it.err
     assert "note: no source gives the axis speeds of irb1300-11-0.9" in it.err
+
+
+PICK = f"""MODULE Pick
+  PROC main()
+    WaitDI diPart,1;
+    {MOVES}
+    SetDO doGrip,1;
+    WaitDI diGripped,1;
+    IF diLamp=1 Reset doGrip;
+    WaitDI diGripped,0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_what_sets_inputs_is_suggested_and_runs(tmp_path: Path) -> None:
+    cell = written(tmp_path / "cell", {"Pick.mod": PICK})
+    assert call("init", "cell", "--robot", "irb120", cwd=tmp_path).code == 0
+    text = (cell / "rapidsim.toml").read_text()
+    assert "stimulus" not in tomllib.loads(text)
+    assert "# Other inputs that nothing sets: diLamp\n" in text
+    comments = [line.removeprefix("# ") for line in text.splitlines()]
+    begin = comments.index("[[stimulus]]")
+    end = next(n for n, line in enumerate(comments) if line.startswith("Other inputs"))
+    said = tomllib.loads("\n".join(comments[begin:end]))
+    assert said["stimulus"] == [
+        {"at": 2.0, "set": {"diPart": 1}},
+        {"when": "doGrip = 1", "after": 0.4, "set": {"diGripped": 1}},
+        {"when": "doGrip = 0", "after": 0.4, "set": {"diGripped": 0}},
+    ]
+    bodies = tomllib.loads("\n".join(comments[comments.index("[[object]]") :]))
+    assert bodies["object"][0]["name"] == "table"
+    plain = "\n".join(line for line in text.splitlines() if not line.startswith("#"))
+    (cell / "rapidsim.toml").write_text("\n".join([plain, *comments[begin:end]]))
+    run = call("run", "cell", "--no-record", "--format", "json", "--max-time", "20", cwd=tmp_path)
+    # Nothing opens the gripper, for the lamp is off.
+    assert [one["for"] for one in json.loads(run.out)["waits"]][:2] == [
+        "diPart = 1",
+        "diGripped = 1",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("service", "place", "kind"),
+    [("github", ".github/workflows/rapid.yml", "github"), ("gitlab", ".gitlab-ci.yml", "junit")],
+)
+def test_a_file_for_a_service_is_written_on_request(
+    service: str, place: str, kind: str, tmp_path: Path
+) -> None:
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".gitignore").write_text("*.rrd\n")
+    written(tmp_path / "my cell", {"Pick.mod": PICK})
+    it = call("init", "my cell", "--ci", service, cwd=tmp_path)
+    assert it.code == 0, it.err
+    assert f"Written: {place}\nFor .gitignore: *.home/\n" in it.out
+    text = (tmp_path / place).read_text()
+    assert f"\"rapidsim check 'my cell' --output-format {kind}" in text
+    (tmp_path / "my cell" / "rapidsim.toml").unlink()
+    again = call("init", "my cell", "--ci", service, cwd=tmp_path)
+    assert (again.code, "is there already" in again.err.replace("\n", " ")) == (2, True)
+    assert not (tmp_path / "my cell" / "rapidsim.toml").exists()
+
+
+def test_a_file_for_a_service_does_not_lead_out(tmp_path: Path) -> None:
+    top = tmp_path / "top"
+    written(top / "cell", {"Pick.mod": PICK})
+    (top / ".git").mkdir()
+    (tmp_path / "other").mkdir()
+    (top / ".github").symlink_to(tmp_path / "other")
+    it = call("init", "cell", "--ci", "github", cwd=top)
+    assert (it.code, "leads out of" in it.err.replace("\n", " ")) == (2, True)
+    assert not list((tmp_path / "other").iterdir())

@@ -148,6 +148,8 @@ ELSEWHERE = {
     "cli/tools/follow_steps.py": {"dim"},
     "collisions": {"type"},
     "comparison/program_changes.py": {"type"},
+    "comparison/station_changes.py": {"set"},
+    "comparison/values.py": {"load"},
     "controller": {
         *("ClearPath", "RestoPath", "StorePath", "SyncMoveOn", "SyncMoveOff", "SyncMoveSuspend"),
         *("SyncMoveResume", "stop", "load", "RMQSendMessage"),

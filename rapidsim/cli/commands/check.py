@@ -213,7 +213,8 @@ def check(
                 say(line)
         if (no_run or no_reach) and any(job.station.check.cycle_budget_s for job in jobs):
             say("The cycle budget was not checked, because main was not run.")
-        arms = ", ".join(dict.fromkeys(job.robot.text for job in jobs))
+        chosen = (one.arm or job.robot for job, one in zip(jobs, results, strict=True))
+        arms = ", ".join(dict.fromkeys(arm.text for arm in chosen))
         for line in () if no_reach else coverage_lines(result.coverage, arms):
             say(line)
         if any(one.result.strict for one in judged) and result.qualifications:

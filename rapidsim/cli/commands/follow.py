@@ -22,7 +22,7 @@ from rapidsim.cli.options.poses import (
 from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
-from rapidsim.jobs.choices import DEFAULT_ROBOT
+from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")

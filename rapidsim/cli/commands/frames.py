@@ -10,6 +10,7 @@ from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.best_arm import with_best_arm
 from rapidsim.jobs.checked_program import load
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
@@ -45,7 +46,6 @@ def frames(
     job = asked_job(Asked(paths=paths, robot=robot, scale=scale, station=station, task=task))
     task_files = job.only_task
     files = task_files.files
-    arm = job.arm()
     loaded = load(files, cell=job.cell, unseen=task_files.unseen)
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
@@ -55,6 +55,7 @@ def frames(
         say(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         say(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
+    arm = with_best_arm(job, [loaded.program]).arm()
     place = job.station.world_from_base
     stands = IDENTITY_POSE if place is None else pose(place)
     root = frame_tree(loaded.program, start_values(loaded.program), arm.name, stands)

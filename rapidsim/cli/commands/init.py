@@ -2,29 +2,77 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Sequence
+from pathlib import Path
+
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, say, terminal_options
-from rapidsim.files import InputError, seen_from_here
+from rapidsim.files import InputError, require_inside, seen_from_here
 from rapidsim.jobs.draft import draft_for
 from rapidsim.output_files import whole_file
+from rapidsim.station.ci_file import PLACES, ci_text, ignored_lines, repository_of
 from rapidsim.station.draft import Draft, draft_text
 from rapidsim.station.read import read_station
 from rapidsim.station.station import find_station
+from rapidsim.values import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class _CiFile:
+    """A file for a service, not written yet."""
+
+    path: Path
+    text: str
+
+    @classmethod
+    def planned(cls, service: str, paths: Sequence[str], top: Path) -> _CiFile:
+        """The file for some paths below a folder.
+
+        Raises:
+            InputError: If it is there already, or a path is not in the folder.
+        """
+        file = top / PLACES[service]
+        require_inside([file], [top])
+        if file.exists():
+            raise InputError(f"{seen_from_here(file)} is there already, and is kept")
+        named = []
+        for path in paths:
+            place = Path(os.path.realpath(path))
+            if path == "-" or not place.is_relative_to(top):
+                raise InputError(f"--ci: {path} is not in {top}")
+            named.append(place.relative_to(top).as_posix())
+        return cls(file, ci_text(service, named))
+
+    def write(self) -> None:
+        """Write it."""
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        with whole_file(self.path) as temporary:
+            temporary.write_text(self.text, encoding="utf-8")
 
 
 @click.command()
 @click.argument("paths", metavar="PATH...", nargs=-1, required=True)
 @click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
+@click.option(
+    "--ci",
+    "service",
+    type=click.Choice(tuple(PLACES)),
+    help="Also write a file with which this service checks and runs the programs.",
+)
 @terminal_options
-def init(paths: tuple[str, ...], robot: str | None) -> int:
+def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
     """Write `rapidsim.toml` with robot, tasks and signals, as far as they are known.
 
     PATH is a module, a .pgf program file, a folder or a controller backup, or a folder with
     SYS.cfg, EIO.cfg and MOC.cfg. If a folder has several mains, each becomes a task. The file is
     written next to the modules, or into the backup; an existing one is kept.
+
+    What a user may want to add stands in it as comments: stimuli for inputs that nothing sets,
+    bodies to look for collisions. The lines that runs want in .gitignore are shown.
     """
     if robot is not None and not robot.lower().endswith(".urdf"):
         robot = open_robot(robot).name
@@ -34,12 +82,21 @@ def init(paths: tuple[str, ...], robot: str | None) -> int:
         raise InputError(
             f"{shown} is there already, and is kept", "edit it, or move it out of the way"
         )
+    folder = Path(os.path.realpath(found.path.parent))
+    repository = repository_of(folder)
+    ci_file = None if service is None else _CiFile.planned(service, paths, repository or folder)
     with whole_file(found.path) as temporary:
         temporary.write_text(draft_text(found.draft), encoding="utf-8")
+    if ci_file is not None:
+        ci_file.write()
     # What is written can be read: a mistake here is ours.
     read_station(found.path)
     if not current_terminal().quiet:
         say(f"Written: {shown} ({_counted(found.draft)})")
+        if ci_file is not None:
+            say(f"Written: {seen_from_here(ci_file.path)}")
+        if repository is not None and (lines := ignored_lines(repository)):
+            say(f"For .gitignore: {' '.join(lines)}")
         for lack in found.lacks:
             say(f"note: {lack}", err=True)
         if above := find_station([str(found.path.parent.parent)]):

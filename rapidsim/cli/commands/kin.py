@@ -21,7 +21,7 @@ from rapidsim.cli.options.poses import (
 from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.choices import DEFAULT_ROBOT
+from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array, Transform

@@ -28,6 +28,12 @@ from rapidsim.report.tables.robot_tables import (
 
 @click.command()
 @click.argument("name", required=False)
+@click.option(
+    "--for",
+    "program",
+    metavar="PATH",
+    help="Rank the arms by how well they suit the targets of a program.",
+)
 @click.option("--table", is_flag=True, help="Also show the DH table and the screw axes of the arm.")
 @click.option(
     "--workspace",
@@ -40,6 +46,7 @@ from rapidsim.report.tables.robot_tables import (
 @terminal_options
 def robots(
     name: str | None,
+    program: str | None,
     table: bool,
     workspace: bool,
     plots: str | None,
@@ -49,8 +56,16 @@ def robots(
     """List the robots, or show one with limits, speeds, reach and source.
 
     NAME is a name or alias of the catalogue, or a URDF file.
+
+    With --for, the arms of ABB by how many of the targets of PATH they reach and hold in the
+    stored configuration; a tie goes to the arm that comments, file names or a backup name.
     """
     terminal = current_terminal()
+    if program is not None:
+        if name is not None or table or workspace or scale or plots:
+            raise InputError("--for ranks all arms", "it goes with --format only")
+        _show_ranking(program, output_format)
+        return ExitCode.CLEAN
     if name is None and (table or workspace or scale):
         raise InputError("--table, --workspace and --scale are for one robot", "name it")
     if plots and not workspace:
@@ -91,6 +106,29 @@ def robots(
     else:
         terminal.show(catalogue_table(listed))
     return ExitCode.CLEAN
+
+
+def _show_ranking(path: str, output_format: str) -> None:
+    """Rank the arms for a program."""
+    from rapidsim.jobs.asked import Asked
+    from rapidsim.jobs.best_arm import job_targets, texts_of
+    from rapidsim.jobs.check_files import programs_of
+    from rapidsim.jobs.job import job
+    from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+    from rapidsim.reach.arm_ranking import hints_of, rank_arms
+    from rapidsim.report.tables.ranking_table import ranking_json, ranking_table
+
+    found = job(Asked(paths=(path,)))
+    targets = job_targets(found, programs_of(found))
+    if not targets.count:
+        raise InputError(
+            f"no target of {path} is known without a run", "name an arm to check or run it"
+        )
+    ranked = rank_arms(targets, hints_of(texts_of(found)), DEFAULT_ROBOT)
+    if output_format == "json":
+        print_json(ranking_json(path, targets, ranked))
+    else:
+        current_terminal().show(ranking_table(targets, ranked))
 
 
 def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:

@@ -131,6 +131,7 @@ def run(
         say(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
     job = asked_job(asked)
     ready = loaded(job, in_runs=not (breaks or profile or replay))
+    job = ready.job
     try:
         made = prepared(ready)
         _say_home(asked, made.options.home)

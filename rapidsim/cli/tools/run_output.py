@@ -11,7 +11,7 @@ from rapidsim.cli.options.outputs import VALUES
 from rapidsim.cli.terminal import Terminal, print_json, say
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.jobs.choices import RobotChoice
+from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.jobs.run_files import LoadedJob
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.report.findings.merging import errors_first, merged

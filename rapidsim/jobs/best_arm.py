@@ -1,0 +1,69 @@
+"""The arm of a job that no user, station or backup names: the one that suits its targets best."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rapidsim.analysis.program import Program
+from rapidsim.jobs.job import Job
+from rapidsim.jobs.robot_choice import DEFAULT_ROBOT, RobotChoice
+
+if TYPE_CHECKING:
+    from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm
+
+_RUNNERS_UP = 3
+
+
+def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
+    """The job with the arm that suits the targets of its programs, if none is named.
+
+    The default arm stays where it makes all targets as they are stored and no text names another.
+
+    Raises:
+        RunNotFollowedError: See `walk_program`.
+    """
+    if job.is_arm_named or not programs:
+        return job
+    # Most jobs name their arm, and a program without moves does not import one.
+    from rapidsim.motion.robot.robot import load_robot
+    from rapidsim.reach.arm_ranking import hints_of, rank_arms, ranked_arm
+
+    found = job_targets(job, programs)
+    if not found.count:
+        return job
+    hints = hints_of(texts_of(job))
+    usual = ranked_arm(load_robot(DEFAULT_ROBOT), found)
+    if not hints and usual.makes_all:
+        return job
+    # A run needs the speeds of the axes.
+    ranked = [arm for arm in rank_arms(found, hints, DEFAULT_ROBOT) if arm.has_speeds]
+    best = ranked[0]
+    if best.reached == 0 or (best.name == DEFAULT_ROBOT and not best.deviation):
+        return job
+    return replace(job, robot=RobotChoice(best.name, _reason(ranked)))
+
+
+def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
+    """The targets of a job's programs, in the base of its first robot."""
+    from rapidsim.frames.transform import Transform
+    from rapidsim.reach.arm_ranking import program_targets
+
+    place = job.station.world_from_base or Transform.identity()
+    return program_targets(programs, place.inverse())
+
+
+def texts_of(job: Job) -> tuple[str, ...]:
+    """The texts that may name the arm: files with their names, and the type in a backup."""
+    types = (robot.unknown for robot in job.station.robots if robot.unknown)
+    names = (Path(file.name).name for file in job.files)
+    return (*types, *names, *(file.text for file in job.files))
+
+
+def _reason(ranked: Sequence[RankedArm]) -> str:
+    best, *others = ranked
+    counts = f"{best.reached} of {best.tried} targets reached, {best.held} as stored"
+    next_ones = ", ".join(f"{one.name} {one.reached}/{one.held}" for one in others[:_RUNNERS_UP])
+    return f"best of the catalogue: {counts}; next {next_ones}; --robot names another"

@@ -1,0 +1,135 @@
+"""The arm that nobody names: the catalogue is ranked by the targets of the program."""
+
+import json
+import random
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import call
+
+from rapidsim.motion.configurations.confdata import confdata_of
+from rapidsim.motion.robot.robot import load_robot
+
+ARMS = (
+    "irb120-3-0.58",
+    "irb140-6-0.81",
+    "irb1200-5-0.9",
+    "irb1600-8-1.45",
+    "irb2600-20-1.65",
+    "irb4600-40-2.55",
+    "irb6640-180-2.55",
+    "irb6700-200-2.6",
+    "irb1660id-6-1.55",
+    "irb2400-16-1.55",
+)
+NOT_USED = "[9E9,9E9,9E9,9E9,9E9,9E9]"
+
+
+def program(arm: str, comment: str = "", count: int = 25) -> str:
+    """Moves to random targets of an arm, in the configurations that it has there."""
+    robot, random_ = load_robot(arm), random.Random(arm)
+    lines = []
+    for _ in range(count):
+        joints = np.array([random_.uniform(0.9 * j.lower, 0.9 * j.upper) for j in robot.joints])
+        joints[[3, 5]] = [random_.uniform(-1.5, 1.5), random_.uniform(-1.5, 1.5)]
+        flange = robot.forward(joints)
+        place = ",".join(f"{1000.0 * x:.3f}" for x in flange.translation)
+        turned = ",".join(f"{q:.7f}" for q in flange.quaternion)
+        stored = ",".join(str(one) for one in confdata_of(robot.kinematics, joints))
+        target = f"[[{place}],[{turned}],[{stored}],{NOT_USED}]"
+        lines.append(f"    MoveJ {target},v100,fine,tool0;")
+    text = "\n".join(lines)
+    return f"MODULE Job\n  ! {comment}\n  PROC main()\n{text}\n  ENDPROC\nENDMODULE\n"
+
+
+def ranking(folder: Path) -> dict[str, int]:
+    ended = call("robots", "--for", "Job.mod", "--format", "json", cwd=folder)
+    assert ended.code == 0, ended.err
+    return {one["name"]: one["rank"] for one in json.loads(ended.out)["robots"]}
+
+
+@pytest.mark.parametrize("arm", ARMS)
+def test_the_arm_of_a_program_is_first_or_tied(arm: str, tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text(program(arm))
+    ranked = ranking(tmp_path)
+    assert ranked[arm] == 1
+    assert list(ranked.values()) == sorted(ranked.values())
+    checked = call("check", "Job.mod", cwd=tmp_path).out
+    assert "best of the catalogue: 25 of 25 targets reached, 25 as stored; next " in checked or (
+        arm == "irb1600-6-1.2"
+    )
+
+
+@pytest.mark.parametrize(
+    "comment", ["IRB 140", "for the IRB140-6/0.81", "irb140", "made by hand on an Irb_140 6kg"]
+)
+def test_a_tie_goes_to_the_arm_that_a_comment_names(comment: str, tmp_path: Path) -> None:
+    near = program("irb120-3-0.58", comment)
+    (tmp_path / "Job.mod").write_text(near)
+    ranked = ranking(tmp_path)
+    tied = [name for name, rank in ranked.items() if rank == 1]
+    assert "irb120-3-0.58" in tied
+    if "irb140-6-0.81" in tied:
+        assert tied[0] == "irb140-6-0.81"
+
+
+def test_the_default_arm_stays_where_it_makes_all(tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text(program("irb1600-6-1.2"))
+    assert "irb1600-6-1.2 (by default; --robot names another)" in call(
+        "check", "Job.mod", cwd=tmp_path
+    ).out.replace("\n", " ")
+    (tmp_path / "Job.mod").write_text(program("irb1600-6-1.2", "of an IRB 1600-8/1.45"))
+    ranked = ranking(tmp_path)
+    if ranked["irb1600-8-1.45"] == 1:
+        assert "on irb1600-8-1.45 (best of the catalogue" in call(
+            "check", "Job.mod", cwd=tmp_path
+        ).out.replace("\n", " ")
+
+
+def test_both_doors_take_the_same_arm(tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text(program("irb6640-180-2.55"))
+    checked = call("check", "Job.mod", "--no-cache", cwd=tmp_path).out
+    ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
+    named = json.loads(ran.out)["robot"]
+    assert f"on {named} (best of the catalogue" in checked.replace("\n", " ")
+    again = call("check", "Job.mod", cwd=tmp_path).out
+    assert f"on {named} (best of the catalogue" in again.replace("\n", " ")
+    said = call("run", "Job.mod", "--no-record", cwd=tmp_path).out.replace("\n", " ")
+    assert "best of the catalogue" in " ".join(said.split())
+
+
+def test_what_a_guess_does_not_reach_is_a_warning(tmp_path: Path) -> None:
+    far = program("irb6640-180-2.55", count=3).replace(
+        "  ENDPROC",
+        f"    MoveJ [[90000,0,500],[1,0,0,0],[0,0,0,0],{NOT_USED}],v100,fine,tool0;\n  ENDPROC",
+    )
+    (tmp_path / "Job.mod").write_text(far)
+    checked = json.loads(call("check", "Job.mod", "--output-format", "json", cwd=tmp_path).out)
+    ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
+    run = json.loads(ran.out)
+    for report in (checked, run):
+        found = [one for one in report["diagnostics"] if one["code"] == "K601"]
+        assert [one["severity"] for one in found] == ["warning"]
+    assert (ran.code, run["end"]) == (1, "error")
+
+
+def test_arms_are_ranked_for_programs_only(tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text("MODULE Job\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    ended = call("robots", "--for", "Job.mod", cwd=tmp_path)
+    assert (ended.code, "no target of Job.mod is known" in ended.err.replace("\n", " ")) == (
+        2,
+        True,
+    )
+    for more in (("irb120",), ("--table",), ("--workspace",)):
+        assert call("robots", "--for", "Job.mod", *more, cwd=tmp_path).code == 2
+    assert call("robots", "--for", "absent.mod", cwd=tmp_path).code == 2
+
+
+def test_the_table_names_the_best(tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text(program("irb120-3-0.58", "IRB 120"))
+    out = call("robots", "--for", "Job.mod", cwd=tmp_path).out
+    first = out.splitlines()[1].split()
+    assert first[:2] == ["1", "irb120-3-0.58"]
+    assert "named" in first
+    assert "25 targets, heaviest tool 0.001 kg" in " ".join(out.split())
