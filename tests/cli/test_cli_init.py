@@ -190,7 +190,9 @@ def test_a_backup_says_most_of_it_by_itself(tmp_path: Path, arm: str) -> None:
     text = (backup / "rapidsim.toml").read_text()
     assert '# [signals]\n# missing_one = { type = "do" }\n' in text
     assert ("# [robot]\n" in text) == (arm == "ROB1_9999_1_1")
+    # What EIO.cfg does not declare is an error before and after, until it is no comment.
     assert checked(backup, tmp_path) == ["I801"]
+    (backup / "rapidsim.toml").write_text('[signals]\nmissing_one = { type = "do" }\n')
     run = call("run", "backup", "--no-record", "--format", "json", cwd=tmp_path)
     assert run.code == 0, run.err
     named = json.loads(run.out)["robot"] == "irb120-3-0.58"
