@@ -9,6 +9,7 @@ import numpy as np
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
+from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.position_reading import HOLDS_S, PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -138,13 +139,22 @@ class TaskMotion:
             self.clock.drive_to_stop()
         self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
 
-    def abandon(self) -> None:
-        """Let the robot finish the moves it has before the program stops with an error."""
+    def abandon(self) -> MotionError | None:
+        """Let the robot finish the moves it has before the program stops with an error.
+
+        Returns:
+            Why it cannot finish them: an error that came before the one that stops the program,
+            which runs ahead of the robot.
+        """
         self.unit.own.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             with self.unit.ending():
-                queue.close()
+                try:
+                    queue.close()
+                except MotionError as error:
+                    return error
+        return None
 
     def end_with_the_run(self) -> None:
         """Stop the robot at the time limit if it still moves then: what follows is not part of it.

@@ -81,8 +81,11 @@ class SoloMoves:
             queue.corrected.end()
         is_first = not len(queue.moves)
         is_free = is_first and queue.start_is_free and move.sensed is Sensed.NEVER
-        if is_free and (start := self.resolver.first_start(move, self.clock.place, queue.end)):
-            queue.begin_at(start)
+        if is_free:
+            settings = self.state.settings
+            start = self.resolver.first_start(move, self.clock.place, queue.end, settings)
+            if start is not None:
+                queue.begin_at(start)
         queued = self.resolver.resolve(
             move,
             self.clock.place,

@@ -48,8 +48,12 @@ def record_of(found: Found, sources: Iterable[Source]) -> Record:
     places = _Places({one.file: one.text for one in sources})
     coverage = found.coverage
     diagnostics = [_diagnostic_record(one, places) for one in found.diagnostics]
-    unchecked = [[places.of(one.span), one.reason] for one in coverage.unchecked]
+    unchecked, unchecked_paths = (
+        [[places.of(one.span), one.reason] for one in moves]
+        for moves in (coverage.unchecked, coverage.unchecked_paths)
+    )
     counts = [coverage.by_value, coverage.by_run, unchecked, coverage.main_left_out]
+    counts += [coverage.paths, unchecked_paths]
     arm = None if found.arm is None else [found.arm.name, found.arm.reason, found.arm.scale]
     return [places.texts, diagnostics, counts, list(found.notices), found.lasts, arm]
 
@@ -67,7 +71,8 @@ def found_in(record: object, sources: Iterable[Source]) -> Found:
 
 
 def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
-    texts, diagnostics, (by_value, by_run, unchecked, left_out), notices, lasts, arm = record
+    texts, diagnostics, counts, notices, lasts, arm = record
+    by_value, by_run, unchecked, left_out, paths, unchecked_paths = counts
     sources = [known[name] if text is None else Source(name, text) for name, text in texts]
     spans = _Spans(sources)
     return Found(
@@ -77,6 +82,8 @@ def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
             by_run,
             tuple(UncheckedMove(spans.at(place), reason) for place, reason in unchecked),
             left_out,
+            paths,
+            tuple(UncheckedMove(spans.at(place), reason) for place, reason in unchecked_paths),
         ),
         tuple(notices),
         lasts,

@@ -12,6 +12,7 @@ from collections.abc import Set as AbstractSet
 import numpy as np
 
 from rapidsim.controller.moves.configuration_choice import nearest_without_switch
+from rapidsim.controller.moves.first_start import first_configuration
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData, RobTarget
 from rapidsim.motion.configurations.compliance import Match, hold
@@ -67,6 +68,16 @@ class Stances:
     joints: Array
     """Shape (k, n) [rad]; 0 where that is not known."""
     sure: Mask
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Beginning:
+    """Where a run of main begins."""
+
+    joints: Array
+    """Shape (n,) [rad]."""
+    is_free: bool
+    """Whether it begins in the configuration of the first target instead."""
 
 
 def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> Ends:
@@ -130,6 +141,7 @@ def stances_of(
     model: MotionModel,
     arrivals: Mapping[int, Array],
     lost: AbstractSet[int] = frozenset(),
+    beginning: Beginning | None = None,
 ) -> Stances:
     """The arm's joints at the end of each move.
 
@@ -140,6 +152,7 @@ def stances_of(
         model: Its motion model.
         arrivals: Joints (n,) [rad] of rows known not to arrive in the stored configuration.
         lost: Rows whose path fails; without a stored configuration, their end is not known.
+        beginning: Where a run of main begins; None if that is not known.
     """
     count = len(posed.moves)
     joints = np.zeros((count, len(robot.joints)))
@@ -155,6 +168,10 @@ def stances_of(
                 joints[row], sure[row] = arrival, True
         elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
             joints[row], sure[row] = ends.stored[row], ends.stored_works[row]
+        elif known.begins and beginning is not None and ends.reachable[row]:
+            first = _first_end(posed, ends, robot, beginning, row)
+            if first is not None:
+                joints[row], sure[row] = first, True
         elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
             start = joints[known.previous]
             if _goes_on_turned(known, ends, row, robot):
@@ -176,6 +193,29 @@ def stances_of(
                     sure[row] = True
         row += 1
     return Stances(joints, sure)
+
+
+def _first_end(
+    posed: PosedMoves, ends: Ends, robot: Robot, beginning: Beginning, row: int
+) -> Array | None:
+    """Joints (n,) [rad] at the end of the first move of a run; None if not known."""
+    known, flange = posed.moves[row], posed.base_from_flange[row]
+    monitored = is_monitored(known, robot)
+    if not told_apart(robot.kinematics) or not (monitored or is_free(known)):
+        return None
+    if monitored and not ends.held[row]:
+        return None
+    if beginning.is_free:
+        stored = stored_confdata(known)
+        start = beginning.joints
+        first = first_configuration(robot, flange, stored, start, monitored=monitored)
+    elif known.move.interpolation.leads_tcp or monitored:
+        return None
+    else:
+        working = configurations(robot, flange)
+        before = configuration(robot.kinematics, beginning.joints)
+        first = nearest_without_switch(working, before) if working else None
+    return None if first is None else first.joints
 
 
 def _goes_on_turned(known: KnownMove, ends: Ends, row: int, robot: Robot) -> bool:

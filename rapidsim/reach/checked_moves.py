@@ -32,6 +32,15 @@ class Coverage:
     unchecked: tuple[UncheckedMove, ...] = ()
     main_left_out: str = ""
     """Why main was not run for the errors that only a run meets; empty where it was."""
+    paths: int = 0
+    """Those that lead the TCP on a line or arc, so that the arm must also get along the path."""
+    unchecked_paths: tuple[UncheckedMove, ...] = ()
+    """Those of them whose end alone was checked."""
+
+    @property
+    def paths_checked(self) -> int:
+        """Lines and arcs that were checked from start to end."""
+        return self.paths - len(self.unchecked_paths)
 
     @property
     def checked(self) -> int:
@@ -54,6 +63,8 @@ class Coverage:
             self.by_run + other.by_run,
             (*self.unchecked, *other.unchecked),
             self.main_left_out or other.main_left_out,
+            self.paths + other.paths,
+            (*self.unchecked_paths, *other.unchecked_paths),
         )
 
 

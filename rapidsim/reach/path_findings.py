@@ -34,6 +34,7 @@ from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.reach.arm_configurations import (
+    Beginning,
     Ends,
     Stances,
     is_monitored,
@@ -115,6 +116,8 @@ class WayFinder:
     """Joints (n,) [rad] of rows that a run has told."""
     exact: bool = False
     """Whether a stored configuration is not met where an axis is one quarter turn off."""
+    beginning: Beginning | None = None
+    """Where a run of main begins; None if that is not known."""
     _max_speed: Array | None = field(init=False)
 
     def __post_init__(self) -> None:
@@ -148,7 +151,9 @@ class WayFinder:
     def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> Ways:
         robot = self.robot
         arrivals = {**self.known_joints, **strays}
-        stances = stances_of(self.posed, self.ends, robot, self.model, arrivals, lost)
+        stances = stances_of(
+            self.posed, self.ends, robot, self.model, arrivals, lost, self.beginning
+        )
         if not told_apart(robot.kinematics):
             return Ways(stances, {}, {}, {}, strays)
         rows = [

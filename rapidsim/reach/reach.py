@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_right
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
@@ -11,11 +12,12 @@ from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.frames.transform import Array
 from rapidsim.motion.compiled import decided_anew
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.arm_configurations import Ends, ends_of
+from rapidsim.reach.arm_configurations import Beginning, Ends, ends_of
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.cures import Cures
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
-from rapidsim.reach.dataflow.known_moves import WalkedProgram, in_tree
+from rapidsim.reach.dataflow.interpretation import ENTRY
+from rapidsim.reach.dataflow.known_moves import MoveStatement, WalkedProgram, in_tree
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.outside_values import moved_by_outside
 from rapidsim.reach.path_findings import WayFinder, Ways
@@ -32,15 +34,19 @@ from rapidsim.reach.target_findings import (
 from rapidsim.reach.target_poses import FRAME_WITHOUT_ORIENTATION, PosedMoves, posed
 from rapidsim.reach.trial_run import (
     LONGEST_RUN_S,
+    ErrorRun,
     RunMoves,
     run_for_error,
     run_for_moves,
     why_left_out,
 )
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.task_run import start_joints
 
 _SAID_BY_TEXT = ("M501",)
 """Warnings of a run that checking the text makes already."""
+_FAULTS_OF_PATHS = ("K604", "K614", "K615")
+"""Findings about the course of a path, which corners may avoid."""
 _GIVES_WAY = ("K603", "K606")
 """Findings at which no run stops that takes the nearest configuration."""
 
@@ -71,8 +77,8 @@ def check_reach(
     if not walked.written and budget is None:
         if not run:
             return ReachReport()
-        told_of_text, why = _error_of_main(program, robot, options, walked)
-        return ReachReport(told_of_text, Coverage(main_left_out=why))
+        of_main = _error_of_main(program, robot, options, walked)
+        return ReachReport(of_main.diagnostics, Coverage(main_left_out=of_main.left_out))
     known = list(walked.known)
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
@@ -91,7 +97,8 @@ def check_reach(
     exact = options.exact_configuration
     ends = ends_of(placed, robot, exact=exact)
     cures = None if by_default else Cures(program, placed, ends, robot, base_from_world)
-    finder = WayFinder(program, placed, ends, robot, options.model, joints, exact)
+    beginning = _beginning(robot, options)
+    finder = WayFinder(program, placed, ends, robot, options.model, joints, exact, beginning)
     ways = finder.survey()
     broken = {row for row, way in ways.surveyed.items() if way.broken}
     found = [
@@ -111,32 +118,48 @@ def check_reach(
     if budget is not None and told is not None:
         found += budget_findings(program, told, budget, options.model.version)
         found += stop_findings(program, placed, ways)
-    why_not_run = ""
+    of_main = ErrorRun()
     if told is None and run:
-        of_run, why_not_run = _error_of_main(program, robot, options, walked)
-        found += of_run
+        of_main = _error_of_main(program, robot, options, walked)
+        found += _not_sure(program, walked, of_main.diagnostics)
     goes_on = options.nearest_configuration
     found = [
         replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found
     ]
     if told is not None and any(one.severity is Severity.ERROR for one in found):
         found = list(_not_sure(program, walked, found))
-    distinct = tuple(_Places(walked).distinct(found))
-    coverage = replace(_coverage(walked, ends, told, left_out), main_left_out=why_not_run)
+    of_run = of_main.diagnostics if told is None else told.diagnostics
+    met = of_main.met if told is None else told.met
+    distinct = tuple(_Places(walked).distinct(found, of_run, met))
+    paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
+    coverage = replace(
+        _coverage(walked, ends, told, left_out),
+        main_left_out=of_main.left_out,
+        paths=paths,
+        unchecked_paths=unchecked_paths,
+    )
     return ReachReport(distinct, coverage)
+
+
+def _beginning(robot: Robot, options: RunOptions) -> Beginning | None:
+    """Where a run of main begins; None where it does not begin with main."""
+    if options.entry.lower() != ENTRY:
+        return None
+    degrees = options.start_joints_deg
+    return Beginning(start_joints(robot, degrees), is_free=degrees is None)
 
 
 def _error_of_main(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
-) -> tuple[tuple[Diagnostic, ...], str]:
+) -> ErrorRun:
     """The error that ends a run of main, or why it is not run for it.
 
     Neither where a cell has several tasks: these are run together.
     """
     if len(options.cell_tasks) > 1:
-        return (), ""
+        return ErrorRun()
     if why := why_left_out(walked):
-        return (), why
+        return ErrorRun(left_out=why)
     return run_for_error(program, robot, options, walked)
 
 
@@ -199,16 +222,53 @@ class _Places:
         for call, module in self.walked.written:
             self._starts.setdefault(module.source.file, []).append((call.start, call.end))
 
-    def distinct(self, diagnostics: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
-        """Findings without those that repeat an earlier one about the same move."""
+    def distinct(
+        self,
+        diagnostics: Iterable[Diagnostic],
+        of_run: Iterable[Diagnostic],
+        met: frozenset[MoveStatement],
+    ) -> list[Diagnostic]:
+        """Findings without those that repeat an earlier one about the same move.
+
+        Only a run knows corners: its errors come first and replace what the values alone tell, and
+        a path that it has made has no fault.
+
+        Args:
+            diagnostics: All findings.
+            of_run: Those of the run of main.
+            met: The moves that it made, or at which it ended.
+        """
+        ran = {
+            (one.code, self._move_of(one.span)): one.violation
+            for one in of_run
+            if one.severity is Severity.ERROR
+        }
+        stopped = {move for _, move in ran}
+        times = Counter(known.call for known in self.walked.known)
+        made = {
+            (module.source.file, call.start)
+            for call, module in self.walked.written
+            if call in met and times[call] == 1
+        } - stopped
         said: set[tuple[str, object]] = set()
+        first: list[Diagnostic] = []
+        others: list[Diagnostic] = []
         for diagnostic in diagnostics:
             code, move = diagnostic.violation.code, self._move_of(diagnostic.span)
             is_error = diagnostic.severity is Severity.ERROR
             if (code, move) in said or (code in _SAID_BY_TEXT and not is_error):
                 continue
+            if code in _FAULTS_OF_PATHS and move in made:
+                continue
             said.add((code, move))
-            yield diagnostic
+            known = ran.get((code, move))
+            if known is None:
+                others.append(diagnostic)
+            elif known.message == diagnostic.message:
+                first.append(diagnostic)
+            else:
+                first.append(replace(diagnostic, violation=known))
+        return first + others
 
     def _move_of(self, span: Span | None) -> object:
         if span is None:
@@ -245,4 +305,33 @@ def _coverage(
     return Coverage(values, runs, tuple(unchecked))
 
 
+def _paths(
+    placed: PosedMoves,
+    ends: Ends,
+    ways: Ways,
+    beginning: Beginning | None,
+    met: frozenset[MoveStatement],
+) -> tuple[int, tuple[UncheckedMove, ...]]:
+    """How many instructions lead the TCP, and those whose path nothing has looked at."""
+    paths: set[MoveStatement] = set()
+    unchecked: dict[MoveStatement, UncheckedMove] = {}
+    for row, known in enumerate(placed.moves):
+        call = known.call
+        if not known.move.interpolation.leads_tcp:
+            continue
+        paths.add(call)
+        begins = known.begins and beginning is not None and beginning.is_free
+        is_checked = (
+            call in met
+            or row in ways.surveyed
+            or row in ways.circle_faults
+            or (begins and bool(ways.stances.sure[row]))
+            or (bool(ends.looked_at[row]) and not ends.reachable[row])
+        )
+        if not is_checked:
+            unchecked[call] = UncheckedMove(known.span, _START_UNKNOWN)
+    return len(paths), tuple(unchecked.values())
+
+
+_START_UNKNOWN = "it is not known where the arm begins with it, or how it turns on the way"
 _NOT_SEARCHED = "this arm is solved by search, which a check does for a few targets only"

@@ -151,35 +151,51 @@ def run_for_moves(
     )
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class ErrorRun:
+    """What a run of main for its error revealed."""
+
+    diagnostics: tuple[Diagnostic, ...] = ()
+    left_out: str = ""
+    """Why there are no findings, where a check lacks what main asks for."""
+    met: frozenset[MoveStatement] = frozenset()
+    """The moves that it made, and that at which it ended."""
+
+
 def run_for_error(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
-) -> tuple[tuple[Diagnostic, ...], str]:
-    """The error that ends a run of main, for a program whose moves are known without one.
-
-    Returns:
-        The findings, and why there are none where a check has not what main asks for.
-    """
+) -> ErrorRun:
+    """The error that ends a run of main, for a program whose moves are known without one."""
     if program.routines.get(options.entry.lower()) is None:
-        return (), ""
+        return ErrorRun()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
     try:
         with TemporaryDirectory(prefix="rapidsim-") as home:
             asked = _alone(limited, home, guesses_frames=_is_all(options))
             run = simulate(program, robot, options=asked)
     except NotExecutableError as error:
-        return (error.diagnostic,), ""
+        return ErrorRun((error.diagnostic,))
     except InputError:
-        return (), ""
+        return ErrorRun()
+    met = _met(run, walked)
     if _lacked(run, (program,)):
-        return (), "main needs files, sockets, cameras or modules, which a check does not have"
+        why = "main needs files, sockets, cameras or modules, which a check does not have"
+        return ErrorRun((), why, met)
     if _was_to_be_answered(run):
-        return (), ""
+        return ErrorRun(met=met)
     moves = [module.span(call) for call, module in walked.written]
     errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
-    found = tuple(_doubted(one, run, (program,), options) for one in errors)
-    # What follows from a move that this arm cannot make is as sure as the arm is.
-    unmade = any(one.failed_moves for one in run.robots)
-    return tuple(replace(one, assumed=one.assumed or unmade) for one in found), ""
+    found = tuple(_as_sure(one, run, (program,), options, moves) for one in errors)
+    return ErrorRun(found, "", met)
+
+
+def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
+    """The moves that a run made, and those that it could not make."""
+    calls = {(module.source.file, call.start): call for call, module in walked.written}
+    places = [one.place for one in run.moves]
+    places += [one.place for robot in run.robots for one in robot.failed_moves]
+    keys = ((place.span.file, place.span.start) for place in places)
+    return frozenset(calls[key] for key in keys if key in calls)
 
 
 def why_left_out(walked: WalkedProgram) -> str:
@@ -280,9 +296,11 @@ def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
         return True
     if found.violation.code.startswith("I"):
         return True
-    of_reach = found.severity is Severity.ERROR or found.violation.code.startswith("K")
+    if found.severity is Severity.ERROR:
+        return not _of_text(found)
     at = found.span
-    return of_reach and at is not None and not any(map(at.begins_in, moves)) and not _of_text(found)
+    of_reach = found.violation.code.startswith("K")
+    return of_reach and at is not None and not any(map(at.begins_in, moves))
 
 
 def _of_text(found: Diagnostic) -> bool:
@@ -291,10 +309,26 @@ def _of_text(found: Diagnostic) -> bool:
 
 
 def _as_sure(
-    found: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
+    found: Diagnostic,
+    run: Simulation,
+    programs: Sequence[Program],
+    options: RunOptions,
+    moves: Sequence[Span] | None = None,
 ) -> Diagnostic:
-    """The finding; what may follow from what a check does not have is no error."""
-    return _doubted(found, run, programs, options) if _of_run(found) else found
+    """The finding; what may follow from what a check does not have is no error.
+
+    Args:
+        found: What a run has found.
+        run: The run.
+        programs: Those that it executed.
+        options: Its conditions.
+        moves: The places of moves: findings there are as sure as their targets. None takes all
+            findings but those of runs so.
+    """
+    at = found.span
+    is_of_move = moves is None or (at is not None and any(map(at.begins_in, moves)))
+    is_sure = is_of_move and not _of_run(found)
+    return found if is_sure else _doubted(found, run, programs, options)
 
 
 def _doubted(

@@ -241,18 +241,8 @@ def _outcome_of(
     controller = run.controller
     place = controller.clock.place
     match error:
-        case FatalError():
-            mark = run.journal.error_mark(controller.clock.moment())
-            run.journal.error(mark, fatal_answer(error, place))
-            controller.motion.abandon()
-            return Outcome(End.ERROR, (fatal_finding(error, place),))
         case MotionError():
-            finding = motion_finding(error)
-            segment, fraction = error.queued.segment, error.fault.fraction
-            failed = failed_on_the_way(
-                error.queued.place, finding.violation, segment, fraction, run.queue.robot
-            )
-            return Outcome(End.ERROR, (finding,), (failed,))
+            return _failed_motion(error, run)
         case TimeLimitReached():
             # What the robot would do after the run is not part of it, but for its coming to rest.
             controller.others.stop_robot(controller.clock.pointer_s())
@@ -264,21 +254,39 @@ def _outcome_of(
             return Outcome(End.ERROR, (trap_storm_finding(error, place),))
         case ZoneReached():
             return Outcome(End.ERROR, (zone_finding(error, place),))
+        case _:
+            return _abandoned(error, run)
+
+
+def _abandoned(error: FatalError | Stopped, run: TaskRun) -> Outcome:
+    """What became of a task whose program stopped while its robot may still have had moves."""
+    controller = run.controller
+    place = controller.clock.place
+    mark = run.journal.error_mark(controller.clock.moment())
+    if (earlier := controller.motion.abandon()) is not None:
+        return _failed_motion(earlier, run)
+    match error:
+        case FatalError():
+            run.journal.error(mark, fatal_answer(error, place))
+            return Outcome(End.ERROR, (fatal_finding(error, place),))
         case MoveImpossible():
-            controller.motion.abandon()
             return Outcome(End.ERROR, (impossible_move_finding(error, place),))
         case NotDeclared():
-            controller.motion.abandon()
             return Outcome(End.ERROR, (not_declared_finding(error, place),))
         case NotSimulated():
-            controller.motion.abandon()
             return Outcome(End.ERROR, (not_followed_finding(error, place),))
         case NotAllowed():
-            controller.motion.abandon()
             return Outcome(End.ERROR, (not_allowed_finding(error, place),))
         case _:
-            controller.motion.abandon()
             return Outcome(End.STOPPED, (stopped_finding(error, place),))
+
+
+def _failed_motion(error: MotionError, run: TaskRun) -> Outcome:
+    """A move that turned out not to be possible when its path was planned."""
+    finding = motion_finding(error)
+    queued = error.queued
+    way = (queued.place, finding.violation, queued.segment, error.fault.fraction, run.queue.robot)
+    return Outcome(End.ERROR, (finding,), (failed_on_the_way(*way),))
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:

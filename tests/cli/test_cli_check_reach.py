@@ -109,7 +109,9 @@ def test_json_counts_moves_and_says_why_some_are_left(folder: Path) -> None:
     done = rapidsim("check", "cell.mod", "--output-format", "json", cwd=folder)
     coverage = json.loads(done.out)["coverage"]
     (unchecked,) = coverage.pop("unchecked")
-    assert coverage == {"moves": 2, "checked": 1, "by_value": 1, "by_run": 0}
+    assert coverage.pop("unchecked_paths") == []
+    paths = {"paths": 0, "paths_checked": 0}
+    assert coverage == {"moves": 2, "checked": 1, "by_value": 1, "by_run": 0, **paths}
     assert (unchecked["file"], unchecked["line"]) == ("cell.mod", 8)
     assert "a run of main does not tell" in unchecked["reason"]
     alone = rapidsim("check", "cell.mod", "--output-format", "json", "--no-run", cwd=folder)

@@ -70,10 +70,10 @@ def checked_json(
         is_ok: Whether nothing fails the check.
     """
     coverage = result.coverage
-    unchecked = [
-        {"file": move.span.file, "line": move.span.line, "reason": move.reason}
-        for move in coverage.unchecked
-    ]
+    unchecked, unchecked_paths = (
+        [{"file": move.span.file, "line": move.span.line, "reason": move.reason} for move in moves]
+        for moves in (coverage.unchecked, coverage.unchecked_paths)
+    )
     left_out = {"main_left_out": coverage.main_left_out} if coverage.main_left_out else {}
     return {
         "schema": 1,
@@ -88,5 +88,8 @@ def checked_json(
             "by_run": coverage.by_run,
             "unchecked": unchecked,
             **left_out,
+            "paths": coverage.paths,
+            "paths_checked": coverage.paths_checked,
+            "unchecked_paths": unchecked_paths,
         },
     }

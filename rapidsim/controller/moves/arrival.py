@@ -192,7 +192,8 @@ class Arrivals:
         if not self._is_monitored(asked, segment):
             if asked.starts_free and told_apart(self.robot.kinematics):
                 flange = self._base_from_flange(asked, segment)
-                first = first_configuration(self.robot, flange, rounded(stored), near)
+                wanted = rounded(stored)
+                first = first_configuration(self.robot, flange, wanted, near, monitored=False)
                 if first is not None:
                     return first
             before = self.configuration(near)

@@ -25,15 +25,15 @@ _SAME = 1e-6
 
 
 def first_configuration(
-    robot: Robot, base_from_flange: Transform, stored: Quarters, start: Array
+    robot: Robot, base_from_flange: Transform, stored: Quarters, start: Array, *, monitored: bool
 ) -> Configuration | None:
     """The configuration in which an arm is at its first target: the stored one, if it is met.
 
     Else the nearest to joints (n,) [rad] at which the arm is assumed to begin; None if it reaches
-    the target in none.
+    the target in none. Where ConfJ or ConfL is on, another turn of the stored branch comes first.
     """
     best = hold(robot, base_from_flange[None], np.array([stored]), start)
-    if best.possible[0] and best.match[0] <= Match.COMPLIANT:
+    if best.possible[0] and (monitored or best.match[0] <= Match.COMPLIANT):
         return configuration(robot.kinematics, best.joints[0])
     working = configurations(robot, base_from_flange)
     if not working:
@@ -48,6 +48,8 @@ def start_above(
     tcp_from_flange: Transform,
     stored: Quarters,
     start: Array,
+    *,
+    monitored: bool,
 ) -> Array | None:
     """Joints (n,) [rad] above a line or arc from which the arm gets there; None if there are none.
 
@@ -58,8 +60,10 @@ def start_above(
         tcp_from_flange: The inverse of the tool frame.
         stored: The configuration stored in the target.
         start: Joints (n,) [rad] at which the arm is assumed to begin otherwise.
+        monitored: Whether ConfL is on.
     """
-    reached = first_configuration(robot, end @ tcp_from_flange, stored, start)
+    flange = end @ tcp_from_flange
+    reached = first_configuration(robot, flange, stored, start, monitored=monitored)
     if reached is None:
         return None
     middle, heights = end, _ABOVE_M

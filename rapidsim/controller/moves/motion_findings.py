@@ -7,6 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from rapidsim.controller.moves.configuration_choice import excess_without_switch
+from rapidsim.controller.moves.move_request import target_name
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.moves.target_checks import excess_text
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -35,8 +36,7 @@ _EXCESS = 1.01
 def path_violation(error: MotionError) -> Violation:
     """What is wrong with a move that cannot be made."""
     queued = error.queued
-    target = queued.place.arguments.get("topoint", queued.move.instruction)
-    return fault_violation(error.fault, target)
+    return fault_violation(error.fault, target_name(queued.place, queued.move))
 
 
 def fault_violation(fault: PathFault, target: str) -> Violation:

@@ -197,7 +197,9 @@ class Resolver:
             settings.grip_load_kg,
         )
 
-    def first_start(self, move: Move, place: Place, start: Waypoint) -> Waypoint | None:
+    def first_start(
+        self, move: Move, place: Place, start: Waypoint, settings: MotionSettings
+    ) -> Waypoint | None:
         """Where the arm begins with a line or arc, if nothing else says it; see `start_above`.
 
         None for other moves, and where external axes, other robots or a stationary tool take part.
@@ -218,7 +220,10 @@ class Resolver:
         end = placed.curve_from_tcp(move.to)
         via = None if move.circle_point is None else placed.curve_from_tcp(move.circle_point)
         tcp_from_flange, stored = placed.tcp_from_flange, rounded(move.to.robconf)
-        joints = start_above(self.robot, end, via, tcp_from_flange, stored, start.joints)
+        joints = start_above(
+            *(self.robot, end, via, tcp_from_flange, stored, start.joints),
+            monitored=settings.conf_l,
+        )
         if joints is None:
             return None
         return Waypoint(joints, self.robot.kinematics.forward(joints), start.external)

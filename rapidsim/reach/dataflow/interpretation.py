@@ -37,7 +37,7 @@ from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.recorder import Recorder
 from rapidsim.reach.dataflow.run_moves import Runs, moves_of_run
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
-from rapidsim.reach.dataflow.state import Frame, State, joined
+from rapidsim.reach.dataflow.state import BEGINNING, Frame, State, joined
 from rapidsim.reach.dataflow.transfer_functions import Performed, perform
 from rapidsim.syntax import tree
 
@@ -98,7 +98,7 @@ class Walker:
         main = self.program.routines.get(ENTRY)
         if main is not None:
             self._from_start = True
-            self._walk_alone(main, State())
+            self._walk_alone(main, State(last=BEGINNING))
             self._from_start = False
         uncalled = [
             routine for routine in self.effects.routines if routine not in self.effects.called
@@ -469,6 +469,7 @@ class Walker:
             index = len(self.moves)
             self._index[key] = index
             frame = self._stack[-1].routine
+            begins = self.state.last == BEGINNING
             self.moves.append(
                 KnownMove(
                     call,
@@ -477,7 +478,8 @@ class Walker:
                     move,
                     known.settings,
                     known.uncertain,
-                    self.state.last,
+                    None if begins else self.state.last,
+                    begins,
                 )
             )
         self.state.last = index

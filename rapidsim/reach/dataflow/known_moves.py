@@ -33,6 +33,8 @@ class KnownMove:
     """Fields of the settings that may hold something else."""
     previous: int | None
     """Index of the move at whose end it starts; None where that is not known."""
+    begins: bool = False
+    """Whether it is the first move of a run of main."""
 
     @property
     def span(self) -> Span:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Final
 
 from rapidsim.analysis.program import RoutineSymbol, Symbol
 from rapidsim.reach.dataflow.known_values import Known, Unknown
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
 
 _MISSING = object()
+BEGINNING: Final = -1
+"""In place of the index of a move: none has been made yet."""
 
 
 @dataclass(slots=True)
@@ -20,7 +23,7 @@ class State:
     """Data that hold something else than at the entry, or may."""
     settings: KnownSettings = field(default_factory=KnownSettings)
     last: int | None = None
-    """Index of the move at whose end the robot stands; None where that is not known."""
+    """Index of the move at whose end the robot stands, or BEGINNING; None where it is not known."""
     alive: bool = True
     """Whether the program can come here."""
 

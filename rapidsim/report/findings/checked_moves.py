@@ -20,10 +20,11 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
         yield _counts(coverage, robot)
     if coverage.main_left_out:
         yield f"Errors that only a run finds were not looked for: {coverage.main_left_out}."
-    for move in coverage.unchecked[:_SHOWN]:
-        yield f"  not checked: {move.span.file}:{move.span.line}: {move.reason}"
-    if (more := len(coverage.unchecked) - _SHOWN) > 0:
-        yield f"  ... and {more} more (--format json lists all)"
+    for what, moves in (("", coverage.unchecked), ("path ", coverage.unchecked_paths)):
+        for move in moves[:_SHOWN]:
+            yield f"  {what}not checked: {move.span.file}:{move.span.line}: {move.reason}"
+        if (more := len(moves) - _SHOWN) > 0:
+            yield f"  ... and {more} more (--format json lists all)"
 
 
 def _counts(coverage: Coverage, robot: str) -> str:
@@ -37,4 +38,7 @@ def _counts(coverage: Coverage, robot: str) -> str:
     ]
     how = f": {', '.join(ways)}" if ways else ""
     moves = "1 move" if coverage.moves == 1 else f"{coverage.moves} moves"
-    return f"Reach of {coverage.checked} of {moves} checked on {robot}{how}."
+    paths = ""
+    if coverage.unchecked_paths:
+        paths = f"; the path of {coverage.paths_checked} of {coverage.paths} lines and arcs"
+    return f"Reach of {coverage.checked} of {moves} checked on {robot}{how}{paths}."

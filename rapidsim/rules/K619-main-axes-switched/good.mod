@@ -1,6 +1,6 @@
 MODULE example
   CONST robtarget far:=[[700,300,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
-  CONST robtarget near:=[[500,-140,480],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  CONST robtarget near:=[[560,-140,480],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   PROC main()
     ConfJ \Off;
     MoveJ far,v500,fine,tool0;
