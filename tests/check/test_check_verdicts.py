@@ -131,4 +131,4 @@ def test_a_warning_does_not_stand_for_an_error_of_the_same_words(tmp_path: Path)
     checked = call("check", program, "--output-format", "concise", cwd=tmp_path)
     found = [line.partition(" ")[2] for line in checked.out.splitlines() if "M501" in line]
     message = "[M501] the orientation of `kNone` has length 0.0000, not 1"
-    assert found == [f"warning{message}", f"error{message}"]
+    assert found == [f"error{message}", f"warning{message}"]
