@@ -52,15 +52,15 @@ def open_(
     append: Switch = False,
     bin_: Switch = False,
 ) -> None:
-    r"""Open a file, for writing unless a switch says otherwise.
+    r"""Open a file for writing unless a switch says otherwise; a binary one for appending.
 
-    Binary and text files are the same here: what is written decides.
+    Otherwise binary and text files are the same here: what is written decides.
     """
-    del bin_
     if io_device.value is not None:
         raise rapid_error(ERR_FILEOPEN, "the device is open already; Close it first")
     path = joined_path(object_, file)
-    mode = FileMode.READ if read else FileMode.APPEND if append else FileMode.WRITE
+    appends = append or (bin_ and not write)
+    mode = FileMode.READ if read else FileMode.APPEND if appends else FileMode.WRITE
     io_device.value = controller.open_file(path, mode)
 
 

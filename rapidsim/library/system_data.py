@@ -27,8 +27,9 @@ from rapidsim.language.controller import Controller, Honesty, Interrupts
 from rapidsim.language.data import LOAD0, LoadData, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.language.types import NUM
+from rapidsim.language.types import NUM, Type
 from rapidsim.library.honesty import ignored
+from rapidsim.library.predefined import DATA
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Does
@@ -111,10 +112,15 @@ def set_sys_data(
     object_name: String | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Activate a tool, a work object or a load, as a move or GripLoad does."""
-    written = controller.clock.place.arguments.get("sourceobject", "")
-    name = written if object_name is None else object_name
-    match source_object.value:
+    """Activate a tool, a work object or a load, as a move or GripLoad does.
+
+    A name counts instead of the source object, which then only says of which type the data are.
+    """
+    value = source_object.value
+    name = controller.clock.place.arguments.get("sourceobject", "")
+    if object_name is not None:
+        value, name = _named(controller, object_name, of), object_name
+    match value:
         case ToolData() | WobjData() as data:
             controller.motion.activate(data, name)
         case LoadData() as load:
@@ -123,6 +129,14 @@ def set_sys_data(
             )
         case _:
             raise _no_active(of.name)
+
+
+def _named(controller: Controller, name: str, of: Type) -> object:
+    """Data by name: those of the program, else predefined ones."""
+    predefined = DATA.get(name.lower())
+    if predefined is not None and predefined.type == of:
+        return predefined.value
+    return controller.symbols.read(name, of, None)
 
 
 def _no_active(of: str) -> RapidError:

@@ -44,6 +44,20 @@ ENDMODULE
     ]
 
 
+def test_a_binary_file_opened_without_a_mode_is_appended_to(tmp_path: Path) -> None:
+    modes = (r"\Write\Bin", r"\Bin", r"\Append\Bin", r"\Write\Bin")
+    each = "".join(
+        f'    Open "a.bin",file{mode};\n    WriteBin file,bytes,2;\n    Close file;\n'
+        '    TPWrite ValToStr(FileSize("a.bin"));\n'
+        for mode in modes
+    )
+    text = (
+        "MODULE cell\n  VAR iodev file;\n  VAR num bytes{2}:=[65,66];\n"
+        f"  PROC main()\n{each}  ENDPROC\nENDMODULE\n"
+    )
+    assert ran(text, home=tmp_path).texts == ["2", "4", "6", "2"]
+
+
 ERRORS = r"""MODULE cell
   VAR iodev file;
   VAR dir folder;

@@ -19,7 +19,7 @@ from rapidsim.frames.vectors import crossed
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.error_numbers import (
     ERR_DIVZERO,
-    ERR_NOTINTVAL,
+    ERR_INT_NOTVAL,
     ERR_OVERFLOW,
     ERR_STRTOOLNG,
     rapid_error,
@@ -50,7 +50,7 @@ def too_long(text: str) -> NoReturn:
 def _not_integers(left: float, right: float, operator: str) -> NoReturn:
     for operand in (left, right):
         if operand % 1.0:
-            raise rapid_error(ERR_NOTINTVAL, f"{operator} takes integers, not {operand:g}")
+            raise rapid_error(ERR_INT_NOTVAL, f"{operator} takes integers, not {operand:g}")
     raise rapid_error(ERR_DIVZERO, f"{left:g} {operator} 0")
 
 

@@ -9,6 +9,6 @@ MODULE integer_division
     TPWrite ValToStr(-seven MOD 2);       ! -> -1
     TPWrite ValToStr(seven/2);            ! -> 3.5
     seven:=7.5;
-    TPWrite ValToStr(seven DIV 2);        ! stops: DIV takes integers, not 7.5 (ERR_NOTINTVAL)
+    TPWrite ValToStr(seven DIV 2);        ! stops: DIV takes integers, not 7.5 (ERR_INT_NOTVAL)
   ENDPROC
 ENDMODULE

@@ -22,6 +22,12 @@ MODULE active_tool
     SetSysData wobj0\ObjectName:="wobj0";
     TPWrite ValToStr(CTool()=tool0);        ! -> TRUE
     TPWrite ValToStr(CWObj()=wobj0);        ! -> TRUE
+    SetSysData tool0\ObjectName:="tGun";
+    GetSysData tNow\ObjectName:=name;
+    TPWrite name+ValToStr(tNow.tframe.trans); ! -> tGun[0,0,100]
+    MoveAbsJ home,v500,fine,tNow;
+    SetSysData tGun\ObjectName:="tool0";
+    TPWrite ValToStr(CTool()=tool0);        ! -> TRUE
     SetSysData part;
     GetSysData lNow\ObjectName:=name;
     TPWrite name+ValToStr(lNow.mass);       ! -> part2
