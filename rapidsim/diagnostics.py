@@ -13,7 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from enum import StrEnum
 from functools import cache, cached_property
-from typing import TYPE_CHECKING, ClassVar, dataclass_transform
+from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
 from rapidsim.values import dataclass
@@ -136,17 +136,27 @@ class Rule:
     @property
     def message(self) -> str:
         """A format string over the fields of the violation: one line, no full stop, no blame."""
-        return self._table["message"]
+        return str(self._table["message"])
 
     @property
     def help(self) -> str:
         """The cure, where it is always the same; a format string over the fields too."""
-        return self._table.get("help", "")
+        return str(self._table.get("help", ""))
+
+    @property
+    def events(self) -> Mapping[str, str]:
+        """The controller's event for the same thing, such as `ABB 50050`, by case.
+
+        A rule with one event for all cases has it under the empty string.
+        """
+        found = self._table.get("cf", {})
+        return {"": found} if isinstance(found, str) else found
 
     @property
     def cf(self) -> str | None:
-        """The controller's own event number for the same thing, such as `ABB 50050`."""
-        return self._table.get("cf")
+        """All its events in one line; None without any."""
+        listed = (f"{event} ({case})" if case else event for case, event in self.events.items())
+        return ", ".join(listed) or None
 
     @property
     def on_by_default(self) -> bool:
@@ -167,7 +177,7 @@ class Rule:
         return _rule_folders()[self.code]
 
     @cached_property
-    def _table(self) -> dict[str, str]:
+    def _table(self) -> dict[str, Any]:
         # Like the import below: not for those commands that find nothing.
         import tomllib  # noqa: PLC0415
 
@@ -270,9 +280,14 @@ class Violation:
         return self.rule.severity
 
     @property
+    def case(self) -> str:
+        """The case of its rule, where the controller's event depends on it."""
+        return ""
+
+    @property
     def cf(self) -> str | None:
-        """The controller's own event number for the same thing."""
-        return self.rule.cf
+        """The controller's event for the same thing."""
+        return self.rule.events.get(self.case)
 
     @property
     def message(self) -> str:

@@ -51,5 +51,18 @@ class UnfinishedCode(Violation, code="E148"):
     placeholder: str
 
 
+_UNFINISHED = {
+    "<TDN>": "data type",
+    "<PAR>": "parameter",
+    "<ALT>": "parameter",
+    "<DIM>": "dimension",
+}
+
+
 class UnfinishedDeclaration(Violation, code="E149"):
     placeholder: str
+
+    @property
+    def case(self) -> str:
+        """By the placeholder."""
+        return _UNFINISHED.get(self.placeholder, "value")

@@ -53,6 +53,13 @@ class JointOutOfRange(Violation, code="K602"):
     target: str
     robot: str
     why: str
+    is_of_joints: bool = False
+    """Whether the target gives positions of axes."""
+
+    @property
+    def case(self) -> str:
+        """A target, or one of joints."""
+        return "joint target" if self.is_of_joints else "target"
 
 
 class ConfigurationNotReachable(Violation, code="K603"):

@@ -14,6 +14,13 @@ def is_of_runs(found: Diagnostic) -> bool:
 
 class UncaughtError(Violation, code="R101"):
     what: str
+    event: str | None = None
+    """The controller's event for the error."""
+
+    @property
+    def cf(self) -> str | None:
+        """The event of the error, not of the rule."""
+        return self.event
 
 
 class QuestionUnanswered(Violation, code="R102"):

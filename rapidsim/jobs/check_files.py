@@ -294,10 +294,11 @@ def _moves_checked(
         # The moves that are known without a run, for the program cannot run.
         report = moves(part.program, task, runs=False)
         if isinstance(report, ReachReport):
+            replaced = {(one.file, one.start) for one in part.replaced}
             faulty = tuple(
                 UncheckedMove(span, "there is an error in it")
                 for span in written
-                if any(one.start == span.start and one.file == span.file for one in part.replaced)
+                if (span.file, span.start) in replaced
             )
             return replace(report, coverage=report.coverage + Coverage(unchecked=faulty))
         why = report

@@ -6,7 +6,7 @@ is not within a simple statement, or that statement writes local data, nothing c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from bisect import bisect_right
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.passes.checker import check
@@ -30,12 +30,12 @@ class FaultlessPart:
 
 def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
     """The program with its erroneous statements replaced; None if errors remain."""
+    errors = [one for one in loaded.diagnostics if one.severity is Severity.ERROR]
+    simple = {file.source: _SimpleStatements(file) for file in loaded.files} if errors else {}
     faulty: dict[int, tree.Statement] = {}
     replaced = []
-    for one in loaded.diagnostics:
-        if one.severity is not Severity.ERROR:
-            continue
-        found = None if one.span is None else _statement_at(loaded.files, one.span)
+    for one in errors:
+        found = None if one.span is None else simple[one.span.source].around(one.span)
         if found is None or one.span is None:
             return None
         faulty[id(found)] = found
@@ -48,25 +48,41 @@ def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
     return FaultlessPart(checked.program, tuple(replaced))
 
 
-def _statement_at(files: Sequence[tree.File], span: Span) -> tree.Statement | None:
-    """The assignment or call that a place stands in, if it writes nothing of its routine alone."""
-    for file in files:
-        for module in file.modules:
-            for routine in module.routines if module.source is span.source else ():
-                if routine.start <= span.start < routine.end:
-                    return _in_routine(routine, span)
-    return None
+class _SimpleStatements:
+    """The assignments and calls of a file, by place."""
+
+    def __init__(self, file: tree.File) -> None:
+        """Collect them in order, each with its routine."""
+        routines = [routine for module in file.modules for routine in module.routines]
+        found = [
+            (statement, routine)
+            for routine in routines
+            for statement in statements(*clauses(routine))
+            if isinstance(statement, tree.Assignment | tree.Call)
+        ]
+        self._found = sorted(found, key=lambda pair: pair[0].start)
+        self._starts = [statement.start for statement, _ in self._found]
+        self._own_names: dict[int, frozenset[str]] = {}
+
+    def around(self, span: Span) -> tree.Statement | None:
+        """The statement that a place is in, if it writes nothing of its routine alone."""
+        position = bisect_right(self._starts, span.start) - 1
+        if position < 0:
+            return None
+        statement, routine = self._found[position]
+        if span.start >= statement.end:
+            return None
+        own = self._own_names.get(id(routine))
+        if own is None:
+            own = self._own_names[id(routine)] = _own_names(routine)
+        named = (node for node in descendants(statement) if isinstance(node, tree.Reference))
+        return None if any(node.name.key in own for node in named) else statement
 
 
-def _in_routine(routine: tree.RoutineNode, span: Span) -> tree.Statement | None:
-    own = {node.name.key for node in descendants(routine) if isinstance(node, tree.Data)}
-    own |= {node.name.key for node in descendants(routine) if isinstance(node, tree.Parameter)}
-    for statement in statements(*clauses(routine)):
-        simple = isinstance(statement, tree.Assignment | tree.Call)
-        if simple and statement.start <= span.start < statement.end:
-            named = (node for node in descendants(statement) if isinstance(node, tree.Reference))
-            return None if any(node.name.key in own for node in named) else statement
-    return None
+def _own_names(routine: tree.RoutineNode) -> frozenset[str]:
+    """The folded names of the data and parameters of a routine."""
+    declared = (tree.Data, tree.Parameter)
+    return frozenset(node.name.key for node in descendants(routine) if isinstance(node, declared))
 
 
 def _unknown_call(statement: tree.Statement) -> tree.LateCall:

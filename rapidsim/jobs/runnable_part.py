@@ -63,7 +63,7 @@ def _missing(violation: Violation) -> tuple[str, str | None] | None:
     match violation:
         case UnresolvedReference(undefined=name):
             return name, None
-        case UnseenName(undefined=name, is_data=True):
+        case UnseenName(undefined=name, kind="data"):
             return name, violation.message
         case ComponentOfUnknownType(record=record, type_name=type_name, component=component):
             why = f"`{record}` is {type_name}, whose declaration is missing"

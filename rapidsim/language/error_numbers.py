@@ -255,36 +255,39 @@ _NAMES = {number: name for name, number in NUMBERS.items()}
 
 EVENTS: Mapping[float, int] = MappingProxyType(
     {
+        # As a run meets them; loading a program has numbers of its own for 40155 to 40170.
+        ERR_ARGNOTPER: 40155,
+        ERR_ARGNOTVAR: 40156,
+        ERR_CNTNOTVAR: 40157,
+        ERR_MAXINTVAL: 40158,
+        ERR_NOTINTVAL: 40159,
+        ERR_REFUNKDAT: 40165,
+        ERR_REFUNKFUN: 40166,
+        ERR_REFUNKPRC: 40168,
+        ERR_REFUNKTRP: 40170,
         ERR_ALRDYCNT: 40191,
         ERR_ARGDUPCND: 40192,
-        ERR_ARGNOTPER: 40123,
-        ERR_ARGNOTVAR: 40124,
         ERR_CALLPROC: 40193,
-        ERR_CNTNOTVAR: 40125,
         ERR_DIVZERO: 40194,
         ERR_EXCRTYMAX: 40195,
         ERR_EXECPHR: 40196,
         ERR_FNCNORET: 40197,
-        ERR_ILLDIM: 40241,
         ERR_ILLQUAT: 40198,
         ERR_ILLRAISE: 40199,
-        ERR_INOISSAFE: 40246,
         ERR_INOMAX: 40200,
-        ERR_MAXINTVAL: 40126,
-        ERR_NOTARR: 40242,
         ERR_NOTEQDIM: 40202,
-        ERR_NOTINTVAL: 40127,
         ERR_NOTPRES: 40203,
         ERR_OUTOFBND: 40204,
-        ERR_REFUNKDAT: 40128,
-        ERR_REFUNKFUN: 40129,
-        ERR_REFUNKPRC: 40130,
-        ERR_REFUNKTRP: 40131,
         ERR_STRTOOLNG: 40205,
+        ERR_ILLDIM: 40241,
+        ERR_NOTARR: 40242,
         ERR_UNKINO: 40243,
+        ERR_INOISSAFE: 40246,
     }
 )
 """The controller's event number for the errors that have one."""
+_UNHANDLED_RAISE: Final = 40229
+"""The event of an error that a program raised itself and no clause handles."""
 
 MAX_RETRIES: Final = 4
 """The controller's system parameter No Of Retry as it is delivered."""
@@ -306,13 +309,18 @@ def rapid_error(errno: float, message: str, *, name: str | None = None) -> Rapid
         message: One line for the user: what is wrong and by how much.
         name: The number as the program writes it.
     """
-    event = EVENTS.get(errno)
-    return RapidError(errno, message, cf=None if event is None else f"ABB {event}", name=name)
+    return RapidError(errno, message, cf=event_of(errno), name=name)
 
 
 def name_of(error: RapidError) -> str:
     """The name of an error's number: RAPID's, else the program's, else the number as text."""
     return _NAMES.get(error.errno) or error.name or f"{error.errno:g}"
+
+
+def event_of(errno: float) -> str | None:
+    """The controller's event for an error, such as `ABB 40194`; None if it is not known."""
+    event = EVENTS.get(errno) if errno in _NAMES else _UNHANDLED_RAISE
+    return None if event is None else f"ABB {event}"
 
 
 def named(error: RapidError) -> str:

@@ -1,8 +1,8 @@
-"""Words of other robot languages, and what RAPID calls the same."""
+"""Words of other robot languages, or that look like RAPID, and what RAPID calls the same."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from types import MappingProxyType
 
 _OF_OTHER_LANGUAGES: Mapping[str, str] = MappingProxyType(
@@ -29,11 +29,55 @@ _OF_OTHER_LANGUAGES: Mapping[str, str] = MappingProxyType(
         "pose_inv": "PoseInv",
         "to_str": "ValToStr",
         "str": "ValToStr",
+        # Words that RAPID might have had
+        **dict.fromkeys(("moveptp", "movejoint", "movejoints"), "MoveJ"),
+        **dict.fromkeys(("movelin", "movelinear", "moveline"), "MoveL"),
+        **dict.fromkeys(("movecirc", "movecircular", "movearc"), "MoveC"),
+        **dict.fromkeys(("setdigitalout", "setdigitaloutput", "setoutput"), "SetDO"),
+        **dict.fromkeys(("setanalogout", "setanalogoutput"), "SetAO"),
+        **dict.fromkeys(("setgroupout", "setgroupoutput"), "SetGO"),
+        **dict.fromkeys(("waitdigital", "waitinput", "waitdigitalinput"), "WaitDI"),
+        **dict.fromkeys(("waitsec", "waitseconds", "waitms"), "WaitTime"),
+        **dict.fromkeys(("tpwriteline", "tpprint", "writeline"), "TPWrite"),
+        **dict.fromkeys(("length", "len", "strlength"), "StrLen"),
+        **dict.fromkeys(("substr", "substring"), "StrPart"),
+        **dict.fromkeys(("inttostr", "numtostring", "tostring"), "NumToStr"),
+        **dict.fromkeys(("sqroot", "squareroot"), "Sqrt"),
+        "resetdo": "Reset",
+        "currentpos": "CRobT",
     }
 )
-"""Folded words of other robot languages, and RAPID's routine for the same."""
+"""By folded word, RAPID's routine for the same."""
 
 
 def rapid_word_for(key: str) -> str | None:
-    """RAPID's routine for a folded word of another robot language; None for other words."""
+    """RAPID's routine for a folded word that it does not have; None if unknown."""
     return _OF_OTHER_LANGUAGES.get(key)
+
+
+_OPTIONS: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        **dict.fromkeys(("workobj", "workobject", "wobject", "frame", "base"), ("wobj",)),
+        **dict.fromkeys(("timeout", "maxwait", "maximumtime"), ("maxtime",)),
+        **dict.fromkeys(("inposition", "inpos", "fine"), ("inpos",)),
+        **dict.fromkeys(("load", "payload", "toolload"), ("tload",)),
+        **dict.fromkeys(("velocity", "speed", "vel"), ("v", "speed")),
+        **dict.fromkeys(("duration", "seconds"), ("t", "time")),
+        **dict.fromkeys(("delay", "wait"), ("sdelay",)),
+        **dict.fromkeys(("number", "value"), ("num",)),
+        **dict.fromkeys(("length", "pulse", "width"), ("plength",)),
+        **dict.fromkeys(("concurrent", "async", "asynchronous"), ("conc",)),
+    }
+)
+"""By folded word, the options that may be meant by it."""
+
+
+def option_for(key: str, known: Collection[str]) -> str | None:
+    r"""The option of a routine that a folded word means, as it is written, such as `\WObj`.
+
+    Args:
+        key: The word.
+        known: The options of the routine.
+    """
+    meant = _OPTIONS.get(key, ())
+    return next((one for one in known if one.lstrip("\\").lower() in meant), None)

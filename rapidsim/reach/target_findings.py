@@ -76,7 +76,7 @@ def unreachable_findings(
         name, span = target_text(program, known), target_span(program, known)
         if posed.to_axes[row]:
             why = _over(robot, posed.axes[row])
-            found = JointOutOfRange(name, robot.title, why)
+            found = JointOutOfRange(name, robot.title, why, is_of_joints=True)
             yield Diagnostic(found, span, routine=known.routine)
             continue
         pose = posed.base_from_flange[row]

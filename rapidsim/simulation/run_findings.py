@@ -31,7 +31,7 @@ from rapidsim.findings.runs import (
 )
 from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
 from rapidsim.language.error_answers import AnsweredError, ErrorOutcome
-from rapidsim.language.error_numbers import name_of, named
+from rapidsim.language.error_numbers import event_of, name_of, named
 from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
@@ -62,7 +62,7 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
     violation = error.violation if isinstance(error, NotReachableError) else None
     if span.line == place.span.line and span.file == place.span.file:
         span = place.span
-    told = violation or UncaughtError(named(error))
+    told = violation or UncaughtError(named(error), error.cf or event_of(error.errno))
     return Diagnostic(told, span, callers, routine=routine)
 
 

@@ -380,7 +380,7 @@ def test_a_task_of_the_background_hears_of_what_stops_another(tmp_path: Path) ->
     assert live.value("heard", "T_BACK") == '"80001 lost;"'
     live.after(1.0)
     assert not live.controller.executes
-    assert live.value("heard", "T_BACK") == '"80001 lost;40000 T_ROB1;"'
+    assert live.value("heard", "T_BACK") == '"80001 lost;40194 T_ROB1;"'
 
 
 def test_the_pointer_to_main_closes_the_files_of_its_task_only(tmp_path: Path) -> None:

@@ -13,6 +13,13 @@ class NotConstant(Violation, code="T311"):
 
 class BadArraySize(Violation, code="T317"):
     problem: str
+    fault: str
+    """`size`, `dimensions` or `not constant`."""
+
+    @property
+    def case(self) -> str:
+        """By what is wrong."""
+        return self.fault
 
 
 class BadAlias(Violation, code="T319"):
@@ -26,6 +33,15 @@ class BadParameterType(Violation, code="T320"):
     type: str
     why: str
 
+    @property
+    def case(self) -> str:
+        """By the reason, and whether it is about a switch."""
+        if self.type != "switch":
+            return "no value"
+        if "optional" in self.why:
+            return "required switch"
+        return "mode of a switch"
+
 
 class MissingInitialValue(Violation, code="T321"):
     constant: str
@@ -34,3 +50,10 @@ class MissingInitialValue(Violation, code="T321"):
 class CircularDefinition(Violation, code="T322"):
     defined: str
     circle: str
+    kind: str = "value"
+    """`value` of constants, `record` or `alias`."""
+
+    @property
+    def case(self) -> str:
+        """By what is defined."""
+        return self.kind

@@ -14,6 +14,13 @@ class UndefinedName(Violation, code="N201"):
     """Whether the task takes in other modules while it runs."""
     may_be_signal: bool = False
     """Whether it stands where the value of a signal may."""
+    kind: str = "data"
+    """`data` or `trap`."""
+
+    @property
+    def case(self) -> str:
+        """By what is missing."""
+        return self.kind
 
     @property
     def help(self) -> str:
@@ -34,14 +41,19 @@ class UnseenName(Violation, code="N216"):
     undefined: str
     modules: tuple[str, ...]
     nearest: str | None = None
-    is_data: bool = True
-    """Whether it is data, at which a run ends; it goes on without types and routines."""
+    kind: str = "data"
+    """`data`, at which a run ends; `procedure`, `function` or `data type` do not end it."""
+
+    @property
+    def case(self) -> str:
+        """By what is missing."""
+        return self.kind
 
     @property
     def help(self) -> str:
         """Where it may be declared, or which name may be meant."""
         where = f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
-        if not self.is_data:
+        if self.kind != "data":
             where += "; a run goes on without it"
         return f"{where}; or did you mean `{self.nearest}`?" if self.nearest else where
 
@@ -54,12 +66,18 @@ class DuplicateName(Violation, code="N202"):
     duplicate: str
     where: str = ""
     between_modules: bool = False
-    is_module: bool = False
+    kind: str = ""
+    """What has the name a second time, in the words of rule.toml."""
+
+    @property
+    def case(self) -> str:
+        """By what has the name."""
+        return self.kind
 
     @property
     def help(self) -> str:
         """What tells the names apart."""
-        if self.is_module:
+        if self.kind == "module":
             return (
                 "files named together form one task: leave out the copy, or name "
                 "each program by itself"
@@ -101,11 +119,10 @@ class UnknownRoutine(Violation, code="N209"):
         return Severity.WARNING if self.instead else Severity.ERROR
 
     @property
-    def cf(self) -> str:
-        """The event of loading the program, or of reaching the call."""
-        if self.instead == STOPS_THERE:
-            return "ABB 40166" if self.is_function else "ABB 40168"
-        return "ABB 40129" if self.is_function else "ABB 40130"
+    def case(self) -> str:
+        """Found when the program is loaded, or when it reaches the call."""
+        kind = "function" if self.is_function else "procedure"
+        return f"{kind}, reached" if self.instead == STOPS_THERE else kind
 
     @property
     def message(self) -> str:
@@ -116,7 +133,7 @@ class UnknownRoutine(Violation, code="N209"):
     def help(self) -> str:
         """Which routine may be meant, or where it may be declared."""
         if self.foreign:
-            return f"RAPID's routine for this is `{self.foreign}`"
+            return f"did you mean `{self.foreign}`, RAPID's word for it?"
         if self.loads_modules:
             return self._help_on_loading()
         if self.instead == STOPS_THERE:
@@ -166,6 +183,11 @@ class WrongKind(Violation, code="N211"):
     wanted: str
     cure: str = ""
 
+    @property
+    def case(self) -> str:
+        """By what is wanted."""
+        return self.wanted.removeprefix("a ")
+
 
 class ComponentOfUnknownType(Violation, code="N215"):
     record: str
@@ -190,6 +212,14 @@ class UnknownComponent(Violation, code="N212"):
 class MisplacedScope(Violation, code="N213"):
     word: str
     data: str
+    storage: str = "VAR"
+
+    @property
+    def case(self) -> str:
+        """By the word, and for LOCAL by the data."""
+        if self.word == "LOCAL":
+            return "constant" if self.storage == "CONST" else "variable"
+        return "persistent" if self.word == "PERS" else self.word
 
     @property
     def help(self) -> str:

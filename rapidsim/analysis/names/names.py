@@ -123,7 +123,9 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
     return None
 
 
-def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool = False) -> None:
+def report_undefined(
+    name: tree.Name, context: Context, *, may_be_signal: bool = False, kind: str = "data"
+) -> None:
     """Report an undeclared name, unless its declaration may be in unread text."""
     analysis = context.analysis
     if analysis.may_be_unread(name.key):
@@ -138,7 +140,8 @@ def report_undefined(name: tree.Name, context: Context, *, may_be_signal: bool =
         analysis.runs = False
         return
     reserved = nearest in reserved_words()
-    violation = UndefinedName(name.text, nearest, reserved, analysis.loads_modules, may_be_signal)
+    loads = analysis.loads_modules
+    violation = UndefinedName(name.text, nearest, reserved, loads, may_be_signal, kind)
     context.report(violation, name, fix=context.respelling(name, nearest))
 
 
@@ -228,9 +231,11 @@ def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> Un
     if name.text.startswith("<"):
         context.report(UnfinishedCode(name.text), name)
         return analysis.unknown_symbol(name.text)
-    nearest = _nearest_routine(name, context, function=function)
+    foreign = rapid_word_for(name.key)
+    nearest = None if foreign else _nearest_routine(name, context, function=function)
+    kind = "function" if function else "procedure"
     if cell.unseen:
-        context.report(UnseenName(name.text, cell.unseen, nearest, False), name)
+        context.report(UnseenName(name.text, cell.unseen, nearest, kind), name)
         return analysis.unknown_symbol(name.text)
     instead = ""
     if analysis.loads_modules and (cell.assumes or cell.refers_late):
@@ -240,7 +245,6 @@ def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> Un
     elif cell.assumes:
         instead = SKIPS
     reserved = nearest in reserved_words()
-    foreign = None if nearest else rapid_word_for(name.key)
     violation = UnknownRoutine(
         name.text, nearest, instead, reserved, function, foreign, analysis.loads_modules
     )

@@ -75,7 +75,8 @@ class UserTypes:
         if node in self._building:
             circle = [*self._building[self._building.index(node) :], node]
             names = " -> ".join(part.name.text for part in circle)
-            context.report(CircularDefinition(node.name.text, names), node.name)
+            kind = "record" if isinstance(node, tree.RecordType) else "alias"
+            context.report(CircularDefinition(node.name.text, names, kind), node.name)
             return Atomic(node.name.text)
         self._building.append(node)
         if isinstance(node, tree.RecordType):
@@ -96,7 +97,8 @@ class UserTypes:
             if key in components:
                 first = Related(context.module.span(places[key]), "the first one is here")
                 where = f" in `{node.name.text}`"
-                context.report(DuplicateName(field.name.text, where), field.name, first)
+                violation = DuplicateName(field.name.text, where, kind="component")
+                context.report(violation, field.name, first)
                 continue
             of = self.named(field.type, context)
             components[key] = Component(field.name.text, of)
@@ -134,7 +136,7 @@ class UserTypes:
         nearest = context.analysis.find_nearest(name, (context.module, UnknownType), known)
         cell = context.analysis.cell
         if cell.unseen:
-            context.report(UnseenName(name.text, cell.unseen, nearest, False), name)
+            context.report(UnseenName(name.text, cell.unseen, nearest, "data type"), name)
             return
         allowed = cell.assumes or cell.refers_late
         fix = context.respelling(name, nearest)

@@ -96,12 +96,13 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
         match node, routine:
             case tree.Return(value=None), tree.Func(name=name, type=of):
                 problem = f"RETURN gives no value, and `{name.text}` is a function"
-                context.report(ReturnValue(problem, f"return a value of type {of.text}"), node)
+                cure = f"return a value of type {of.text}"
+                context.report(ReturnValue(problem, cure, gives_value=False), node)
             case tree.Return(value=tree.Node()), tree.Proc() | tree.Trap():
                 kind = "procedure" if isinstance(routine, tree.Proc) else "trap"
                 problem = f"RETURN gives a value, and `{routine.name.text}` is a {kind}"
                 cure = "leave out the value" + (", or make it a FUNC" if kind[0] == "p" else "")
-                context.report(ReturnValue(problem, cure), node)
+                context.report(ReturnValue(problem, cure, gives_value=True), node)
             case _:
                 pass
     if isinstance(routine, tree.Func) and _goes_on(routine.body, context.analysis.symbol_of):
@@ -226,7 +227,7 @@ def _check_jumps(
             if label is not None:
                 problem = f"GOTO cannot jump to `{name.text}`, which is inside another block"
                 place = Related(context.module.span(label.name), "the label is here")
-                context.report(GotoTarget(problem), name, place)
+                context.report(GotoTarget(problem, is_unknown=False), name, place)
             else:
                 known = (one.name.text for one in all_labels.values())
                 nearest = context.analysis.find_nearest(name, (context.routine, "label"), known)

@@ -97,7 +97,7 @@ def declare_data(
     sizes = tuple(_size(dimension, node, context) for dimension in node.dimensions)
     if len(sizes) > MAX_DIMENSIONS:
         problem = f"`{node.name.text}` has {len(sizes)} dimensions; an array has at most 3"
-        context.report(BadArraySize(problem), node.name)
+        context.report(BadArraySize(problem, "dimensions"), node.name)
     if of in (types.SWITCH, types.ANYTYPE):
         why = "it is a type of parameters only"
         context.report(BadParameterType(node.name.text, of.name, why), node.type)
@@ -105,7 +105,7 @@ def declare_data(
         scope = Scope.ROUTINE
         for word in (node.scope, node.storage if node.storage == "PERS" else None):
             if word is not None:
-                context.report(MisplacedScope(word, node.name.text), node)
+                context.report(MisplacedScope(word, node.name.text, node.storage), node)
     else:
         scope = {"LOCAL": Scope.LOCAL, "TASK": Scope.TASK}.get(node.scope or "", Scope.GLOBAL)
     complete = _array(of, sizes) if sizes else of
@@ -123,17 +123,17 @@ def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes)
     for parameter in routine.parameters:
         first = names.setdefault(parameter.name.lower(), parameter)
         if first is not parameter:
-            _report_duplicate(parameter.node.name, first, context)
+            _report_duplicate(parameter.node.name, first, context, "parameter")
     node = routine.node
     for part in statements(*clauses(node)):
         if isinstance(part, tree.Data):
             symbol = declare_data(part, context, user_types, local=True)
             first_symbol = names.setdefault(part.name.key, symbol)
             if first_symbol is not symbol:
-                _report_duplicate(part.name, first_symbol, context)
+                _report_duplicate(part.name, first_symbol, context, f"local {_kind(part)}")
     for part in statements(*clauses(node)):
         if isinstance(part, tree.Label) and part.name.key in names:
-            _report_duplicate(part.name, names[part.name.key], context)
+            _report_duplicate(part.name, names[part.name.key], context, "label")
     return context
 
 
@@ -147,7 +147,7 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
         # A name that could not be read is told, and no other name.
         if first_home is not home and home.module.name.key:
             place = first_home.module.span(first_home.module.name)
-            violation = DuplicateName(home.module.name.text, " as a module", is_module=True)
+            violation = DuplicateName(home.module.name.text, " as a module", kind="module")
             home.report(violation, home.module.name, Related(place, "the first one is here"))
         own: dict[str, Declaration] = {}
         for node in home.module.items:
@@ -156,40 +156,55 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
             name = node.name
             if isinstance(node, tree.Routine) and name.key == home.module.name.key:
                 place = home.module.span(home.module.name)
-                violation = DuplicateName(name.text, ", as the module and as a routine in it")
+                where = ", as the module and as a routine in it"
+                violation = DuplicateName(name.text, where, kind="global routine")
                 home.report(violation, name, Related(place, "the module is here"))
             if name.text.startswith("<"):
                 home.report(UnfinishedDeclaration(name.text), name)
                 continue
             here = own.setdefault(name.key, node)
             if here is not node:
-                _report_declared_here(name, here, home, home)
+                _report_declared_here(node, here, home, home)
                 continue
             if node.scope != "LOCAL":
                 other, there = shared.setdefault(name.key, (home, node))
                 if there is not node:
                     # Of two copies of a module all names are the same; it is told once.
                     if other.module.name.key != home.module.name.key:
-                        _report_declared_here(name, there, other, home)
+                        _report_declared_here(node, there, other, home)
                     continue
             accepted.append((home, node))
     return accepted
 
 
 def _report_declared_here(
-    name: tree.Name, first: Declaration, first_home: Context, home: Context
+    node: Declaration, first: Declaration, first_home: Context, home: Context
 ) -> None:
     between = first_home is not home
     where = f", in `{first_home.module.name.text}` and in `{home.module.name.text}`"
-    violation = DuplicateName(name.text, where if between else "", between)
+    kind = f"{'local' if node.scope == 'LOCAL' else 'global'} {_kind(node)}"
+    violation = DuplicateName(node.name.text, where if between else "", between, kind)
     place = first_home.module.span(first.name)
-    home.report(violation, name, Related(place, "the first one is here"))
+    home.report(violation, node.name, Related(place, "the first one is here"))
 
 
-def _report_duplicate(name: tree.Name, first: Symbol, context: Context) -> None:
+def _kind(node: Declaration) -> str:
+    match node:
+        case tree.Data(storage=storage):
+            return {"CONST": "constant", "PERS": "persistent"}.get(storage, "variable")
+        case tree.RecordType():
+            return "record"
+        case tree.AliasType():
+            return "alias"
+        case _:
+            return "routine"
+
+
+def _report_duplicate(name: tree.Name, first: Symbol, context: Context, kind: str) -> None:
     routine = context.routine
     where = f" in `{routine.name}`" if routine else ""
-    context.report(DuplicateName(name.text, where), name, *context.declaration(first))
+    violation = DuplicateName(name.text, where, kind=kind)
+    context.report(violation, name, *context.declaration(first))
 
 
 def _enter(symbol: Symbol, is_local: bool, home: Context) -> None:
@@ -239,7 +254,7 @@ def _declare_parameter(
         context.report(BadParameterType(node.name.text, of.name, why), node.type)
     if node.dimensions > MAX_DIMENSIONS:
         problem = f"`{node.name.text}` has {node.dimensions} dimensions; an array has at most 3"
-        context.report(BadArraySize(problem), node.name)
+        context.report(BadArraySize(problem, "dimensions"), node.name)
     complete = _array(of, (None,) * node.dimensions) if node.dimensions else of
     symbol = ParameterSymbol(
         node.name.text, complete, mode, optional, of == types.SWITCH, node, group
@@ -282,11 +297,13 @@ def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int 
         return None
     number = constant_number(dimension, context)
     written = context.module.span(dimension).text
+    fault = "size"
     if number is None:
+        fault = "not constant"
         problem = f"the size `{written}` of `{node.name.text}` is not a constant number"
     elif not 1 <= number <= MAX_SIZE or number != int(number):
         problem = f"the size of `{node.name.text}` is {number:g}, not a whole number from 1 up"
     else:
         return int(number)
-    context.report(BadArraySize(problem), dimension)
+    context.report(BadArraySize(problem, fault), dimension)
     return None

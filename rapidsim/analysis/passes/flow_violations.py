@@ -17,6 +17,13 @@ class MissingReturn(Violation, code="F404"):
 class GotoTarget(Violation, code="F405"):
     problem: str
     nearest: str | None = None
+    is_unknown: bool = True
+    """Whether the routine has no such label; else it is inside another block."""
+
+    @property
+    def case(self) -> str:
+        """No label, or one inside another block."""
+        return "unknown" if self.is_unknown else "inside a block"
 
     @property
     def help(self) -> str | None:
@@ -26,6 +33,11 @@ class GotoTarget(Violation, code="F405"):
 
 class RaiseRetryPlacement(Violation, code="F406"):
     statement: str
+
+    @property
+    def case(self) -> str:
+        """By the statement."""
+        return self.statement.partition(" ")[0]
 
     @property
     def help(self) -> str | None:
@@ -42,9 +54,20 @@ class ContinueOutsideLoop(Violation, code="F419"):
 class ReturnValue(Violation, code="F415"):
     problem: str
     cure: str
+    gives_value: bool
+
+    @property
+    def case(self) -> str:
+        """A value too much, or none."""
+        return "value" if self.gives_value else "no value"
 
 
 class BadConnect(Violation, code="F416"):
     wanted: str
     given: str
     kind: str
+
+    @property
+    def case(self) -> str:
+        """The interrupt variable, or the trap."""
+        return "trap" if "TRAP" in self.wanted else "variable"

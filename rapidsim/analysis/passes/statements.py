@@ -175,7 +175,7 @@ def _check_connect(statement: tree.Connect, context: Context) -> None:
         return
     routine = find(trap.key, context)
     if routine is None:
-        report_undefined(trap, context)
+        report_undefined(trap, context, kind="trap")
     elif isinstance(routine, RoutineSymbol) and isinstance(routine.node, tree.Trap):
         context.analysis.symbol_of[statement] = routine
     elif not isinstance(routine, ParameterSymbol):

@@ -138,7 +138,7 @@ def _parts(target: Record | ArrayOf, count: int, by: str) -> Sequence[Type] | Re
         return [component.type for component in target.components]
     size, *inner = target.dimensions
     if size is not None and count != size:
-        return RecordShape(by, size, count, f"elements of {target.name}")
+        return RecordShape(by, size, count, f"elements of {target.name}", is_array=True)
     of: Type = ArrayOf(target.element, tuple(inner)) if inner else target.element
     return [of] * count
 

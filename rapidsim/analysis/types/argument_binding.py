@@ -21,6 +21,7 @@ from rapidsim.analysis.types.callees import callee_of
 from rapidsim.analysis.types.data_paths import type_of_data
 from rapidsim.language import types
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.library.other_languages import option_for
 from rapidsim.syntax import tree
 
 Bound: TypeAlias = tuple[tree.Argument, Formal]
@@ -62,11 +63,13 @@ def bind(
             formal = formals[position]
             if formal.key in filled:
                 problem = f"`{formal.spelled}` of `{callee.name}` is given twice"
-                context.report(BadOption(problem, "leave one of them out"), argument)
+                context.report(BadOption(problem, "twice", "leave one of them out"), argument)
                 continue
             if _is_misplaced(position, next_required, formals):
                 problem = f"`{formal.spelled}` of `{callee.name}` is in the wrong place"
-                context.report(BadArguments(problem, callee.order), argument, *callee.declared)
+                fault = f"{'optional' if formal.optional else 'required'} argument"
+                violation = BadArguments(problem, fault, callee.order)
+                context.report(violation, argument, *callee.declared)
             if not formal.optional:
                 next_required = max(next_required, position + 1)
         filled.add(formal.key)
@@ -75,12 +78,14 @@ def bind(
     if positional:
         count = sum(not formal.optional for formal in formals)
         problem = f"`{callee.name}` takes {_counted(count)}, {count + len(positional)} given"
-        context.report(BadArguments(problem, callee.order), positional[0], *callee.declared)
+        violation = BadArguments(problem, "too many", callee.order)
+        context.report(violation, positional[0], *callee.declared)
     missing = [f for f in formals if not f.optional and f.key not in filled]
     if missing:
         names = " and ".join(f"`{formal.name}`" for formal in missing)
         problem = f"the call of `{callee.name}` lacks {names}"
-        context.report(BadArguments(problem, callee.order), call, *callee.declared)
+        violation = BadArguments(problem, "too few", callee.order)
+        context.report(violation, call, *callee.declared)
     return bound, extra
 
 
@@ -96,7 +101,7 @@ def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | N
         return None
     known = tuple(f.spelled for f in callee.parameters if f.optional == optional)
     mark = "\\" if optional else ""
-    nearest = closest(mark + name.text, known)
+    nearest = closest(mark + name.text, known) or (optional and option_for(name.key, known)) or None
     kind = "option" if optional else "parameter"
     violation = UnknownArgument(callee.name, kind, mark + name.text, nearest, known)
     context.report(violation, name, *callee.declared)

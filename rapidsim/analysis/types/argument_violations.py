@@ -7,8 +7,15 @@ from rapidsim.diagnostics import Violation
 
 class BadArguments(Violation, code="T302"):
     problem: str
+    fault: str
+    """`too few`, `too many`, or which argument is in the wrong place."""
     order: str = ""
     """The call as it is declared."""
+
+    @property
+    def case(self) -> str:
+        """By what is wrong."""
+        return self.fault
 
     @property
     def help(self) -> str | None:
@@ -20,6 +27,11 @@ class BadArgumentMode(Violation, code="T303"):
     by: str
     wanted: str
     found: str
+
+    @property
+    def case(self) -> str:
+        """By what is wanted."""
+        return self.wanted.removeprefix("a ").replace("or a ", "or ")
 
     @property
     def help(self) -> str | None:
@@ -37,6 +49,11 @@ class UnknownArgument(Violation, code="T312"):
     known: tuple[str, ...]
 
     @property
+    def case(self) -> str:
+        """By the kind of the argument."""
+        return self.argument_kind
+
+    @property
     def help(self) -> str | None:
         """The nearest argument, or all of them."""
         if self.nearest:
@@ -46,7 +63,14 @@ class UnknownArgument(Violation, code="T312"):
 
 class BadOption(Violation, code="T315"):
     problem: str
+    fault: str
+    """In the words of rule.toml."""
     cure: str = ""
+
+    @property
+    def case(self) -> str:
+        """By what is wrong."""
+        return self.fault
 
 
 class PersistentElement(Violation, code="T323"):

@@ -94,7 +94,7 @@ def _check_arguments(
             if other is not argument and not both_conditional:
                 names = [f"`{f.spelled}`" for a, f in bound if f.group == formal.group]
                 problem = f"{' and '.join(names)} of `{callee.name}` exclude each other"
-                context.report(BadOption(problem, "give one of them"), argument)
+                context.report(BadOption(problem, "exclusive", "give one of them"), argument)
         match argument:
             case tree.Required(value=value):
                 kind = (
@@ -138,12 +138,13 @@ def _check_option(
     if formal.is_switch:
         if value is not None:
             problem = f"`{formal.spelled}` is a switch and takes no value"
-            context.report(BadOption(problem, f"write `{formal.spelled}` alone"), argument)
+            cure = f"write `{formal.spelled}` alone"
+            context.report(BadOption(problem, "switch", cure), argument)
             type_of(value, context, None)
     elif value is None:
         problem = f"`{formal.spelled}` lacks its value"
         cure = f"write `{formal.spelled}:=` and a value of type {formal.types[0].name}"
-        context.report(BadOption(problem, cure), argument)
+        context.report(BadOption(problem, "no value", cure), argument)
     else:
         check_argument(value, formal, context, type_of)
 
@@ -157,4 +158,5 @@ def _check_conditional(argument: tree.Conditional, context: Context) -> None:
     name = argument.present.text
     problem = f"`{name}` is not an optional parameter of this routine"
     cure = f"give the value itself, `\\{argument.name.text}:={name}`"
-    context.report(BadOption(problem, cure), argument.present, *context.declaration(symbol))
+    violation = BadOption(problem, "conditional", cure)
+    context.report(violation, argument.present, *context.declaration(symbol))

@@ -25,12 +25,28 @@ _CONVERSIONS = {
 """The cure, by the type that is wanted and the type that is there."""
 
 
+_OPERATORS = {
+    **dict.fromkeys(("+", "-"), "+ and -"),
+    "*": "*",
+    **dict.fromkeys(("/", "DIV", "MOD"), "/, DIV and MOD"),
+    **dict.fromkeys(("=", "<>"), "= and <>"),
+    **dict.fromkeys(("<", ">", "<=", ">="), "< and >"),
+    "NOT": "NOT",
+    **dict.fromkeys(("AND", "OR", "XOR"), "AND, OR and XOR"),
+}
+
+
 class TypeMismatch(Violation, code="T301"):
     by: str
     wanted: str
     found: str
     configured: str = ""
     """The name that the configuration of the cell, and no module, gives that type."""
+
+    @property
+    def case(self) -> str:
+        """An aggregate, or any other value."""
+        return "aggregate" if self.found == "an aggregate" else "value"
 
     @property
     def help(self) -> str | None:
@@ -57,6 +73,14 @@ class RecordShape(Violation, code="T305"):
     wanted: int
     found: int
     parts: str
+    is_array: bool = False
+
+    @property
+    def case(self) -> str:
+        """An array, or a record with too few or too many components."""
+        if self.is_array:
+            return "array"
+        return "too few" if self.found < self.wanted else "too many"
 
 
 class ArrayIndexOutOfBounds(Violation, code="T306"):
@@ -70,12 +94,22 @@ class WrongOperands(Violation, code="T313"):
     operands: str
     cure: str = ""
 
+    @property
+    def case(self) -> str:
+        """By the operator."""
+        return _OPERATORS.get(self.operator.strip("`"), "sign")
+
 
 class NotAnArray(Violation, code="T314"):
     array: str
     type: str
     wanted: str
     found: int
+
+    @property
+    def case(self) -> str:
+        """No array, or another number of indices."""
+        return "no array" if self.wanted == "no indices" else "indices"
 
 
 class UntypedAggregate(Violation, code="T316"):
@@ -85,6 +119,11 @@ class UntypedAggregate(Violation, code="T316"):
 class NoValue(Violation, code="T318"):
     type: str
     used: str
+
+    @property
+    def case(self) -> str:
+        """By the use."""
+        return self.used if self.used in ("assigned", "compared", "tested") else "other"
 
 
 class NumberOutOfRange(Violation, code="T324"):

@@ -115,7 +115,7 @@ def require_limits(
     """
     over = excess_text(robot, np.concatenate([joints, external]))
     if over:
-        violation = JointOutOfRange(asked.name, robot.title, over)
+        violation = JointOutOfRange(asked.name, robot.title, over, is_of_joints=True)
         base_from_tcp = asked.request.placed.base_from_tcp(robot.kinematics, joints, external)
         journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
         raise MoveImpossible(violation)

@@ -100,7 +100,7 @@ class EventLog:
         Returns:
             What traps hear of it, in texts as long as a string of RAPID may be.
         """
-        given = _CF.search(found.violation.rule.cf or "")
+        given = _CF.search(found.violation.cf or "")
         where = f" ({found.file}, line {found.line})" if found.file else ""
         rule = found.violation.rule.name.replace("-", " ")
         code = int(given[0]) if given else _WITHOUT_NUMBER
