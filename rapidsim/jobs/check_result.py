@@ -59,8 +59,6 @@ class CheckResult:
             yield f"{len(others)} routine{'s' * (len(others) != 1)} not simulated"
         if unchecked := len(self.coverage.unchecked):
             yield f"{unchecked} of {self.coverage.moves} moves not checked"
-        if self.coverage.main_left_out:
-            yield f"main not run: {self.coverage.main_left_out}"
 
     @property
     def accepted(self) -> bool:

@@ -105,9 +105,9 @@ INVENTIONS = [
     (r"PickPart 10\Slwo", "T312", r"\Slow"),
     (r'TPWrite "a"\Number:=3', "T312", r"\Num"),
     # Arguments swapped, missing, too many
-    ("MoveL pPick,z10,v500,tGrip", "T301", None),
-    ("MoveL v500,pPick,z10,tGrip", "T301", None),
-    ("MoveL pPick,v500,tGrip,z10", "T301", None),
+    ("MoveL pPick,z10,v500,tGrip", "T302", None),
+    ("MoveL v500,pPick,z10,tGrip", "T302", None),
+    ("MoveL pPick,v500,tGrip,z10", "T302", None),
     ("SetDO 1,doGrip", "T301", None),
     ("WaitDI 1,diPart", "T301", None),
     ('TPWrite nParts,"a"', "T301", None),

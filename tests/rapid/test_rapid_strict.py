@@ -13,9 +13,6 @@ import rapidsim
 from rapidsim.jobs.run_files import ProgramRejectedError
 from rapidsim.simulation.results.verdict import run_verdict
 
-NEEDS_OUTSIDE = (
-    "main not run: main needs files, sockets, cameras or modules, which a check does not have"
-)
 RESERVATIONS = {
     "motion/arc_welding": "3 routines not simulated",
     "motion/arc_welding_left_out": "1 routine not simulated",
@@ -23,15 +20,10 @@ RESERVATIONS = {
     "motion/contact_and_lead_through": "2 routines not simulated",
     "motion/search_with_the_torch": "1 routine not simulated",
     "motion/spot_welding": "4 routines not simulated",
-    "motion/triggers_outside_limits": "2 of 3 moves not checked",
     "recovery/search_already_there": "1 of 2 moves not checked",
-    "modules/loaded": NEEDS_OUTSIDE,
-    "modules/read_meanwhile": NEEDS_OUTSIDE,
     "system/data_of_options": "1 routine not simulated",
     "system/facts_of_the_system": "1 routine not simulated",
     "system/pointer_not_moved": "1 routine not simulated",
-    "system/socket_states": NEEDS_OUTSIDE,
-    "system/text_table": NEEDS_OUTSIDE,
     "newer/pick_and_place": "1 routine not simulated",
 }
 """Programs that only a strict check rejects, and why."""
