@@ -9,8 +9,10 @@ from typing import ClassVar, Final
 from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.cell.description import Status
 from rapidsim.controller.journal.journal import Instant, Moment
+from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.motion.trajectory.trajectory import Trajectory
 
 _ROUNDING_S: Final = 1e-9
 
@@ -44,11 +46,18 @@ class StandstillOutputs:
         """When the robot stands [s] if nothing more is said."""
         if self._unit.own.guided is not None:
             return math.inf
-        return self._unit.queue.preview().duration
+        return self._preview().duration
+
+    def _preview(self) -> Trajectory:
+        """Motion if no further move is queued; what is fixed of it if a move cannot be made."""
+        try:
+            return self._unit.queue.preview()
+        except MotionError:
+            return self._unit.queue.trajectory
 
     def _starts_s(self) -> float:
         """When it first moves after it last came to rest [s]."""
-        path = self._unit.queue.preview()
+        path = self._preview()
         starts = *(one.start_time for one in path.pieces), *(one.start_s for one in path.guided)
         after = (start_s for start_s in starts if start_s >= self._stood_s - _ROUNDING_S)
         return min(after, default=self._stood_s)
