@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TypeAlias
+
 from rapidsim.values import dataclass
 
 
@@ -11,6 +13,22 @@ class At:
 
     file: str
     line: int
+
+
+Literal: TypeAlias = bool | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class ComponentChange:
+    """A component of a value that differs."""
+
+    component: str
+    """Such as `trans.x`; the parameter of an argument; "" for a value as a whole."""
+    old: Literal | None
+    """None where it is new."""
+    new: Literal | None
+    """None where it is gone."""
+    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +47,8 @@ class Change:
     """None where it is new."""
     new: At | None = None
     """None where it is gone."""
+    values: tuple[ComponentChange, ...] = ()
+    """The values before and after."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from rapidsim.comparison.cell_configuration import CellConfiguration
@@ -34,6 +35,8 @@ _BOUNDS = re.compile(r"(upper|lower)_(joint|check_point)_bound.*")
 _MAPS = ("devicemap", "unitmap")
 _SLIDING = ("TRACK", "EXT_LIN", "FREE_LIN")
 _SAME_TURN_DEG = 1e-6
+_MOST_COMPARED = 1_000_000
+"""Pairs of instances without a common name beyond which they are new and gone."""
 
 
 def configuration_changes(
@@ -76,9 +79,9 @@ class _Instance:
     """The attributes as they are written, by folded attribute."""
 
     @property
-    def keys(self) -> Mapping[str, object]:
-        """What the attributes mean."""
-        return {attribute: value.key for attribute, value in self.values.items()}
+    def content(self) -> object:
+        """Equal for instances that mean the same, whatever the order of their attributes."""
+        return frozenset((attribute, value.key) for attribute, value in self.values.items())
 
     @property
     def text(self) -> str:
@@ -151,26 +154,29 @@ def _type_changes(
     domain: str, kind: str, old: Sequence[_Instance], new: Sequence[_Instance]
 ) -> Iterator[ConfigurationChange]:
     """Changes of the instances of one type."""
-    gone, come = list(old), list(new)
-    for one in old:
-        twin = next((other for other in come if _is_same(one, other)), None)
-        if twin is not None:
-            gone.remove(one)
-            come.remove(twin)
-    for before, after in _pairs(gone, come):
-        gone.remove(before)
-        come.remove(after)
+    gone, come = _unequal(old, new), _unequal(new, old)
+    pairs = list(_pairs(gone, come))
+    for before, after in pairs:
         yield from _attribute_changes(domain, kind, before, after)
+    changed = {id(one) for pair in pairs for one in pair}
     for one in gone:
-        yield ConfigurationChange(domain, kind, _name(one), "", one.text, None)
+        if id(one) not in changed:
+            yield ConfigurationChange(domain, kind, _name(one), "", one.text, None)
     for one in come:
-        yield ConfigurationChange(domain, kind, _name(one), "", None, one.text)
+        if id(one) not in changed:
+            yield ConfigurationChange(domain, kind, _name(one), "", None, one.text)
 
 
-def _is_same(a: _Instance, b: _Instance) -> bool:
-    if a.values.keys() != b.values.keys():
-        return False
-    return all(_means_same(value, b.values[key]) for key, value in a.values.items())
+def _unequal(instances: Sequence[_Instance], others: Sequence[_Instance]) -> list[_Instance]:
+    """The instances without an equal one among others, each of which counts once."""
+    waiting = Counter(one.content for one in others)
+    left: list[_Instance] = []
+    for one in instances:
+        if waiting[one.content]:
+            waiting[one.content] -= 1
+        else:
+            left.append(one)
+    return left
 
 
 def _means_same(a: _Value | None, b: _Value | None) -> bool:
@@ -200,23 +206,26 @@ def _pairs(
     gone: Sequence[_Instance], come: Sequence[_Instance]
 ) -> Iterator[tuple[_Instance, _Instance]]:
     """Instances that are one, changed: of one name, or else those with most in common."""
-    left, waiting = list(gone), list(come)
+    named: dict[str, list[_Instance]] = {}
+    for one in reversed(come):
+        if one.name is not None:
+            named.setdefault(one.name.lower(), []).append(one)
+    left: list[_Instance] = []
+    taken: set[int] = set()
     for one in gone:
-        key = None if one.name is None else one.name.lower()
-        twin = next((x for x in waiting if key and x.name and x.name.lower() == key), None)
-        if twin is not None:
-            left.remove(one)
-            waiting.remove(twin)
-            yield one, twin
-    while True:
-        scored = [
-            (_in_common(a, b), -n, -m) for n, a in enumerate(left) for m, b in enumerate(waiting)
-        ]
-        best = max(scored, default=None)
-        if best is None or best[0] <= 0.0:
-            return
-        one, twin = left.pop(-best[1]), waiting.pop(-best[2])
-        yield one, twin
+        twins = [] if one.name is None else named.get(one.name.lower(), [])
+        if twins:
+            taken.add(id(twins[-1]))
+            yield one, twins.pop()
+        else:
+            left.append(one)
+    waiting = [one for one in come if id(one) not in taken]
+    if len(left) * len(waiting) > _MOST_COMPARED:
+        return
+    for one in left:
+        scores = [_in_common(one, other) for other in waiting]
+        if scores and max(scores) > 0.0:
+            yield one, waiting.pop(scores.index(max(scores)))
 
 
 def _in_common(a: _Instance, b: _Instance) -> float:

@@ -11,7 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import SequenceMatcher
 from typing import TypeVar
 
-from rapidsim.comparison.changes import Change
+from rapidsim.comparison.changes import Change, ComponentChange
+from rapidsim.comparison.components import changed_components
 from rapidsim.comparison.program_parts import Declaration, Line, Parts, Routine, folded, literal
 from rapidsim.comparison.values import difference, kind_of
 from rapidsim.comparison.world import object_in_world, target_in_world
@@ -124,11 +125,13 @@ def _data_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterato
                 yield Change(kind, one.name, text, old=before.at, new=one.at)
             continue
         if before is None:
-            yield Change(kind, one.name, f"added: {one.type}", new=one.at)
+            values = (ComponentChange("", None, one.text),)
+            yield Change(kind, one.name, f"added: {one.type}", new=one.at, values=values)
         elif folded(before.text, renamed) != folded(one.text) or before.type != one.type:
             where = _where(before, one, _objects_of(key, new), old, new)
             text = _said(before, one)
-            yield Change(kind, one.name, f"{text}{where}", old=before.at, new=one.at)
+            text = f"{text}{where}"
+            yield Change(kind, one.name, text, None, before.at, one.at, _components(before, one))
         elif before.folded != one.folded and folded(before.folded, renamed) != one.folded:
             text = f"{before.storage} {before.type} -> {one.storage} {one.type}"
             if before.storage == one.storage:
@@ -136,7 +139,15 @@ def _data_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterato
             yield Change(kind, one.name, text, old=before.at, new=one.at)
     for key, one in old.data.items():
         if key not in new.data and key.rpartition("/")[2] not in renamed:
-            yield Change(kind_of(one.type), one.name, f"removed: {one.type}", old=one.at)
+            values = (ComponentChange("", one.text, None),)
+            text = f"removed: {one.type}"
+            yield Change(kind_of(one.type), one.name, text, old=one.at, values=values)
+
+
+def _components(old: Declaration, new: Declaration) -> tuple[ComponentChange, ...]:
+    if old.type == new.type and old.value is not None and new.value is not None:
+        return changed_components(new.type, old.value, new.value)
+    return (ComponentChange("", old.text, new.text),)
 
 
 def _said(old: Declaration, new: Declaration) -> str:
@@ -241,9 +252,19 @@ def _is_frame(line: Line) -> bool:
 
 
 def _change(
-    routine: Routine, kind: str, name: str, text: str, old: Line | None, new: Line | None
+    routine: Routine,
+    kind: str,
+    name: str,
+    text: str,
+    old: Line | None,
+    new: Line | None,
+    values: tuple[ComponentChange, ...] | None = None,
 ) -> Change:
-    return Change(kind, name, text, routine.name, old.at if old else None, new.at if new else None)
+    places = old.at if old else None, new.at if new else None
+    if values is None:
+        lines = old.text if old else None, new.text if new else None
+        values = (ComponentChange("", *lines),)
+    return Change(kind, name, text, routine.name, *places, values)
 
 
 def _alike(left: Sequence[Line], right: Sequence[Line]) -> Iterator[tuple[Line, Line]]:
@@ -291,7 +312,8 @@ def _statement_changes(
             kind = _ARGUMENT_KINDS.get(name, "argument")
             how = _between(a.node, b.node, name, old, new)
             text = f"{b.node.name.text}: {x or 'nothing'} -> {y or 'nothing'}{how}"
-            yield _change(routine, kind, y or x or "", text, a, b)
+            values = (ComponentChange(name, x, y),)
+            yield _change(routine, kind, y or x or "", text, a, b, values)
         if told:
             return
     yield _change(routine, "statement", b.text, f"`{a.text}` -> `{b.text}`", a, b)

@@ -48,10 +48,7 @@ def difference(type_name: str, old: object, new: object) -> str | None:
             case "pose" | "pos" | "orient":
                 return _listed(_frame(type_name, old, new))
             case "speeddata":
-                pairs = zip(_SPEEDS, _row(old), _row(new), strict=True)
-                return _listed(
-                    [f"{n} {shown(a)} -> {shown(b)} {u}" for (n, u), a, b in pairs if a != b]
-                )
+                return _listed(_speed(_row(old), _row(new)))
             case "zonedata":
                 return _listed(_zone(old, new))
             case _:

@@ -242,6 +242,25 @@ def test_a_change_is_named_once(file: str, old: str, new: str, said: str, tmp_pa
     jsonschema.validate(report, json_schema("diff"))
     assert len(report["configuration"]) + len(report["changes"]) == len(named)
     assert report["same"] is False
+    for change in report["changes"]:
+        assert all(one["old"] != one["new"] for one in change["values"])
+        assert change["values"]
+
+
+def test_values_of_data_are_given_component_by_component(tmp_path: Path) -> None:
+    backup(tmp_path / "a", FILES)
+    text = MAIN.replace("[0,0,150]", "[0,5,160]").replace("p:=[[0,0,0]", "p:=[[0,0,2.5]")
+    backup(tmp_path / "b", {**FILES, RAPID: text.replace("v100", "v200")})
+    report = json.loads(call("diff", "a", "b", "--no-run", "--format", "json", cwd=tmp_path).out)
+    values = {change["name"]: change["values"] for change in report["changes"]}
+    assert values == {
+        "tGrip": [
+            {"component": "tframe.trans.y", "old": 0.0, "new": 5.0, "unit": "mm"},
+            {"component": "tframe.trans.z", "old": 150.0, "new": 160.0, "unit": "mm"},
+        ],
+        "p": [{"component": "trans.z", "old": 0.0, "new": 2.5, "unit": "mm"}],
+        "v200": [{"component": "speed", "old": "v100", "new": "v200", "unit": ""}],
+    }
 
 
 def test_there_are_forty_changes() -> None:
