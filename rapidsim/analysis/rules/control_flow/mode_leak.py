@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
-from rapidsim.analysis.rules.facts.modes_in_force import left_in_force
+from rapidsim.analysis.rules.facts.modes_in_force import left_in_force, routines_with
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
-from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.diagnostics import Diagnostic, Severity, Violation
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
 
+_BY_SWITCH = "\\"
+"""What puts back a way of following paths, such as `ConfL\\On`; a speed or a frame is restored by
+numbers, or by an instruction of its own."""
 _HELD = Does.HOLD_ROBOT | Does.HOLD_INTERRUPTS
 
 
@@ -22,11 +25,31 @@ class ModeLeak(Violation, code="F411"):
     routine: str
     ends: str
     back: str
+    is_kept: bool = False
+    """Whether nothing in the program puts the mode back, so that it seems to be meant for all."""
+
+    @property
+    def severity(self) -> Severity:
+        """A note for a mode that the program means to keep."""
+        return Severity.NOTE if self.is_kept else self.rule.severity
+
+    @property
+    def is_told_once(self) -> bool:
+        """Whether it is one finding of the program."""
+        return self.is_kept
+
+    def with_others(self, others: Sequence[Violation]) -> Violation:
+        """The first of them, with the number of routines that do the same."""
+        routines = {one.routine for one in (self, *others) if isinstance(one, ModeLeak)}
+        more = len(routines) - 1
+        ends = f"{self.ends}, as in {more} more routine{'s' * (more != 1)}" if more else self.ends
+        return ModeLeak(self.setting, self.routine, ends, self.back, is_kept=True)
 
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
     """For each routine and mode, the first exit at which the mode may still be on."""
     beginning = _beginning(facts)
+    kept: dict[str, bool] = {}
     for part in facts.routine_parts:
         routine = part.routine
         if not isinstance(routine, tree.Proc | tree.Func) or routine in beginning:
@@ -35,8 +58,18 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
             if may_move(later, facts):
                 shown = " ".join(part.module.span(left.call).text.split())
-                violation = ModeLeak(shown, routine.name.text, left.ends, left.back)
+                if left.back not in kept:
+                    kept[left.back] = _is_kept(left.back, facts)
+                where = routine.name.text, left.ends, left.back
+                violation = ModeLeak(shown, *where, is_kept=kept[left.back])
                 yield part.finding(violation, left.call)
+
+
+def _is_kept(mode: str, facts: Facts) -> bool:
+    """Whether several routines set a mode, and none puts it back."""
+    if _BY_SWITCH not in mode or routines_with(mode, facts, back=True):
+        return False
+    return routines_with(mode, facts, back=False).bit_count() > 1
 
 
 def _sets_motion(row: LibraryRoutine) -> bool:

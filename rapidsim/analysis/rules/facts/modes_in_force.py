@@ -137,14 +137,16 @@ class _Ways:
     def _putting_back(self, mode: str) -> int:
         """The bits of the routines that put a mode back."""
         if mode not in self._back:
-            facts = self._facts
-            self._back[mode] = bits_where(
-                lambda part: any(
-                    _setting(call, facts) == _Setting(mode, True) for call in part.all(tree.Call)
-                ),
-                facts,
-            )
+            self._back[mode] = routines_with(mode, self._facts, back=True)
         return self._back[mode]
+
+
+def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
+    """The bits of the routines with a call that sets a mode, or puts it back."""
+    setting = _Setting(mode, back)
+    return bits_where(
+        lambda part: any(_setting(call, facts) == setting for call in part.all(tree.Call)), facts
+    )
 
 
 def _joined(ways: list[_Open | None]) -> _Open | None:
