@@ -31,7 +31,8 @@ class Cures:
     ends: Ends
     robot: Robot
     base_from_world: Transform
-    _shifts: dict[object, Array | None] = field(default_factory=dict)
+    _shifts: dict[object, tuple[Array | None, int]] = field(default_factory=dict)
+    """By work object: the shift that cures all its targets, and how many these are."""
     _searched: int = 0
 
     def of(self, row: int) -> str | None:
@@ -45,17 +46,17 @@ class Cures:
         known = self.posed.moves[row]
         wobj = data_of(self.program, known, "wobj")
         if wobj is not None and wobj.node is not None:
-            same = [
-                other
-                for other in np.flatnonzero(self.ends.looked_at & ~self.posed.to_axes).tolist()
-                if self.posed.moves[other].move.wobj == known.move.wobj
-            ]
             key = known.move.wobj
             if key not in self._shifts:
-                self._shifts[key] = self._searched_shift(same)
-            shift = self._shifts[key]
+                same = [
+                    other
+                    for other in np.flatnonzero(self.ends.looked_at & ~self.posed.to_axes).tolist()
+                    if self.posed.moves[other].move.wobj == key
+                ]
+                self._shifts[key] = self._searched_shift(same), len(same)
+            shift, count = self._shifts[key]
             if shift is not None:
-                every = "all its targets are" if len(same) > 1 else "it is"
+                every = "all its targets are" if count > 1 else "it is"
                 return f"{every} in reach with `{wobj.name}` moved {self._words(row, shift)}"
         shift = self._searched_shift([row])
         if shift is None:
