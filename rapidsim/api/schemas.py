@@ -17,7 +17,8 @@ def json_schema(name: str) -> dict[str, Any]:
 
     Args:
         name: `run`, `check`, `kin-fk`, `kin-ik`, `kin-jacobian`, `robots`, `robots-for`, `robot`,
-            `frames`, `diff`, `follow`, `follow-compare`, `calibrate` or `error`.
+            `frames`, `diff`, `follow`, `follow-compare`, `calibrate`,
+            `protocol` or `error`.
 
     Raises:
         InputError: If there is none with that name.

@@ -32,6 +32,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "follow": "Follow points of a table in lines, splines or joint polynomials.",
         "points": "Print random points, for follow.",
         "sweep": "Try a program with the robot in many places.",
+        "protocol": "Ask a controller twenty questions, and compare.",
     }
 )
 

@@ -81,6 +81,7 @@ CALLS: dict[str, tuple[tuple[object, ...], ...]] = {
     ),
     "follow-compare": (("follow", PROGRAMS / "kr10_row.csv", "--robot", "kr10", "--compare"),),
     "calibrate": (("calibrate", "short.csv"),),
+    "protocol": (("protocol", "answers.txt"),),
     "error": (("run", "missing.mod"), ("robots", "irb121"), ("check", "--selct", "K6")),
     "diff": (
         ("diff", "short.mod", "moved.mod", "--robot", "irb1600"),
@@ -119,6 +120,7 @@ def test_output_is_as_its_schema_says(name: str, tmp_path: Path) -> None:
     (tmp_path / "broken.mod").write_text(BROKEN)
     (tmp_path / "fails.mod").write_text(FAILS)
     (tmp_path / "short.mod").write_text(LOGGED)
+    (tmp_path / "answers.txt").write_text("questions;1\nrobotware;7.13\n1;3\n")
     (tmp_path / "moved.mod").write_text(LOGGED.replace("0, 30, 0), v200", "0, 40, 0), v200"))
     if name == "calibrate":
         call(

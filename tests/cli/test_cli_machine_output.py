@@ -23,6 +23,7 @@ SCHEMAS = {
     "frames": ("frames",),
     "robots": ("robots", "robot"),
     "calibrate": ("calibrate",),
+    "protocol": ("protocol",),
     "follow": ("follow", "follow-compare"),
     "kin fk": ("kin-fk",),
     "kin ik": ("kin-ik",),

@@ -1,0 +1,51 @@
+"""`rapidsim protocol`: questions to a controller, and its answers beside those of a run here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.files import InputError
+from rapidsim.jobs.protocol import MODULE, answered_here, questions, read_protocol
+from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+from rapidsim.report.tables.protocol_table import protocol_table
+
+
+@click.command()
+@click.argument("answers", required=False, metavar="ANSWERS")
+@click.option(
+    "--robot",
+    metavar="NAME",
+    default=DEFAULT_ROBOT,
+    show_default=True,
+    help="The arm that answers here.",
+)
+@table_or_json
+@terminal_options
+def protocol(answers: str | None, robot: str, output_format: str) -> int:
+    """Ask a controller what nobody knows for sure, and compare.
+
+    Without ANSWERS it writes Questions.mod into this folder: a program with twenty questions, to be
+    run on a controller, real or virtual. ANSWERS is the file that it writes there. --format json
+    prints what to send: RobotWare, arm and answers, and nothing else.
+    """
+    if answers is None:
+        if output_format == "json":
+            raise InputError(
+                "--format json needs the answers", "name the file that a program wrote"
+            )
+        target = Path(MODULE)
+        if target.exists():
+            raise InputError(f"{MODULE} is here already", "it is never overwritten")
+        target.write_text(questions(), encoding="utf-8", newline="\r\n")
+        say(f"Written: {MODULE}. Run it on a controller, then `rapidsim protocol ANSWERS`.")
+        return ExitCode.CLEAN
+    theirs = read_protocol(Path(answers))
+    if output_format == "json":
+        print_json(theirs.as_json())
+    else:
+        current_terminal().show(protocol_table(theirs, answered_here(robot)))
+    return ExitCode.CLEAN
