@@ -89,10 +89,13 @@ def test_a_batch_decides_as_one_pose_does(
         assert one.match[0] == batch.match[row]
         assert one.joints[0] == pytest.approx(batch.joints[row], abs=1e-7)
         # What plain floats find without the others is the same, too.
-        quick = named(robot, poses[row], tuple(stored[row].tolist()))
-        if quick is not None:
-            assert batch.match[row] == Match.EXACT
-            assert quick.joints == pytest.approx(batch.joints[row], abs=1e-6)
+        for tolerated in (0, 1):
+            quick = named(robot, poses[row], tuple(stored[row].tolist()), tolerated)
+            if quick is not None:
+                assert batch.match[row] <= (Match.COMPLIANT if tolerated else Match.EXACT)
+                assert quick.joints == pytest.approx(batch.joints[row], abs=1e-6)
+            elif batch.match[row] == Match.EXACT:
+                assert np.abs(batch.excess[row]).any() or (batch.joints[row] > robot.upper).any()
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)

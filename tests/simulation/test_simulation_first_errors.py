@@ -9,12 +9,19 @@ from simulation_random_motion import random_program, robot_name, robot_of
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.reach import trial_run
 from rapidsim.reach.reach import check_reach
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.simulate import simulate
 
 FEW = cases(500)
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the run of a check end however busy the computer is."""
+    monkeypatch.setattr(trial_run, "LONGEST_WORK_FOR_ERRORS_S", 60.0)
 
 
 def _told(found: list[Diagnostic]) -> tuple[str, int, str] | None:

@@ -17,6 +17,7 @@ from simulation_program import arm, ran
 import rapidsim
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
+from rapidsim.reach import trial_run
 from rapidsim.reach.reach import check_reach
 
 NO_AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
@@ -88,6 +89,12 @@ ENDMODULE
 
 CASES = list(product(MISTAKES, CLAUSES, CELLS))
 SAMPLE = CASES if PROFILE != "fast" else CASES[::9]
+
+
+@pytest.fixture(autouse=True)
+def patient(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the run of a check end however busy the computer is."""
+    monkeypatch.setattr(trial_run, "LONGEST_WORK_FOR_ERRORS_S", 60.0)
 
 
 @pytest.mark.parametrize(("mistake", "clause", "on"), SAMPLE)

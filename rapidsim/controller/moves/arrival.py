@@ -46,7 +46,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH, ERR_ROBLIMIT
 from rapidsim.language.moves import Place, Sensed, SingularArea
-from rapidsim.motion.configurations.compliance import Match, hold, match
+from rapidsim.motion.configurations.compliance import TOLERATED_QUARTERS, Match, hold, match
 from rapidsim.motion.configurations.confdata import (
     Configuration,
     configuration,
@@ -158,14 +158,13 @@ class Arrivals:
         Raises:
             NotReachableError: When it cannot, and the nearest is not taken.
         """
-        working = self.working(base_from_flange, target)
         if not told_apart(self.robot.kinematics):
-            return stored_or_nearest(working, stored, near)
+            return stored_or_nearest(self.working(base_from_flange, target), stored, near)
         wanted = rounded(stored)
         held = self._held(base_from_flange, wanted, near)
-        chosen = held or stored_or_nearest(working, stored, near)
-        if self._match(chosen, wanted).meets(exact=self.exact):
-            return chosen
+        chosen = held or stored_or_nearest(self.working(base_from_flange, target), stored, near)
+        if held is not None and self._meets(held, wanted):
+            return held
         found = self._not_as_stored(target, base_from_flange, wanted, held)
         if not (found.goes_on or self.takes_nearest):
             raise NotReachableError(ERR_ROBLIMIT, found)
@@ -201,13 +200,16 @@ class Arrivals:
             self._tell_switch(asked, segment, before, chosen)
             return chosen
         wanted, flange = rounded(stored), self._base_from_flange(asked, segment)
-        held = named(self.robot, flange, wanted) or self._held(flange, wanted, near)
-        return held or self._by_stored(asked, wanted, segment)[0]
+        return self._held(flange, wanted, near) or self._by_stored(asked, wanted, segment)[0]
 
     def _held(
         self, base_from_flange: Transform, wanted: Quarters, near: Array
     ) -> Configuration | None:
         """The configuration that holds best to a stored one, on its branch; None if none can."""
+        tolerated = 0 if self.exact else TOLERATED_QUARTERS
+        met = named(self.robot, base_from_flange, wanted, tolerated)
+        if met is not None:
+            return met
         best = hold(self.robot, base_from_flange[None], np.array([wanted]), near)
         return self.configuration(best.joints[0]) if best.possible[0] else None
 
@@ -257,7 +259,7 @@ class Arrivals:
         wanted = rounded(stored)
         if not self._is_monitored(asked, segment):
             return
-        if self._match(chosen, wanted).meets(exact=self.exact):
+        if self._meets(chosen, wanted):
             return
         key = ("configuration", asked.written)
         if self.takes_nearest and self.journal.has_found(key):
@@ -293,6 +295,10 @@ class Arrivals:
         goes_on = self._match(arrival, wanted) is Match.TURNED and not self.exact
         arrives = conf_text(arrival.confdata)
         return ConfigurationChangesOnLine(asked.name, conf_text(wanted), arrives, goes_on)
+
+    def _meets(self, chosen: Configuration, wanted: Quarters) -> bool:
+        """Whether a configuration meets a stored one."""
+        return chosen.confdata == wanted or self._match(chosen, wanted).meets(exact=self.exact)
 
     def _match(self, chosen: Configuration, wanted: Quarters) -> Match:
         return Match(int(match(self.robot.kinematics, chosen.joints, np.array(wanted))))

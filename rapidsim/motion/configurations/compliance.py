@@ -16,9 +16,10 @@ from rapidsim.motion.configurations.confdata import (
     Integers,
     counted_axes,
     counted_quarters,
+    quarters_of,
     select,
 )
-from rapidsim.motion.configurations.reachability import pose_excess
+from rapidsim.motion.configurations.reachability import pose_excess, pose_tolerance
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.motion.kinematics.unwrapping import TURN
 from rapidsim.motion.robot.robot import Robot
@@ -103,26 +104,22 @@ def hold(
     before = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape)
     for column, axis in enumerate(counted_axes(robot.kinematics)):
         if axis is not None:
-            joints[:, axis] = _best_turn(robot, joints, before, stored[:, column], column, axis)
+            turns = joints[:, axis, None] + _SHIFTS
+            best = _best_turn(robot, turns, before[:, axis], stored[:, column], axis)
+            joints[:, axis] = turns[np.arange(len(turns)), best]
     found = np.where(selected.exists, match(robot.kinematics, joints, stored), Match.OTHER)
     return HeldConfigurations(joints, found, pose_excess(robot, joints))
 
 
-def _best_turn(
-    robot: Robot, joints: Array, near: Array, stored: Array, column: int, axis: int
-) -> Array:
-    """Angles (k,) [rad] of an axis in the best whole turn; see `hold`."""
-    turned = joints[:, None, :].repeat(len(_SHIFTS), axis=1)
-    turned[:, :, axis] += _SHIFTS
-    below = counted_quarters(robot.kinematics, turned - BORDER)[..., column]
-    above = counted_quarters(robot.kinematics, turned + BORDER)[..., column]
+def _best_turn(robot: Robot, angles: Array, near: Array, stored: Array, axis: int) -> Integers:
+    """Which (k,) of an axis's angles (k, t) [rad] is best; see `hold`."""
+    below, above = quarters_of(angles - BORDER), quarters_of(angles + BORDER)
     off = _quarters_off(below, above, stored[:, None])
-    angles = turned[:, :, axis]
-    past = pose_excess(robot, turned)[..., axis] != 0.0
-    away = np.abs(angles - near[:, axis, None]).round(9)
-    best = np.lexsort((away, past, off), axis=-1)[:, 0]
-    chosen: Array = angles[np.arange(len(angles)), best]
-    return chosen
+    tolerance = pose_tolerance(robot)[axis]
+    past = (angles < robot.lower[axis] - tolerance) | (angles > robot.upper[axis] + tolerance)
+    away = np.abs(angles - near[:, None]).round(9)
+    best: Integers = np.lexsort((away, past, off), axis=-1)[:, 0]
+    return best
 
 
 def _quarters_off(below: Integers, above: Integers, stored: Array) -> Array:

@@ -159,12 +159,21 @@ def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configura
 
 
 def named(
-    robot: Robot, base_from_flange: Transform, confdata: tuple[int, int, int, int]
+    robot: Robot,
+    base_from_flange: Transform,
+    confdata: tuple[int, int, int, int],
+    tolerated: int = 0,
 ) -> Configuration | None:
     """The one of `configurations` that confdata selects, found without the others.
 
     None if there is none, and if it takes all of them to decide: for arms without formulas for one
     pose, and where the pose leaves an axis undetermined.
+
+    Args:
+        robot: The arm.
+        base_from_flange: One pose.
+        confdata: cf1, cf4, cf6, cfx.
+        tolerated: Quarter turns by which each of the first three may be off, 0 or 1.
     """
     arm, branch = robot.kinematics, confdata[3]
     if branch not in range(arm.branch_count):
@@ -173,19 +182,26 @@ def named(
     if found is None:
         return None
     quarters = dict(zip(counted_axes(arm), confdata, strict=False))
-    joints = []
+    joints, off = [], 0
     for axis, turns in enumerate(_turns_of_each(robot, found, limit_tolerance(robot))):
         quarter = quarters.get(axis)
         for turned in turns:
-            if quarter is None or quarter == floor((turned + SNAP) / QUARTER):
+            away = 0 if quarter is None else abs(quarter - floor((turned + SNAP) / QUARTER))
+            if away <= tolerated:
                 joints.append(turned)
+                off += away
                 break
         else:
             return None
     # On a border of branches confdata has the front, the positive one.
     if arm.single.branch_of(joints) != branch:
         return None
-    return Configuration(np.array(joints), confdata)
+    if not off:
+        return Configuration(np.array(joints), confdata)
+    if arm.spherical_wrist and abs(joints[4]) < UNDETERMINED_WRIST:
+        # Axes 4 and 6 share out their sum: another share may be as stored.
+        return None
+    return configuration(arm, np.array(joints))
 
 
 def within_limits(
@@ -220,13 +236,14 @@ def counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
     """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
     axes = counted_axes(kinematics)
     columns = [
-        np.zeros(joints.shape[:-1], np.int64) if axis is None else _quarters(joints[..., axis])
+        np.zeros(joints.shape[:-1], np.int64) if axis is None else quarters_of(joints[..., axis])
         for axis in axes
     ]
     return np.stack(columns, axis=-1)
 
 
-def _quarters(angles: Array) -> Integers:
+def quarters_of(angles: Array) -> Integers:
+    """Quarter turns (...) that angles (...) [rad] are in."""
     return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
 
 

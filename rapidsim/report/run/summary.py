@@ -44,6 +44,8 @@ _ANY_WIDTH = 1000
 _SLOWEST = 5
 _SHOWN_TEXTS = 8
 _SHOWN_PERSISTENTS = 8
+_PAST_LIMIT_DEG = 0.005
+"""An excess that two decimals show."""
 _LOW_MARGIN_DEG = 5.0
 _NEAR_SINGULAR = 0.05
 _COLOURS = {Level.CLEAN: "green", Level.QUALIFIED: "yellow", Level.FAILED: "red"}
@@ -190,6 +192,9 @@ def _margin(margin: JointMargin, *, several: bool) -> Text:
     whose = f" of {margin.move.task}" if several else ""
     left = with_unit(f"{margin.degrees:.1f}", margin.measure)
     near = f"came within {left} of its limit{_at(margin.move)}"
+    if margin.degrees < -_PAST_LIMIT_DEG:
+        past = with_unit(f"{-margin.degrees:.2f}", margin.measure)
+        near = f"went {past} past its limit{_at(margin.move)}"
     text = f"joint {margin.joint}{whose} {near}"
     return Text(text, "yellow" if margin.degrees < _LOW_MARGIN_DEG else "")
 
