@@ -10,7 +10,8 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from xml.parsers import expat
@@ -208,9 +209,32 @@ def opened(path: str) -> Path:
     # Few stations are packed, and what unpacks them takes as long to load as a file to check.
     from rapidsim import pack_and_go  # noqa: PLC0415
 
-    try:
+    with _unpacking(file, pack_and_go.PackedStationError):
         return pack_and_go.unpacked_backup(input_bytes(file), str(file), controller)
-    except pack_and_go.PackedStationError as error:
+
+
+def single_programs(path: str) -> tuple[str, ...]:
+    """The programs of a path: itself, but each controller of a packed station with several.
+
+    Raises:
+        InputError: If such a station cannot be read.
+    """
+    packed = packed_station(path)
+    if packed is None or packed[1] is not None:
+        return (path,)
+    from rapidsim import pack_and_go  # noqa: PLC0415
+
+    with _unpacking(packed[0], pack_and_go.PackedStationError):
+        names = pack_and_go.controllers(input_bytes(packed[0]))
+    return tuple(f"{path}!{name}" for name in names) if len(names) > 1 else (path,)
+
+
+@contextmanager
+def _unpacking(file: Path, refused: type[ValueError]) -> Iterator[None]:
+    """Turn errors of an archive into mistakes of the user."""
+    try:
+        yield
+    except refused as error:
         raise InputError(f"{file} {error}") from None
     except OSError as error:
         raise InputError(f"{file} cannot be unpacked: {error.strerror}") from None

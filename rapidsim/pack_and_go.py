@@ -60,11 +60,7 @@ def unpacked_backup(data: bytes, name: str, controller: str | None) -> Path:
         PackedStationError: If it is damaged, too large, or does not hold that backup.
         OSError: If it cannot be unpacked.
     """
-    key = sha256(data).hexdigest()
-    if key not in _unpacked:
-        _unpacked[key] = _unpack(data)
-    folder = _unpacked[key]
-    found = sorted(entry for entry in folder.iterdir() if entry.is_dir())
+    found = _backups(data)
     names = [entry.name for entry in found]
     if controller is not None:
         found = [entry for entry in found if entry.name.lower() == controller.lower()]
@@ -75,8 +71,28 @@ def unpacked_backup(data: bytes, name: str, controller: str | None) -> Path:
         raise PackedStationError("holds no backup of a controller")
     listed = ", ".join(f"{name}!{one}" for one in names)
     if controller is None:
-        raise PackedStationError(f"holds {len(names)} controllers; name one: {listed}")
+        raise PackedStationError(
+            f"holds {len(names)} controllers; name one: {listed}; check --each checks all"
+        )
     raise PackedStationError(f"holds no controller {controller}; there are: {listed}")
+
+
+def controllers(data: bytes) -> tuple[str, ...]:
+    """The names of the controllers whose backups an archive holds.
+
+    Raises:
+        PackedStationError: If it is damaged or too large.
+        OSError: If it cannot be unpacked.
+    """
+    return tuple(entry.name for entry in _backups(data))
+
+
+def _backups(data: bytes) -> list[Path]:
+    """The folders of all backups in an archive, sorted."""
+    key = sha256(data).hexdigest()
+    if key not in _unpacked:
+        _unpacked[key] = _unpack(data)
+    return sorted(entry for entry in _unpacked[key].iterdir() if entry.is_dir())
 
 
 def shown_name(file: Path) -> str:

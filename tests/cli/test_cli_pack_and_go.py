@@ -95,13 +95,18 @@ def test_one_of_several_controllers_is_named(root: str, tmp_path: Path) -> None:
     assert "holds no controller Three; there are: cell.rspag!One, cell.rspag!Two_0.58m" in said
     assert rapidsim("run", "cell.rspag!Two_0.58m", cwd=tmp_path).code == 0
     assert (tmp_path / "cell-Two_0.58m.rrd").is_file()
+    each = rapidsim("check", "cell.rspag", "--each", "--output-format", "json", cwd=tmp_path)
+    assert (each.code, json.loads(each.out)["files"]) == (0, 2)
 
 
 @pytest.mark.parametrize(
     ("systems", "said"),
     [
         ((), "holds no backup"),
-        (("One", "Two"), "holds 2 controllers; name one: cell.rspag!One, cell.rspag!Two"),
+        (
+            ("One", "Two"),
+            "holds 2 controllers; name one: cell.rspag!One, cell.rspag!Two; check --each",
+        ),
     ],
 )
 def test_a_station_without_one_controller_is_refused(

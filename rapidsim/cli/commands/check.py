@@ -32,6 +32,7 @@ from rapidsim.jobs.check_many import together
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job, read_again
 from rapidsim.jobs.task_files import missing_neighbours
+from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.statistics import statistics, statistics_json
@@ -88,7 +89,11 @@ from rapidsim.values import dataclass
 )
 @assume_missing_option
 @strict_option
-@click.option("--each", is_flag=True, help="Check each PATH as a program of its own.")
+@click.option(
+    "--each",
+    is_flag=True,
+    help="Check each PATH, and each controller of a .rspag, as a program of its own.",
+)
 @click.option(
     "-j",
     "processes",
@@ -163,7 +168,9 @@ def check(
         strict=strict,
         fail_on=Severity(fail_on) if fail_on else None,
     )
-    programs = [(path,) for path in paths] if each else [paths]
+    programs = [paths]
+    if each:
+        programs = [(one,) for path in paths for one in single_programs(path)]
     jobs = [asked_job(replace(asked, paths=one), open_robot=open_quietly) for one in programs]
     known = [Path(baseline) if baseline else job.station.check.baseline for job in jobs]
     if unsafe_fixes and not (fix or diff):
