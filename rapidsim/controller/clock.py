@@ -86,6 +86,9 @@ class TaskClock:
         """How many traps and the like run, one within the other."""
         self._failure: RapidError | None = None
         """The error with which a trap wants to end the statement it interrupts."""
+        self.idle_until_s = -math.inf
+        """Until then [s] the program only polls, unless something that tasks share changes; what
+        decides whose turn it is takes that back."""
         self._looks_at_s: float | None = None
         """The time [s] of `aside`; None outside it."""
         cell.listeners.append(table)
@@ -202,8 +205,10 @@ class TaskClock:
         if ticks is None:
             return
         due_s = self.next_due_s()
-        until_s = math.inf if due_s is None else due_s
-        until_s = min(until_s, self._cell.turns.next_s(self), self._polling.stays_s)
+        own_s = min(math.inf if due_s is None else due_s, self._polling.stays_s)
+        # Others that poll, too, need not wait for this one.
+        self.idle_until_s = own_s
+        until_s = min(own_s, self._cell.turns.next_s(self))
         if math.isinf(until_s) and self._cell.turns.rest(self):
             raise PollsForever(
                 "the program loops forever here: nothing that it looks at ever changes"

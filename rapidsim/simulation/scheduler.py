@@ -10,8 +10,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from greenlet import greenlet
+
+
+class ScheduledTask(Protocol):
+    """What a scheduler knows of the clock of a task."""
+
+    idle_until_s: float
+    """Until then [s] it does nothing that others notice, unless something they share changes."""
 
 
 @dataclass(slots=True, eq=False)
@@ -19,7 +27,7 @@ class _Entry:
     """A task of the scheduler."""
 
     number: int
-    task: object
+    task: ScheduledTask
     greenlet: greenlet
     counts: bool
     """The run lasts as long as any of these."""
@@ -45,7 +53,7 @@ class Scheduler:
     _hub: greenlet | None = None
     _stopped: bool = False
 
-    def add(self, task: object, body: Callable[[], None], *, counts: bool) -> None:
+    def add(self, task: ScheduledTask, body: Callable[[], None], *, counts: bool) -> None:
         """Take a task in; the order of adding is that of tasks at the same time.
 
         Args:
@@ -91,13 +99,13 @@ class Scheduler:
 
     def next_s(self, task: object) -> float:
         """When the next of the other tasks wants to go on [s]; infinite if none does."""
-        times = (one.wake_s for one in self._alive() if one.task is not task)
-        return min(times, default=math.inf)
+        others = (one for one in self._alive() if one.task is not task)
+        return min((max(one.wake_s, one.task.idle_until_s) for one in others), default=math.inf)
 
     def look_again(self, time_s: float) -> None:
         """Wake the other tasks at a time [s] at which something happens."""
         for entry in self._entries:
-            entry.rests = False
+            entry.rests, entry.task.idle_until_s = False, -math.inf
             if entry.task is not self.current:
                 entry.wake_s = min(entry.wake_s, time_s)
 

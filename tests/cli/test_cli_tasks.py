@@ -94,6 +94,17 @@ def test_the_summary_names_every_robot(cell: Path) -> None:
     assert "3 (3 MoveAbsJ)" in out
 
 
+def test_tasks_without_a_robot_have_a_table_of_their_own(cell: Path) -> None:
+    (cell / "back.mod").write_text(module("back", "WaitTime 0.25;", "WaitTime 0.75;"))
+    table = rapidsim("run", "left.mod", "--no-record", cwd=cell).out.partition("slowest lines")[2]
+    with_robot, _, without = table.partition("without a robot")
+    assert "back.mod" not in with_robot
+    assert [line.split()[0] for line in without.splitlines() if "WaitTime" in line] == [
+        "back.mod:4",
+        "back.mod:3",
+    ]
+
+
 def test_one_task_of_several_can_run_alone(cell: Path) -> None:
     report = json.loads(run(cell, "--task", "t_left", "--format", "json").out)
     assert [move["task"] for move in report["moves"]] == ["T_LEFT"]

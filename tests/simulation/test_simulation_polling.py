@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -271,3 +272,96 @@ def test_a_check_does_not_go_round_for_ever_either(tmp_path: Path) -> None:
     (tmp_path / "polls.mod").write_text(PROGRAM.format(loop=loop))
     found = check([tmp_path / "polls.mod"], robot="irb1600")
     assert [one.violation.code for one in found.diagnostics if one.span and one.span.line == 10]
+
+
+TASKS = """
+[robot]
+model = "irb120"
+[signals]
+diGo = {{ type = "di", value = 0 }}
+doNext = {{ type = "do", value = 0 }}
+[[stimulus]]
+at = {at_s}
+set = {{ diGo = 1 }}
+[[task]]
+name = "T_ROB1"
+modules = ["t0.mod"]
+motion = true
+"""
+POLLING_TASKS = {
+    "an input": "WHILE diGo=0 DO\nENDWHILE",
+    "a persistent of another task": "WHILE turn<{number} DO\nENDWHILE",
+    "a clock": "ClkStart watch;\nWHILE ClkRead(watch)<0.0{number}3 AND diGo=0 DO\nENDWHILE",
+    "an output of another task": "WHILE diGo=0 DO\nENDWHILE\nWHILE DOutput(doNext)=0 DO\nENDWHILE",
+    "a loop in a loop": "WHILE diGo=0 DO\nFOR i FROM 1 TO {number} DO\nlast:=i;\nENDFOR\nENDWHILE",
+}
+
+
+def polling_tasks(folder: Path, loops: Sequence[str], at_s: float) -> Simulation:
+    """Tasks that poll, each of which lets the next one go on when it has seen enough."""
+    station = TASKS.format(at_s=at_s)
+    folder.mkdir(exist_ok=True)
+    for number, loop in enumerate(loops):
+        if number:
+            station += f'[[task]]\nname = "T_{number}"\nmodules = ["t{number}.mod"]\n'
+        text = f"""MODULE t{number}
+  PERS num turn:=0;
+  VAR num last;
+  VAR clock watch;
+  PROC main()
+    {loop.format(number=number)}
+    turn:=turn+1;
+    SetDO doNext,1;
+    TPWrite "past {number}";
+  ENDPROC
+ENDMODULE
+"""
+        (folder / f"t{number}.mod").write_text(text)
+    (folder / "rapidsim.toml").write_text(station)
+    return simulate([str(folder)])
+
+
+def seen_by_tasks(run: Simulation) -> dict[str, float]:
+    """When each task has seen enough."""
+    return {event.message: event.time_s for event in run.events if event.kind is EventKind.TEXT}
+
+
+@pytest.mark.parametrize("first", POLLING_TASKS)
+@pytest.mark.parametrize("second", POLLING_TASKS)
+def test_tasks_that_poll_each_other_skip_to_what_they_would_see(
+    first: str, second: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    loops = (POLLING_TASKS["an input"], POLLING_TASKS[first], POLLING_TASKS[second])
+    skipped = seen_by_tasks(polling_tasks(tmp_path / "a", loops, 0.0463))
+    monkeypatch.setattr(Polling, "look", lambda self, used, done: None)
+    monkeypatch.setattr(Polling, "ticks_left", lambda self, used: 1 << 60)
+    each_round = seen_by_tasks(polling_tasks(tmp_path / "b", loops, 0.0463))
+    assert len(skipped) == 3
+    # Two or three ticks: in which order tasks look within one, a rounding decides.
+    assert skipped == pytest.approx(each_round, abs=5e-5)
+
+
+def test_tasks_that_poll_each_other_cost_little(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An hour in which five tasks wait for an input in loops of their own."""
+    services = 0
+    service = TaskClock.service
+
+    def counted(clock: TaskClock) -> None:
+        nonlocal services
+        services += 1
+        service(clock)
+
+    monkeypatch.setattr(TaskClock, "service", counted)
+    run = polling_tasks(tmp_path, [POLLING_TASKS["an input"]] * 5, 3000.0)
+    assert run.end is End.ENDED
+    assert list(seen_by_tasks(run)) == [f"past {number}" for number in range(5)]
+    assert services < 20_000
+
+
+def test_tasks_that_poll_each_other_for_ever_are_found(tmp_path: Path) -> None:
+    loop = "WHILE turn=0 DO\nENDWHILE"
+    run = polling_tasks(tmp_path, [loop, loop], 1.0)
+    assert run.end is End.ERROR
+    assert [found.code for found in run.diagnostics if found.severity.value == "error"] == ["R106"]

@@ -79,12 +79,14 @@ def calibrate(
 
 def _program_beside(log: Path) -> str:
     """The module that has the name of a log."""
+    if not log.exists():
+        raise InputError(f"{log} does not exist")
+    if log.is_dir():
+        raise InputError(f"{log} is no log but a folder")
     for suffix in MODULE_SUFFIXES:
         module = log.with_suffix(suffix)
         if module.is_file():
             return str(module)
-    if not log.exists():
-        raise InputError(f"{log} does not exist")
     raise InputError(
         f"no program belongs to {log}",
         f"name it with --program, or call it {log.with_suffix('.mod').name}",

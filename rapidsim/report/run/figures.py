@@ -78,6 +78,10 @@ class Figures:
     """The lines whose moves took longest."""
     slowest_waits: tuple[Share, ...]
     """The lines that waited longest."""
+    slowest_robot_waits: tuple[Share, ...]
+    """Of these, the lines of tasks with a robot."""
+    slowest_other_waits: tuple[Share, ...]
+    """The lines of tasks without a robot, which tend to wait all the time."""
     joint_margin: JointMargin | None
     """None where nothing moved."""
     singularity: SingularityMargin | None
@@ -110,6 +114,7 @@ def figures(simulation: Simulation) -> Figures:
     """Compute the figures of a run."""
     moves = simulation.moves
     corners = Counter(move.corner for move in moves)
+    waits, with_robot = by_line(simulation.waits), {one.task for one in simulation.robots}
     found = [
         _along_the_path(robot, offset, simulation.motion_end_s)
         for robot, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
@@ -121,7 +126,9 @@ def figures(simulation: Simulation) -> Figures:
         moves_by_instruction=tuple(Counter(m.move.instruction for m in moves).items()),
         moves_by_corner=tuple((kind, corners[kind]) for kind in CornerKind if kind in corners),
         slowest=by_line(moves)[:_SLOWEST],
-        slowest_waits=by_line(simulation.waits)[:_SLOWEST],
+        slowest_waits=waits[:_SLOWEST],
+        slowest_robot_waits=tuple(one for one in waits if one.task in with_robot)[:_SLOWEST],
+        slowest_other_waits=tuple(one for one in waits if one.task not in with_robot)[:_SLOWEST],
         joint_margin=min(margins, key=lambda one: one.degrees, default=None),
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
         off_path=max(off_path, key=lambda one: one.mm, default=None),

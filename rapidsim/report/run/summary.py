@@ -99,12 +99,14 @@ def summary(
         Text(),
     ]
     parts.append(_facts(simulation, figures, robot_reason, bars))
-    slowest = sorted((*figures.slowest, *figures.slowest_waits), key=lambda one: -one.seconds)
+    slowest = sorted((*figures.slowest, *figures.slowest_robot_waits), key=lambda one: -one.seconds)
     of_many = long_program_text(simulation)
     if of_many is not None:
         parts += [Text(), of_many]
     elif slowest:
-        parts += [Text(), _Slowest(slowest[:_SLOWEST], bars)]
+        parts += [Text(), _Slowest("slowest lines", slowest[:_SLOWEST], bars)]
+    if figures.slowest_other_waits:
+        parts += [Text(), _Slowest("without a robot", figures.slowest_other_waits, bars)]
     if simulation.moves:
         parts += [Text(), KeptUnits(_models(simulation, figures))]
     if written or simulation.home_files:
@@ -335,19 +337,20 @@ def _change(change: PersistentChange) -> str:
 class _Slowest:
     """Lines that cost the most; where all columns do not fit, those that matter most."""
 
+    title: str
     lines: Sequence[Share]
     bars: Bars
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        table = _slowest(self.lines, self.bars)
+        table = _slowest(self.title, self.lines, self.bars)
         needed = Measurement.get(console, options.update(max_width=_ANY_WIDTH), table).maximum
         fits = needed - _LINE_BAR_CELLS <= options.max_width
-        yield table if fits else _slowest_narrow(self.lines)
+        yield table if fits else _slowest_narrow(self.title, self.lines)
 
 
-def _slowest_narrow(lines: Sequence[Share]) -> Table:
+def _slowest_narrow(title: str, lines: Sequence[Share]) -> Table:
     table = Table(box=None, padding=(0, 2, 0, 0), pad_edge=False, header_style="cyan")
-    table.add_column("slowest lines", overflow="fold")
+    table.add_column(title, overflow="fold")
     table.add_column("move or wait", overflow="fold")
     table.add_column("time", justify="right", no_wrap=True)
     for line in lines:
@@ -356,9 +359,9 @@ def _slowest_narrow(lines: Sequence[Share]) -> Table:
     return table
 
 
-def _slowest(lines: Sequence[Share], bars: Bars) -> Table:
+def _slowest(title: str, lines: Sequence[Share], bars: Bars) -> Table:
     table = UncutTable.without_lines()
-    table.add_column("slowest lines", no_wrap=True)
+    table.add_column(title, no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)
     table.add_column("times", justify="right", no_wrap=True)

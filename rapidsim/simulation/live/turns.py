@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from greenlet import greenlet
 
 from rapidsim.controller.cell.cell import Cell
+from rapidsim.simulation.scheduler import ScheduledTask
 
 LOOKS_S = 0.01
 """How often [s of virtual time] a program that computes or polls yields to observers."""
@@ -25,7 +26,7 @@ class _Entry:
     """A task."""
 
     number: int
-    task: object
+    task: ScheduledTask
     greenlet: greenlet
     wake_s: float
     """When it is due to continue; infinite while it waits for others."""
@@ -48,7 +49,7 @@ class LiveTurns:
     _entries: dict[object, _Entry] = field(default_factory=dict)
     _hub: greenlet | None = None
 
-    def add(self, number: int, task: object, body: Callable[[], None]) -> None:
+    def add(self, number: int, task: ScheduledTask, body: Callable[[], None]) -> None:
         """Add a task, which runs from now on.
 
         Args:
@@ -113,13 +114,15 @@ class LiveTurns:
 
     def next_s(self, task: object) -> float:
         """When somebody else may want to go on [s]."""
-        others = (one.wake_s for one in self._entries.values() if one.task is not task)
+        entries = (one for one in self._entries.values() if one.task is not task)
+        others = (max(one.wake_s, one.task.idle_until_s) for one in entries)
         look_s = (math.floor(self.now_s / LOOKS_S + 1e-6) + 1) * LOOKS_S
         return min(look_s, min(others, default=math.inf))
 
     def look_again(self, time_s: float) -> None:
         """Wake the other tasks at a time [s] at which something happens."""
         for entry in self._entries.values():
+            entry.task.idle_until_s = -math.inf
             if entry.task is not self.current:
                 entry.wake_s = min(entry.wake_s, max(time_s, self.now_s))
 
