@@ -1,4 +1,4 @@
-"""Answers of a controller to the questions of `questions/Questions.mod`, beside those of a run here.
+"""Answers of a controller to `questions/Questions.mod`, and those of a run here.
 
 The answers file has a line for each, `number;answer`, and three of the controller: version of the
 questions, RobotWare, arm. Nothing else is kept of it, so that it can be sent to anybody.

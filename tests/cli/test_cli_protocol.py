@@ -20,9 +20,8 @@ def test_the_program_is_written_and_never_over_another(tmp_path: Path) -> None:
     assert (tmp_path / "Questions.mod").read_text() == questions()
     again = call("protocol", cwd=tmp_path)
     assert (again.code, again.err.splitlines()[0]) == (2, "error: Questions.mod is here already")
-    checked = call(
-        "check", "Questions.mod", "--robot", "irb1600", "--select", "E,N2,T", cwd=tmp_path
-    )
+    rules = ("--robot", "irb1600", "--select", "E,N2,T")
+    checked = call("check", "Questions.mod", *rules, cwd=tmp_path)
     assert "error" not in checked.out
 
 

@@ -34,9 +34,7 @@ def protocol(answers: str | None, robot: str, output_format: str) -> int:
     """
     if answers is None:
         if output_format == "json":
-            raise InputError(
-                "--format json needs the answers", "name the file that a program wrote"
-            )
+            raise InputError("--format json needs the answers", "name their file")
         target = Path(MODULE)
         if target.exists():
             raise InputError(f"{MODULE} is here already", "it is never overwritten")
