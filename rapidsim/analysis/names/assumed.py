@@ -11,7 +11,7 @@ from rapidsim.analysis.names.name_violations import AssumedData
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 
-_OF_SYSTEM: Mapping[str, str] = MappingProxyType(
+OF_SYSTEM: Mapping[str, str] = MappingProxyType(
     {"tooldata": "tool0", "wobjdata": "wobj0", "loaddata": "load0"}
 )
 """By type, the data that every controller has."""
@@ -19,7 +19,7 @@ _OF_SYSTEM: Mapping[str, str] = MappingProxyType(
 
 def is_assumed(reference: tree.Reference, of: Type, context: Context) -> bool:
     """Replace an undeclared name by system data; whether that was requested."""
-    taken = _OF_SYSTEM.get(of.name)
+    taken = OF_SYSTEM.get(of.name)
     if taken is None or not context.analysis.cell.assumes:
         return False
     symbol = installed_symbol(taken)

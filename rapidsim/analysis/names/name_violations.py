@@ -16,6 +16,8 @@ class UndefinedName(Violation, code="N201"):
     """Whether it stands where the value of a signal may."""
     kind: str = "data"
     """`data` or `trap`."""
+    taken: str | None = None
+    """The system's own that could be assumed for it."""
 
     @property
     def case(self) -> str:
@@ -32,6 +34,8 @@ class UndefinedName(Violation, code="N201"):
         if self.loads_modules:
             return "read data of a module that is loaded while the program runs with GetDataVal"
         declare = "declare it, or check the module that declares it together with this one"
+        if self.taken:
+            return f"{declare}; `--assume-missing` takes {self.taken}"
         if self.may_be_signal:
             return f"{declare}; if it is a signal, declare it in [signals] of rapidsim.toml"
         return declare

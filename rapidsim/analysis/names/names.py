@@ -124,7 +124,12 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
 
 
 def report_undefined(
-    name: tree.Name, context: Context, *, may_be_signal: bool = False, kind: str = "data"
+    name: tree.Name,
+    context: Context,
+    *,
+    may_be_signal: bool = False,
+    kind: str = "data",
+    taken: str | None = None,
 ) -> None:
     """Report an undeclared name, unless its declaration may be in unread text."""
     analysis = context.analysis
@@ -141,7 +146,7 @@ def report_undefined(
         return
     reserved = nearest in reserved_words()
     loads = analysis.loads_modules
-    violation = UndefinedName(name.text, nearest, reserved, loads, may_be_signal, kind)
+    violation = UndefinedName(name.text, nearest, reserved, loads, may_be_signal, kind, taken)
     context.report(violation, name, fix=context.respelling(name, nearest))
 
 

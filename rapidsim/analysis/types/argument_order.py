@@ -57,7 +57,7 @@ def _report(
     edits = (Edit(spans[0], spans[1].text), Edit(spans[1], spans[0].text))
     context.analysis.diagnostics.append(
         Diagnostic(
-            BadArguments(problem, callee.order),
+            BadArguments(problem, "swapped", callee.order),
             spans[0],
             related=callee.declared,
             fix=Fix("exchange them", edits),

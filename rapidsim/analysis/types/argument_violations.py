@@ -8,7 +8,7 @@ from rapidsim.diagnostics import Violation
 class BadArguments(Violation, code="T302"):
     problem: str
     fault: str
-    """`too few`, `too many`, or which argument is in the wrong place."""
+    """`too few`, `too many`, `swapped`, or which argument is in the wrong place."""
     order: str = ""
     """The call as it is declared."""
 

@@ -6,7 +6,7 @@ Source: RAPID Overview, "Routines", the table of parameter access modes.
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context, TypeOf
-from rapidsim.analysis.names.assumed import is_assumed
+from rapidsim.analysis.names.assumed import OF_SYSTEM, is_assumed
 from rapidsim.analysis.names.name_violations import UnknownUnit
 from rapidsim.analysis.names.names import find, kind_of, report_undefined, take_for_signal
 from rapidsim.analysis.parameters import Formal, Wanted
@@ -67,7 +67,8 @@ def check_argument(
         if is_assumed(plain, formal.wanted.type, context):
             return None
         if formal.mode is not Mode.IN:
-            report_undefined(plain.name, context)
+            taken = OF_SYSTEM.get(formal.wanted.type.name)
+            report_undefined(plain.name, context, taken=taken)
             return None
     wanted = _wanted(plain, formal, beside)
     found = type_of(value, context, wanted)
