@@ -105,9 +105,9 @@ def _not_compared(a: _Side, b: _Side) -> Iterator[str]:
     """What only one side has."""
     for one, other in ((a, b), (b, a)):
         if other.configuration.parameters and not one.configuration.parameters:
-            yield f"the configuration, for {one.name} has none"
+            yield f"configuration was not compared: {one.name} has none"
         if other.parts and not one.parts and one.run is None:
-            yield f"the program, for {one.name} has none"
+            yield f"program was not compared: {one.name} has none"
 
 
 def _side(asked: Asked, run: bool, answers: str | None, shown: Shown) -> _Side:

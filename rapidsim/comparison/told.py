@@ -156,7 +156,7 @@ def blocks(comparison: Comparison) -> Iterator[Block]:
     if comparison.findings:
         yield Block("Findings", tuple(map(_finding_line, comparison.findings)))
     for note in comparison.not_compared:
-        yield Block(f"Not compared: {note}.")
+        yield Block(f"{note[0].upper()}{note[1:]}.")
     if comparison.why_no_run:
         yield Block(f"No times: {comparison.why_no_run}.")
 

@@ -395,11 +395,11 @@ def test_what_one_side_lacks_is_said(tmp_path: Path) -> None:
     backup(tmp_path / "b", {"Main.mod": MAIN})
     backup(tmp_path / "c", {EIO: FILES[EIO]})
     said = call("diff", "a", "b", "--no-run", cwd=tmp_path).out
-    assert "Not compared: the configuration, for b has none.\n" in said
+    assert "Configuration was not compared: b has none.\n" in said
     said = call("diff", "c", "a", "--no-run", cwd=tmp_path).out
-    assert "Not compared: the program, for c has none.\n" in said
+    assert "Program was not compared: c has none.\n" in said
     marked = call("diff", "a", "b", "--no-run", "--format", "markdown", cwd=tmp_path).out
-    assert "Not compared: the configuration, for b has none." in marked
+    assert "Configuration was not compared: b has none." in marked
     assert call("diff", "a", "nowhere", cwd=tmp_path).code == 2
 
 
