@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
@@ -9,7 +10,7 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
 from rapidsim.analysis.passes.flow_violations import UnreachableCode
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic, Severity, Source
+from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
 from rapidsim.files import SourceFile
 from rapidsim.jobs.runnable_part import runnable_part
 from rapidsim.module_files import TaskFiles
@@ -94,17 +95,20 @@ def _without_guesses(
     Its repair puts the end where it must be at the latest, so the statements behind a RETURN seem
     to be in the block.
     """
-    unclosed = [
-        one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock) and one.span
-    ]
-    broken = [
-        module.span(routine)
+    unclosed = [one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock)]
+    if not unclosed:
+        yield from found
+        return
+    starts = {
+        file.source.file: [routine.start for module in file.modules for routine in module.routines]
         for file in files
-        for module in file.modules
-        for routine in (module.routines if unclosed else ())
-        if any(span.begins_in(module.span(routine)) for span in unclosed)
-    ]
+    }
+
+    def routine_around(span: Span | None) -> tuple[str, int] | None:
+        """File and number of the last routine that begins before a place."""
+        return None if span is None else (span.file, bisect_right(starts[span.file], span.start))
+
+    broken = {routine_around(span) for span in unclosed}
     for one in found:
-        span = one.span if isinstance(one.violation, UnreachableCode) else None
-        if span is None or not any(map(span.begins_in, broken)):
+        if not isinstance(one.violation, UnreachableCode) or routine_around(one.span) not in broken:
             yield one

@@ -83,7 +83,11 @@ def test_small_lines_are_shown_from_near(tmp_path: Path) -> None:
         for x, y in corners
     )
     program = tmp_path / "small.mod"
-    program.write_text(f"MODULE small\n  PROC main()\n    {moves}\n  ENDPROC\nENDMODULE\n")
+    home = "MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;"
+    to_first = moves.partition(";")[0].replace("MoveL", "MoveJ")
+    program.write_text(
+        f"MODULE small\n  PROC main()\n    {home}{to_first};{moves}\n  ENDPROC\nENDMODULE\n"
+    )
     ran = rapidsim.simulate([program.as_posix()], robot="irb1600")
     with dressed(LIGHT):
         figure = path_picture(drawn(ran, ran.only), LIGHT)
