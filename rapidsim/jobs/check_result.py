@@ -59,6 +59,8 @@ class CheckResult:
             yield f"{len(others)} routine{'s' * (len(others) != 1)} not simulated"
         if unchecked := len(self.coverage.unchecked):
             yield f"{unchecked} of {self.coverage.moves} moves not checked"
+        if paths := len(self.coverage.unchecked_paths):
+            yield f"{paths} of {self.coverage.paths} paths not checked"
 
     @property
     def accepted(self) -> bool:
@@ -86,4 +88,5 @@ class CheckResult:
         if selector[:1].upper() == FAMILY_OF_RUNS:
             return False
         may_be_of_moves = selector[:1].upper() in _FAMILIES_OF_MOVES or "-" in selector
-        return not (may_be_of_moves and self.coverage.unchecked)
+        left_out = self.coverage.unchecked or self.coverage.unchecked_paths
+        return not (may_be_of_moves and left_out)

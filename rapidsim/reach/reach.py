@@ -317,7 +317,7 @@ def _paths(
     unchecked: dict[MoveStatement, UncheckedMove] = {}
     for row, known in enumerate(placed.moves):
         call = known.call
-        if not known.move.interpolation.leads_tcp:
+        if not known.move.interpolation.leads_tcp or not (ends.looked_at[row] or call in met):
             continue
         paths.add(call)
         begins = known.begins and beginning is not None and beginning.is_free
@@ -326,7 +326,7 @@ def _paths(
             or row in ways.surveyed
             or row in ways.circle_faults
             or (begins and bool(ways.stances.sure[row]))
-            or (bool(ends.looked_at[row]) and not ends.reachable[row])
+            or not ends.reachable[row]
         )
         if not is_checked:
             unchecked[call] = UncheckedMove(known.span, _START_UNKNOWN)

@@ -78,7 +78,8 @@ def test_the_path_has_what_failed_in_it(simulation: Simulation) -> None:
 def test_small_lines_are_shown_from_near(tmp_path: Path) -> None:
     """Four corners of 40 x 70 mm under a joint move of a metre; the corners are no blots."""
     corners = [(600, 0), (640, 0), (640, 70), (600, 70), (600, 0)]
-    moves = "".join(
+    moves = "MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;"
+    moves += "".join(
         f"MoveL [[{x},{y},300],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v200,z5,tool0;"
         for x, y in corners
     )
