@@ -191,3 +191,15 @@ def test_it_opens_in_a_browser(simulation: Simulation, tmp_path: Path) -> None:
     assert '<a href="#times">Cycle time</a>' in shown
     assert "joint acceleration</button>" in shown
     assert re.search(r'class="readout">0\.000 s', shown)
+
+
+def test_a_block_to_paste_keeps_its_lines(tmp_path: Path) -> None:
+    program = tmp_path / "waits.mod"
+    program.write_text(
+        "MODULE waits\n  PROC main()\n    WaitDI diReady,1\\MaxTime:=0.5;\n"
+        "  ERROR\n    TRYNEXT;\n  ENDPROC\nENDMODULE\n"
+    )
+    run = rapidsim.load(program, robot="irb1600").run()
+    page = report_page(run.simulation, run.diagnostics)
+    assert "<pre>[signals]\ndiReady = { type = &quot;di&quot; }</pre>" in page
+    assert "\ufffd" not in page

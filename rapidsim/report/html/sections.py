@@ -104,13 +104,20 @@ def _finding(finding: Finding) -> str:
         line = f"<pre>{text(source[:_LONGEST_LINE])}</pre>"
     cf = f" (cf. {violation.cf})" if violation.cf else ""
     more = f" and {len(finding.repeats)} more like it" if finding.repeats else ""
-    cure = f'<p class="help">{prose(violation.help)}</p>' if violation.help else ""
+    cure = _help(violation.help) if violation.help else ""
     title = f'<b class="code">{kind} {violation.code}</b>'
     return (
         f'<div class="finding {kind}"><p>{title} {prose(violation.message)}{text(cf)}</p>'
         f'<p class="where">{text(where)}{more}</p>'
         f"{line}{cure}</div>\n"
     )
+
+
+def _help(words: str) -> str:
+    """What to do; lines below the first are a block to paste."""
+    first, *block = words.splitlines()
+    pasted = "\n".join(map(text, block))
+    return f'<p class="help">{prose(first)}</p>' + (f"<pre>{pasted}</pre>" if block else "")
 
 
 def cycle_time(simulation: Simulation) -> str:
