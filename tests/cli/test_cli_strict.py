@@ -160,3 +160,27 @@ def test_what_init_writes_for_a_program_with_missing_modules_runs(
     assert "error[" not in ended.out
     if command == "run":
         assert ended.code == 0
+
+
+@pytest.mark.parametrize(
+    ("station", "body", "phrase"),
+    [
+        ("[check]\ncycle-budget = 5\n", "EXIT;", "1 of 1 assertions not evaluated"),
+        (
+            '[[object]]\nname = "vice"\nbox = [100, 100, 100]\nparent = "wobj:wVice"\n',
+            "WaitTime 1;",
+            "1 part of the cell not checked for collisions",
+        ),
+    ],
+)
+def test_a_strict_run_fails_on_what_was_not_judged(
+    station: str, body: str, phrase: str, tmp_path: Path
+) -> None:
+    (tmp_path / "m.mod").write_text(f"MODULE m\n  PROC main()\n    {body}\n  ENDPROC\nENDMODULE\n")
+    (tmp_path / "rapidsim.toml").write_text(station)
+    run = ("run", "m.mod", "--no-record", "--format", "json")
+    assert call(*run, cwd=tmp_path).code == 0
+    ended = call(*run, "--strict", cwd=tmp_path)
+    assert (ended.code, json.loads(ended.out)["ok"]) == (1, False)
+    text = " ".join(call(*run[:3], "--strict", cwd=tmp_path).out.split())
+    assert phrase in text

@@ -22,7 +22,7 @@ from rapidsim.report.run.json_report import rejected_json, run_json
 from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
 from rapidsim.report.run.verdicts import Judgement
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.simulation.results.verdict import Verdict, run_verdict
+from rapidsim.simulation.results.verdict import Verdict
 from rapidsim.values import dataclass
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ class RunDone:
     @property
     def verdict(self) -> Verdict:
         """Verdict of the run, its assertions and budget included."""
-        return run_verdict(self.simulation, assertions_fail=self.judgement.failed)
+        return self.judgement.verdict_of(self.simulation)
 
 
 def print_run(

@@ -24,7 +24,6 @@ from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.time_shares import Share
-from rapidsim.simulation.results.verdict import run_verdict
 
 SCHEMA = 3
 _LIGHT_LOAD = 0.01
@@ -51,7 +50,7 @@ def run_json(
         judgement: What became of assertions and the cycle budget.
     """
     report = course_json(simulation, findings)
-    verdict = run_verdict(simulation, assertions_fail=judgement.failed)
+    verdict = judgement.verdict_of(simulation)
     ran = {
         "ok": verdict.ok,
         "qualifications": list(verdict.qualifications),

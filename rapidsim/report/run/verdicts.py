@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.verdict import Verdict, run_verdict
 from rapidsim.values import dataclass
 
 
@@ -98,6 +100,14 @@ class Judgement:
     def failed(self) -> bool:
         """Whether anything does not hold."""
         return any(one.holds is False for one in self.verdicts)
+
+    def verdict_of(self, simulation: Simulation) -> Verdict:
+        """Verdict of a run with what was asked of it; a strict run fails on what is open."""
+        count = sum(one.holds is None for one in self.verdicts) if simulation.strict else 0
+        still_open = (f"{count} of {len(self.verdicts)} assertions not evaluated",)
+        return run_verdict(
+            simulation, assertions_fail=self.failed, reservations=still_open if count else ()
+        )
 
     def as_json(self) -> dict[str, object]:
         """The fields `assertions` and `cycle_budget` of the JSON report."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from enum import StrEnum
 from pathlib import Path
 
 from rapidsim.analysis.names.name_violations import AssumedData
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.diagnostics import Severity
+from rapidsim.findings.collisions import NotJudged
 from rapidsim.findings.reach_and_motion_data import (
     ConfigurationChangesOnLine,
     ConfigurationNotReachable,
@@ -98,6 +99,13 @@ def _assumed_names(simulation: Simulation) -> Iterator[str]:
             yield f"{len(assumed)} undeclared {words}{'s' * (len(assumed) != 1)} assumed"
 
 
+def _not_judged(simulation: Simulation) -> Iterator[str]:
+    """Bodies, or moves of theirs, that were not looked at for contacts."""
+    count = sum(isinstance(found.violation, NotJudged) for found in simulation.diagnostics)
+    if count:
+        yield f"{count} part{'s' * (count != 1)} of the cell not checked for collisions"
+
+
 Qualifier = Callable[[Simulation], Iterator[str]]
 
 
@@ -136,6 +144,8 @@ _QUALIFIERS: tuple[Qualifier, ...] = (
     _other_configurations,
 )
 """Functions that yield the qualifications of a run, in their order in headlines."""
+_STRICT_QUALIFIERS: tuple[Qualifier, ...] = (_not_judged,)
+"""Others, of strict runs only: warnings say the same."""
 _WORDS = {
     End.ENDED: "ended as programmed",
     End.STOPPED: "stopped by the program",
@@ -147,14 +157,19 @@ _QUALIFIED_END = "ended"
 """Replaces "ended as programmed" if the run is qualified."""
 
 
-def run_verdict(simulation: Simulation, *, assertions_fail: bool = False) -> Verdict:
+def run_verdict(
+    simulation: Simulation, *, assertions_fail: bool = False, reservations: Sequence[str] = ()
+) -> Verdict:
     """Return the verdict of a run.
 
     Args:
         simulation: The run; `Simulation.strict` decides whether qualifications fail it.
         assertions_fail: Whether an assertion or the cycle budget does not hold.
+        reservations: Further qualifications.
     """
-    qualifications = tuple(phrase for qualify in _QUALIFIERS for phrase in qualify(simulation))
+    qualifiers = (*_QUALIFIERS, *(_STRICT_QUALIFIERS if simulation.strict else ()))
+    phrases = (phrase for qualify in qualifiers for phrase in qualify(simulation))
+    qualifications = (*phrases, *reservations)
     failure = _failure(simulation, qualified=bool(qualifications), assertions_fail=assertions_fail)
     if failure in (Failure.PROGRAM, Failure.ASSERTION) or _hits(simulation):
         level = Level.FAILED
