@@ -40,6 +40,7 @@ from rapidsim.recording.scene.work_objects import log_work_objects
 from rapidsim.recording.stream import recording_file
 from rapidsim.recording.transforms import BASE, WORLD, moving_frame, static_frame
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.verdict import run_verdict
 
 
 def record(simulation: Simulation, path: str | Path, *, dt: float | None = None) -> Path:
@@ -137,6 +138,7 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
         program=list(simulation.program),
         robot=" and ".join(one.robot.title for one in simulation.robots),
         end=simulation.end.value,
+        verdict=run_verdict(simulation).headline,
         time_s=simulation.time_s,
         motion_s=simulation.motion_s,
         wait_s=simulation.wait_s,
