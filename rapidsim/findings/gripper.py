@@ -16,6 +16,16 @@ class GripperActsInMotion(Violation, code="I810"):
     times: str = ""
 
 
+class GripperActsTooSoon(Violation, code="I815"):
+    gripper: str
+    action: str
+    """`closes` or `opens`."""
+    distance_mm: float
+    """How far the next move goes on along the tool."""
+    target: str
+    times: str = ""
+
+
 class GripperNotAwaited(Violation, code="I811"):
     gripper: str
     closed: str

@@ -37,6 +37,11 @@ MISTAKES = {
     "opens on the way": Mistake(
         "MoveL pPlace, v200, fine", "MoveL pPlace, v200, z10", (("I810", 39),)
     ),
+    "closes above the part": Mistake(
+        "    MoveL pPick, v200, fine, tGrip\\WObj:=wConveyor;\n    SetDO doGrip, 1;\n" + WAITS,
+        "    SetDO doGrip, 1;\n" + WAITS + "    MoveL pPick, v200, fine, tGrip\\WObj:=wConveyor;\n",
+        (("I815", 29),),
+    ),
     "allowed on the way": Mistake(
         "MoveL pPick, v200, fine",
         "MoveL pPick, v200, z10",

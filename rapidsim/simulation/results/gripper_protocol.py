@@ -25,6 +25,7 @@ from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.gripper import (
     GripLoadMissing,
     GripperActsInMotion,
+    GripperActsTooSoon,
     GripperNeverOpens,
     GripperNotAwaited,
     GripperOpensEmpty,
@@ -36,6 +37,10 @@ from rapidsim.values import dataclass
 _REST_RAD = 1e-5
 """A joint that turns by less until the arm is at rest does not move."""
 _SAME_TIME_S = 1e-9
+_APPROACH_MM = 5.0
+"""So far along the tool no gripper goes on that holds a part, or has just put one down."""
+_STRAIGHT = 0.9
+"""Share of a move that is along the tool where it approaches something."""
 _NOTHING_KG = 0.01
 """RAPID's load0 has a mass, of 1 g."""
 _ROUTINE_END = re.compile(r"\bEND(PROC|FUNC|TRAP)\b", re.IGNORECASE)
@@ -107,7 +112,8 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
             if switch.precedes(move) and move.start_s < until_s and move.end_s > move.start_s
         ]
         if switch.place is not None and gripper.acts_at_rest:
-            yield from _in_motion(gripper, robot, switch)
+            early = [*_in_motion(gripper, robot, switch)]
+            yield from early or _too_soon(gripper, robot, switch, moves)
         if switch.closes:
             yield from _while_closed(gripper, robot, simulation, switch, moves)
             is_over = simulation.end in (End.ENDED, End.CYCLE_LIMIT) and not following
@@ -164,6 +170,26 @@ def _in_motion(gripper: Gripper, robot: RobotRun, switch: _Switch) -> Iterator[_
     action = "closes" if switch.closes else "opens"
     violation = GripperActsInMotion(gripper.name, action, rest_s - switch.time_s, distance_mm)
     yield _Fault(violation, switch.place)
+
+
+def _too_soon(
+    gripper: Gripper, robot: RobotRun, switch: _Switch, moves: Sequence[ExecutedMove]
+) -> Iterator[_Fault]:
+    """A gripper that acts at the approach: the next move goes on along the tool.
+
+    From a part, and from a place where one is put down, the tool goes back.
+    """
+    if not moves or switch.place is None:
+        return
+    first = moves[0]
+    tcp = robot.sample(switch.time_s).base_from_tcp
+    way_mm = 1000.0 * (first.base_from_tcp.translation - tcp.translation[0])
+    along_mm = float(way_mm @ tcp.rotation[0][:, 2])
+    if along_mm < _APPROACH_MM or along_mm < _STRAIGHT * float(np.linalg.norm(way_mm)):
+        return
+    target = first.place.arguments.get("topoint", "its target")
+    action = "closes" if switch.closes else "opens"
+    yield _Fault(GripperActsTooSoon(gripper.name, action, along_mm, target), switch.place)
 
 
 def _while_closed(
