@@ -40,7 +40,8 @@ MISTAKES = {
     "closes above the part": Mistake(
         "    MoveL pPick, v200, fine, tGrip\\WObj:=wConveyor;\n    SetDO doGrip, 1;\n" + WAITS,
         "    SetDO doGrip, 1;\n" + WAITS + "    MoveL pPick, v200, fine, tGrip\\WObj:=wConveyor;\n",
-        (("I815", 29),),
+        # The second part is there before the arm: then it closes while the arm moves.
+        (("I810", 29), ("I815", 29)),
     ),
     "allowed on the way": Mistake(
         "MoveL pPick, v200, fine",

@@ -113,7 +113,8 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
         ]
         if switch.place is not None and gripper.acts_at_rest:
             early = [*_in_motion(gripper, robot, switch)]
-            yield from early or _too_soon(gripper, robot, switch, moves)
+            may_hold = switch.closes or number > 0
+            yield from early or (_too_soon(gripper, robot, switch, moves) if may_hold else ())
         if switch.closes:
             yield from _while_closed(gripper, robot, simulation, switch, moves)
             is_over = simulation.end in (End.ENDED, End.CYCLE_LIMIT) and not following
