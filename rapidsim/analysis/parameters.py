@@ -40,6 +40,13 @@ class Formal:
     """The first type, with the words of messages."""
     only: Only | None = None
     """What it takes, where its type is anytype and that is too much."""
+    also: str = ""
+    """The other name of a required argument that may have one of two types."""
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """The folded names by which a call may pass it."""
+        return (self.key, self.also.lower()) if self.also else (self.key,)
 
     @property
     def spelled(self) -> str:

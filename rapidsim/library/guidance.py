@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Annotated, Final, Unpack, cast
 
 from rapidsim.language import types
@@ -46,6 +47,7 @@ from rapidsim.library.guidance_arguments import (
     AnalogInputs,
     AnalogOutputs,
     EgmIdent,
+    Exchange,
     GroupInputs,
     JointBands,
     JointSwitches,
@@ -187,7 +189,11 @@ def egm_act_joint(
 ) -> None:
     """Make the sensor's goals joints, with the bands within which they are reached."""
     del tload
-    _tell_no_deviation(controller, "EGMActJoint", max_pos_deviation)
+    ignored(
+        controller.honesty,
+        "EGMActJoint",
+        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
+    )
     controller.guidance.activate(
         known(egmid, "EGMActJoint"),
         Activation(
@@ -226,7 +232,11 @@ def egm_act_pose(
 ) -> None:
     """Make the sensor's goals poses of the TCP, with their frames and bands."""
     del tload
-    _tell_no_deviation(controller, "EGMActPose", max_pos_deviation)
+    ignored(
+        controller.honesty,
+        "EGMActPose",
+        {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
+    )
     controller.guidance.activate(
         known(egmid, "EGMActPose"),
         Activation(
@@ -246,7 +256,7 @@ def egm_act_pose(
 
 
 def egm_run_joint(
-    controller: Guidance,
+    controller: Controller,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -258,6 +268,7 @@ def egm_run_joint(
     **chosen: Unpack[JointSwitches],
 ) -> None:
     """Let the sensor move the joints until they have reached its goal."""
+    ignored(controller.honesty, "EGMRunJoint", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in JOINTS],
         mode,
@@ -266,11 +277,11 @@ def egm_run_joint(
         pos_corr_gain,
         None,
     )
-    controller.guide(known(egmid, "EGMRunJoint"), terms)
+    controller.guidance.guide(known(egmid, "EGMRunJoint"), terms)
 
 
 def egm_run_pose(
-    controller: Guidance,
+    controller: Controller,
     egmid: Var[EgmIdent],
     mode: EgmStopMode,
     *,
@@ -283,6 +294,7 @@ def egm_run_pose(
     **chosen: Unpack[PoseSwitches],
 ) -> None:
     """Let the sensor move the TCP until it has reached its goal."""
+    ignored(controller.honesty, "EGMRunPose", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
@@ -291,7 +303,7 @@ def egm_run_pose(
         pos_corr_gain,
         offset,
     )
-    controller.guide(known(egmid, "EGMRunPose"), terms)
+    controller.guidance.guide(known(egmid, "EGMRunPose"), terms)
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
@@ -384,15 +396,27 @@ def _positive(name: str, value: float) -> float:
     return value
 
 
-def _tell_no_deviation(controller: Controller, name: str, most: float | None) -> None:
-    ignored(controller.honesty, name, {r"\MaxPosDeviation": most})
+def _exchanged(options: Exchange) -> Mapping[str, object]:
+    """The options whose values a run neither sends to the sensor nor takes from it."""
+    return {spelled: options.get(name) for name, spelled in _EXCHANGED.items()}
 
+
+_EXCHANGED: Mapping[str, str] = MappingProxyType(
+    {
+        "data_to_sensor": r"\DataToSensor",
+        "do_to_sensor": r"\DOToSensor",
+        "di_from_sensor": r"\DIFromSensor",
+        "data_from_sensor": r"\DataFromSensor",
+    }
+)
+"""Not yet on the wire, apart from what EGMActJoint and EGMActPose take from the sensor."""
 
 _SOURCE = r"MecUnit EGMid ExtConfigName"
 _PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"
-_ACT = r"\StreamStart \Tool \WObj \TLoad \DataFromSensor"
+_ACT = r"\StreamStart \Tool \WObj \TLoad \DOToSensor \DIFromSensor \DataToSensor \DataFromSensor"
 _LIMITS = r"\LpFilter \SampleRate \MaxPosDeviation \MaxSpeedDeviation"
 _TIMES = r"\CondTime \RampInTime \RampOutTime"
+_WHILE = r"\DOToSensor \DIFromSensor \DataToSensor \DataFromSensor"
 _SEVEN = r"\J1 \J2 \J3 \J4 \J5 \J6 \J7"
 _SIX = r"\x \y \z \rx \ry \rz"
 
@@ -428,13 +452,13 @@ GUIDANCE = table(
     routine(
         "EGMRunJoint",
         egm_run_joint,
-        rf"EGMid Mode \NoWaitCond {_SEVEN} {_TIMES} \PosCorrGain",
+        rf"EGMid Mode \NoWaitCond {_WHILE} {_SEVEN} {_TIMES} \PosCorrGain",
         does=_GUIDES,
     ),
     routine(
         "EGMRunPose",
         egm_run_pose,
-        rf"EGMid Mode \NoWaitCond {_SIX} {_TIMES} \Offset \PosCorrGain",
+        rf"EGMid Mode \NoWaitCond {_WHILE} {_SIX} {_TIMES} \Offset \PosCorrGain",
         does=_GUIDES,
     ),
     routine("EGMWaitCond", egm_wait_cond, "EGMid", does=_GUIDES),

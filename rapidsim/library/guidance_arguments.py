@@ -8,7 +8,17 @@ from __future__ import annotations
 from typing import Annotated, Final, TypedDict
 
 from rapidsim.language import types
-from rapidsim.language.annotations import SignalAi, SignalAo, SignalGi, Switch, Var
+from rapidsim.language.annotations import (
+    Dnum,
+    Mode,
+    SignalAi,
+    SignalAo,
+    SignalDi,
+    SignalDo,
+    SignalGi,
+    Switch,
+    Var,
+)
 from rapidsim.language.data import EgmMinMax
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import NotAllowed
@@ -25,7 +35,21 @@ EXTERNAL: Final = ("e1", "e2", "e3", "e4", "e5", "e6")
 POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 
 
-class JointBands(TypedDict, total=False):
+class Exchange(TypedDict, total=False):
+    """Data and signals of the program that go to the sensor or come from it."""
+
+    data_to_sensor: Annotated[list[Dnum], Mode.INOUT]
+    do_to_sensor: Var[SignalDo]
+    di_from_sensor: Var[SignalDi]
+
+
+class RunExchange(Exchange, total=False):
+    """The same of EGMRunJoint and EGMRunPose."""
+
+    data_from_sensor: Annotated[list[Dnum], Mode.INOUT]
+
+
+class JointBands(Exchange, total=False):
     """How near each axis is to its goal where it is there [deg]."""
 
     j1: EgmMinMax
@@ -37,7 +61,7 @@ class JointBands(TypedDict, total=False):
     j7: EgmMinMax
 
 
-class PoseBands(TypedDict, total=False):
+class PoseBands(Exchange, total=False):
     """The same of the TCP [mm, deg]."""
 
     x: EgmMinMax
@@ -99,7 +123,7 @@ class GroupInputs(TypedDict, total=False):
     gi_e6: Var[SignalGi]
 
 
-class JointSwitches(TypedDict, total=False):
+class JointSwitches(RunExchange, total=False):
     """The axes that a sensor moves."""
 
     j1: Switch
@@ -111,7 +135,7 @@ class JointSwitches(TypedDict, total=False):
     j7: Switch
 
 
-class PoseSwitches(TypedDict, total=False):
+class PoseSwitches(RunExchange, total=False):
     """The directions in which a sensor moves the TCP."""
 
     x: Switch

@@ -206,16 +206,16 @@ _WINDOW = r"\Visualize \Header \Message|\MsgArray \Wrap \Icon \Image \VisualizeT
 SIGNAL_WAITS = table(
     routine("WaitDI", wait_di, rf"Signal Value \MaxTime \TimeFlag {_WINDOW}"),
     routine("WaitDO", wait_do, rf"Signal Value \MaxTime \TimeFlag {_WINDOW}"),
-    routine("WaitAI", wait_ai, rf"Signal \LT|\GT Value \MaxTime \ValueAtTimeout {_WINDOW}"),
-    routine("WaitAO", wait_ao, rf"Signal \LT|\GT Value \MaxTime \ValueAtTimeout {_WINDOW}"),
+    routine("WaitAI", wait_ai, rf"Signal \LT|\GT Value|Dvalue \MaxTime \ValueAtTimeout {_WINDOW}"),
+    routine("WaitAO", wait_ao, rf"Signal \LT|\GT Value|Dvalue \MaxTime \ValueAtTimeout {_WINDOW}"),
     routine(
         "WaitGI",
         wait_gi,
-        rf"Signal \NOTEQ|\LT|\GT Value \MaxTime \ValueAtTimeout|\DvalueAtTimeout {_WINDOW}",
+        rf"Signal \NOTEQ|\LT|\GT Value|Dvalue \MaxTime \ValueAtTimeout|\DvalueAtTimeout {_WINDOW}",
     ),
     routine(
         "WaitGO",
         wait_go,
-        rf"Signal \NOTEQ|\LT|\GT Value \MaxTime \ValueAtTimeout|\DvalueAtTimeout {_WINDOW}",
+        rf"Signal \NOTEQ|\LT|\GT Value|Dvalue \MaxTime \ValueAtTimeout|\DvalueAtTimeout {_WINDOW}",
     ),
 )

@@ -16,7 +16,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, Num, Pers, SignalDo, SignalGo, Switch, Var
-from rapidsim.language.controller import Controller, Execution
+from rapidsim.language.controller import ACCEPTED, Controller, Execution
 from rapidsim.language.error_numbers import (
     ERR_PATH_STOP,
     ERR_PROCSIGNAL_OFF,
@@ -31,6 +31,7 @@ from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
+_OWN_ROBOT = f"{ACCEPTED}: in the task of a robot it resets that robot's stop alone"
 _NOTHING_CLEARED = "nothing is cleared"
 
 
@@ -59,6 +60,9 @@ def start_move_retry(controller: PathControl) -> None:
 
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
+    if all_motion_tasks and controller.tasks.robot_number:
+        controller.honesty.not_simulated(r"StopMoveReset \AllMotionTasks", _OWN_ROBOT)
+        all_motion_tasks = False
     if _is_watching(controller, "StopMoveReset", all_motion_tasks):
         controller.tasks.start_robots(every=all_motion_tasks)
     elif controller.path_control.is_stopped():

@@ -60,6 +60,8 @@ class Parameter:
     """The Python function wants a function that evaluates the argument."""
     only: Only | None = None
     """What it takes, where its type is anytype and that is too much."""
+    also: str = ""
+    """The other name of a required argument that may have one of two types: `Dvalue`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +100,7 @@ class LibraryRoutine:
     """As it is written; `body` is what is called."""
     order: str = ""
     """The parameters as RAPID orders and spells them, options with a backslash, alternatives with
-    a bar; needed only where options come first, exclude each other or have unusual spellings."""
+    a bar; needed only where options come first, exclude each other, or names are unusual or two."""
     treated_as: str | None = None
     """What is done instead where the routine is not simulated; None where it is."""
     stated: Does = NOTHING
@@ -211,12 +213,15 @@ def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:
     group = 0
     for item in re.sub(r"\s*\|\s*", "|", order).split():
         names = item.replace("\\", "").split("|")
+        optional, also = item.startswith("\\"), ""
+        if not optional:
+            names, also = names[:1], "".join(names[1:])
         group += len(names) > 1
         for name in names:
-            found, optional = read[_folded(name)], item.startswith("\\")
+            found = read[_folded(name)]
             assert found.by_keyword or not optional, f"{name}: optional or not?"
             shared = group if len(names) > 1 else 0
-            parameters.append(replace(found, name=name, optional=optional, group=shared))
+            parameters.append(replace(found, name=name, optional=optional, group=shared, also=also))
     return tuple(parameters)
 
 

@@ -257,7 +257,7 @@ _RELATIONS: Mapping[float, Callable[[float, float], bool]] = MappingProxyType(
 """By the constants LT to GTEQ."""
 
 _WHERE = r"TriggData Distance"
-_OUTPUT = r"\DOp|\GOp|\AOp|\ProcID SetValue"
+_OUTPUT = r"\DOp|\GOp|\AOp|\ProcID SetValue|SetDvalue"
 _INHIBITION = r"\Inhib \InhibSetValue \Mode"
 
 TRIGGERS = table(
@@ -267,7 +267,8 @@ TRIGGERS = table(
     routine(
         "TriggCheckIO",
         trigg_check_io,
-        rf"{_WHERE} \Start|\Next|\Time Signal Relation CheckValue \StopMove Interrupt \Inhib \Mode",
+        rf"{_WHERE} \Start|\Next|\Time Signal Relation CheckValue|CheckDvalue \StopMove Interrupt"
+        r" \Inhib \Mode",
     ),
     routine(
         "TriggRampAO",

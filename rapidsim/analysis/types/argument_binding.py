@@ -95,7 +95,7 @@ def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | N
     name = argument.name
     assert name is not None
     for position, formal in enumerate(callee.parameters):
-        if formal.key == name.key and formal.optional == optional:
+        if name.key in formal.keys and formal.optional == optional:
             return position
     if not callee.is_complete:
         return None

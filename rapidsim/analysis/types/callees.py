@@ -66,6 +66,7 @@ def callee_of_installed(symbol: LibrarySymbol) -> Callee:
             parameter.group,
             Wanted(parameter.types[0], f"parameter `{parameter.name}` of `{symbol.name}`"),
             parameter.only,
+            parameter.also,
         )
         for parameter in signature.parameters
     )

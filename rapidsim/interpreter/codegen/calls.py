@@ -29,7 +29,7 @@ from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.executed_runs import ROW, ExecutedRun
-from rapidsim.interpreter.runtime.late_binding import LateArgument
+from rapidsim.interpreter.runtime.late_binding import LateArgument, key_of
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import Mode
@@ -65,7 +65,8 @@ def match_arguments(
         match argument:
             case tree.Required(value=value, name=name):
                 following = next(required, "")
-                given[name.key if name is not None else following] = Given(value)
+                key = following if name is None else key_of(name.key, parameters)
+                given[key] = Given(value)
             case tree.Optional(name=name, value=value):
                 given[name.key] = Given(value)
             case tree.Conditional(name=name, present=present):

@@ -101,7 +101,11 @@ class Paths:
     def type_of(self, path: tree.DataPath) -> Type:
         """The declared type of the data at a path."""
         parts = flat(path)
-        of = _symbol_type(self._program.symbol_of[parts.reference])
+        symbol = self._program.symbol_of[parts.reference]
+        if isinstance(symbol, UnknownSymbol):
+            # A signal of the kind that the check has found for it.
+            return self._program.type_of.get(parts.reference, SIGNAL_DI)
+        of = _symbol_type(symbol)
         for _ in parts.indices:
             of = _element(of)
         for name in parts.names:
@@ -451,8 +455,6 @@ def _symbol_type(symbol: Symbol) -> Type:
     match symbol:
         case DataSymbol(type=of) | ParameterSymbol(type=of) | ConfiguredSymbol(type=of):
             return of
-        case UnknownSymbol():
-            return SIGNAL_DI
         case _:
             return NUM
 

@@ -214,6 +214,14 @@ def _called(
     return found.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
 
 
+def key_of(name: str, parameters: Sequence[ParameterSymbol | Parameter]) -> str:
+    """The folded name of the parameter that a named argument means."""
+    for parameter in parameters:
+        if isinstance(parameter, Parameter) and parameter.also.lower() == name:
+            return parameter.name.lower()
+    return name
+
+
 def _bound(
     name: str,
     parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
@@ -226,7 +234,7 @@ def _bound(
     waiting = iter(required)
     given: dict[str, tuple[LateArgument, Any]] = {}
     for shape, value in zip(shapes, values, strict=True):
-        key = shape.key if shape.key is not None else next(waiting, None)
+        key = next(waiting, None) if shape.key is None else key_of(shape.key, parameters)
         parameter = by_key.get(key) if key is not None else None
         if key is None or parameter is None:
             raise _mismatch(name, "it takes fewer arguments")
