@@ -323,6 +323,9 @@ _MILLI = 0.0010000000474974513
 
 MAX_TCP_SPEED_MM_S = 5000.0
 """TCP speed of `vmax`; a controller may replace it by what its robot can do."""
+MAX_REORIENT_SPEED_DEG_S = 500.0
+MAX_LINEAR_AXIS_SPEED_MM_S = 5000.0
+MAX_ROTATING_AXIS_SPEED_DEG_S = 1000.0
 NO_EXTERNAL_AXES = ExtJoint(*(UNUSED_AXIS,) * 6)
 IDENTITY_POSE = Pose(Pos(0.0, 0.0, 0.0), Orient(1.0, 0.0, 0.0, 0.0))
 LOAD0 = LoadData(_MILLI, Pos(0.0, 0.0, _MILLI), Orient(1.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0)

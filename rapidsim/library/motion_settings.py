@@ -9,7 +9,13 @@ from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
 from rapidsim.language.controller import ACCEPTED, ClockService, Controller, Honesty, Motion
-from rapidsim.language.data import MAX_TCP_SPEED_MM_S, LoadData
+from rapidsim.language.data import (
+    MAX_LINEAR_AXIS_SPEED_MM_S,
+    MAX_REORIENT_SPEED_DEG_S,
+    MAX_ROTATING_AXIS_SPEED_DEG_S,
+    MAX_TCP_SPEED_MM_S,
+    LoadData,
+)
 from rapidsim.language.error_numbers import (
     ERR_ACC_TOO_LOW,
     ERR_ARGVALERR,
@@ -20,6 +26,7 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
 from rapidsim.library.table import routine, table
 
+_OF_VMAX = "the speed of vmax"
 LEAST_ACCELERATION_PERCENT = 20.0
 LEAST_LIMIT_M_S2 = 0.1
 LEAST_REFRESH_PERCENT = 1.0
@@ -231,8 +238,26 @@ def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
 
 def max_rob_speed(controller: Honesty) -> Num:
     """The highest TCP speed [mm/s]."""
-    controller.not_simulated("MaxRobSpeed", "the speed of vmax")
+    controller.not_simulated("MaxRobSpeed", _OF_VMAX)
     return MAX_TCP_SPEED_MM_S
+
+
+def max_rob_reorient_speed(controller: Honesty) -> Num:
+    """The highest speed of reorientation [deg/s]."""
+    controller.not_simulated("MaxRobReorientSpeed", _OF_VMAX)
+    return MAX_REORIENT_SPEED_DEG_S
+
+
+def max_ext_linear_speed(controller: Honesty) -> Num:
+    """The highest speed of linear external axes [mm/s]."""
+    controller.not_simulated("MaxExtLinearSpeed", _OF_VMAX)
+    return MAX_LINEAR_AXIS_SPEED_MM_S
+
+
+def max_ext_reorient_speed(controller: Honesty) -> Num:
+    """The highest speed of rotating external axes [deg/s]."""
+    controller.not_simulated("MaxExtReorientSpeed", _OF_VMAX)
+    return MAX_ROTATING_AXIS_SPEED_DEG_S
 
 
 MOTION_SETTINGS = table(
@@ -289,5 +314,8 @@ MOTION_SETTINGS = table(
         sets=("motion_supervision", "supervision_tune_percent"),
     ),
     routine("GripLoad", grip_load, sets=("grip_load", "grip_load_name")),
-    routine("MaxRobSpeed", max_rob_speed, treated_as="the speed of vmax"),
+    routine("MaxRobSpeed", max_rob_speed, treated_as=_OF_VMAX),
+    routine("MaxRobReorientSpeed", max_rob_reorient_speed, treated_as=_OF_VMAX),
+    routine("MaxExtLinearSpeed", max_ext_linear_speed, treated_as=_OF_VMAX),
+    routine("MaxExtReorientSpeed", max_ext_reorient_speed, treated_as=_OF_VMAX),
 )

@@ -17,6 +17,9 @@ from rapidsim.language import error_numbers, types
 from rapidsim.language.data import (
     FINE,
     LOAD0,
+    MAX_LINEAR_AXIS_SPEED_MM_S,
+    MAX_REORIENT_SPEED_DEG_S,
+    MAX_ROTATING_AXIS_SPEED_DEG_S,
     MAX_TCP_SPEED_MM_S,
     TOOL0,
     WOBJ0,
@@ -189,7 +192,12 @@ def _speeds_and_zones() -> Iterator[PredefinedData]:
     speed, zone = TYPES["speeddata"], TYPES["zonedata"]
     for v in _SPEEDS:
         yield PredefinedData(f"v{v}", speed, SpeedData(float(v), 500.0, 5000.0, 1000.0))
-    vmax = SpeedData(MAX_TCP_SPEED_MM_S, 500.0, 5000.0, 1000.0)
+    vmax = SpeedData(
+        MAX_TCP_SPEED_MM_S,
+        MAX_REORIENT_SPEED_DEG_S,
+        MAX_LINEAR_AXIS_SPEED_MM_S,
+        MAX_ROTATING_AXIS_SPEED_DEG_S,
+    )
     yield PredefinedData("vmax", speed, vmax, constant=False)
     for v in _ROTATING_AXIS_SPEEDS:
         yield PredefinedData(f"vrot{v}", speed, SpeedData(0.0, 0.0, 0.0, float(v)))

@@ -346,10 +346,14 @@ def test_the_arms_of_other_tasks_are_asked_for() -> None:
     assert not controller.unsimulated
 
 
-def test_vmax_and_max_rob_speed_agree() -> None:
+def test_the_highest_speeds_are_those_of_vmax() -> None:
     vmax = DATA["vmax"].value
     assert isinstance(vmax, SpeedData)
-    assert RecordingController().call("MaxRobSpeed") == vmax.v_tcp
+    controller = RecordingController()
+    assert controller.call("MaxRobSpeed") == vmax.v_tcp
+    assert controller.call("MaxRobReorientSpeed") == vmax.v_ori
+    assert controller.call("MaxExtLinearSpeed") == vmax.v_leax
+    assert controller.call("MaxExtReorientSpeed") == vmax.v_reax
 
 
 def test_searches_and_moves_with_outputs_give_the_controller_all_it_needs() -> None:

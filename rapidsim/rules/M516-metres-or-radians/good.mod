@@ -31,3 +31,16 @@ MODULE slow
     MoveL Offs(p10,50,0,0),v100\V:=1.5,fine,tool0;
   ENDPROC
 ENDMODULE
+! ---
+MODULE search
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR signaldi diTouch;
+  ! The last pass of a search is slower than anybody moves.
+  CONST speeddata crawl:=[0.25,100,5000,1000];
+  PROC main()
+    VAR robtarget found;
+    AliasIO "diContact",diTouch;
+    SearchL\PStop,diTouch,found,p10,crawl,tool0;
+    SearchL\PStop,diTouch,found,p10,[0.5,100,5000,1000],tool0;
+  ENDPROC
+ENDMODULE

@@ -98,15 +98,20 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
-    """Speeds of the TCP below a millimetre per second."""
+    """Speeds of the TCP below a millimetre per second; that of a search is so slow on purpose."""
+    searching = _speeds_of_searches(facts)
     for part in facts.parts:
         for node in part.all(tree.Data):
             if node.type.key == "speeddata" and not node.dimensions and node.value is not None:
+                if node in searching:
+                    continue
                 speed = _slow_speed(known_value(node.value, facts))
                 if speed is not None:
                     what = f"the speed of the TCP in `{node.name.text}`"
                     yield part.finding(_metres_per_second(what, speed), node.name)
         for move in moves(part, facts):
+            if Does.SEARCH in move.does:
+                continue
             for key in _SPEEDS & move.arguments.keys():
                 value = move.arguments[key]
                 speed = _slow_speed(known_value(value, facts))
@@ -116,6 +121,19 @@ def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
                     and not isinstance(value, tree.Reference)
                 ):
                     yield part.finding(_metres_per_second("this speed", speed), value)
+
+
+def _speeds_of_searches(facts: Facts) -> frozenset[tree.Node]:
+    """The declarations of the speeds that searches take."""
+    searches = (
+        move for part in facts.parts for move in moves(part, facts) if Does.SEARCH in move.does
+    )
+    symbols = (facts.symbol(move.arguments.get("speed")) for move in searches)
+    return frozenset(
+        symbol.node
+        for symbol in symbols
+        if isinstance(symbol, DataSymbol) and symbol.node is not None
+    )
 
 
 def find_radians(facts: Facts) -> Iterator[Diagnostic]:
