@@ -18,6 +18,36 @@ APPLICATION = "rapidsim"
 _WRITER_FAILED = ("File-writer thread", "Failed to write")
 """What rerun says when its writer stopped earlier, and when it fails in the call itself."""
 
+_PATIENCE_S = 30.0
+"""Time [s] within which a writer that works has written something more."""
+
+
+class _FileStream(rr.RecordingStream):
+    """A stream into a file that does not wait for a writer that has stopped.
+
+    On a full disk rerun's writer may stop without a word, and its own wait for it never ends.
+    """
+
+    def __init__(self, file: Path, recording_id: uuid.UUID) -> None:
+        super().__init__(APPLICATION, recording_id=recording_id, send_properties=False)
+        self._file = file
+
+    def flush(self, *, timeout_sec: float = 1e38) -> None:
+        """Write what is left.
+
+        Raises:
+            RuntimeError: If it cannot be written.
+        """
+        written, before = self._file.stat().st_size, -1
+        while written > before:
+            try:
+                return super().flush(timeout_sec=min(timeout_sec, _PATIENCE_S))
+            except RuntimeError as error:
+                if any(words in str(error) for words in _WRITER_FAILED):
+                    raise
+            written, before = self._file.stat().st_size, written
+        raise RuntimeError(f"{_WRITER_FAILED[0]} has stopped")
+
 
 @contextmanager
 def recording_file(
@@ -36,9 +66,7 @@ def recording_file(
     with whole_file(path) as temporary, _strictly():
         with (
             _said_by_rerun(path),
-            rr.RecordingStream(
-                APPLICATION, recording_id=recording_id, send_properties=False
-            ) as stream,
+            _FileStream(Path(temporary), recording_id) as stream,
         ):
             stream.save(temporary, default_blueprint=layout)
             stream.set_log_time_enabled(False)

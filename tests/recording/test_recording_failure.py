@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+import rerun as rr
 from recording_cell import cell
 
 from rapidsim.files import InputError
@@ -41,6 +42,7 @@ def record_elsewhere(path: Path, limit: int = 0) -> tuple[int, str]:
         capture_output=True,
         text=True,
         check=False,
+        timeout=300,
     )
     return done.returncode, done.stdout
 
@@ -84,3 +86,21 @@ def test_a_folder_that_may_not_be_written_to_is_said(
     with pytest.raises(InputError, match="may not be written to"):
         record(cell(rounds=1), tmp_path / "frame.rrd")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_writer_that_has_stopped_is_not_waited_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """On a full disk rerun's writer may end without a word; its own wait never ends."""
+    waits: list[float] = []
+
+    def flush(_stream: rr.RecordingStream, *, timeout_sec: float = 1e38) -> None:
+        waits.append(timeout_sec)
+        raise RuntimeError("not flushed in time")
+
+    monkeypatch.setattr(rr.RecordingStream, "flush", flush)
+    with pytest.raises(InputError, match="cannot write"):
+        record(cell(rounds=1), tmp_path / "frame.rrd")
+    assert waits
+    assert max(waits) < 60.0
+    assert not list(tmp_path.iterdir())
