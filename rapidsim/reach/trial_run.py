@@ -17,6 +17,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.files import InputError
+from rapidsim.findings.guidance import NobodyGuides
 from rapidsim.findings.reach_and_motion_data import MainAxesSwitched
 from rapidsim.findings.runs import (
     EndlessWait,
@@ -28,6 +29,7 @@ from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
+from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, QuaternionNotUnit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.checked_moves import MOST_MOVES, MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
@@ -141,7 +143,11 @@ def run_for_moves(
         moves,
         tuple(one for one, _ in made),
         frozenset(failed | {call for _, (call, _) in made}),
-        tuple(_as_sure(one, run, (program,), options) for one in run.diagnostics if _is_told(one)),
+        tuple(
+            _as_sure(one, run, (program,), options)
+            for one in run.diagnostics
+            if _is_told(one) and not _is_of_no_value(one, (program,))
+        ),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
         if run.end is End.TIME_LIMIT
@@ -184,7 +190,11 @@ def run_for_error(
     if _was_to_be_answered(run):
         return ErrorRun(met=met)
     moves = [module.span(call) for call, module in walked.written]
-    errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
+    errors = (
+        one
+        for one in run.diagnostics
+        if _ends_or_doubts(one, moves) and not _is_of_no_value(one, (program,))
+    )
     found = tuple(_as_sure(one, run, (program,), options, moves) for one in errors)
     return ErrorRun(found, "", met)
 
@@ -221,7 +231,11 @@ def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diag
         return None
     if _was_to_be_answered(run):
         return ()
-    errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
+    errors = [
+        one
+        for one in run.diagnostics
+        if one.severity is Severity.ERROR and not _is_of_no_value(one, programs)
+    ]
     if run.end is End.TIME_LIMIT and not errors:
         return None
     return tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
@@ -303,6 +317,13 @@ def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
     return of_reach and at is not None and not any(map(at.begins_in, moves))
 
 
+def _is_of_no_value(found: Diagnostic, programs: Sequence[Program]) -> bool:
+    """Whether a run had zeros for a target whose value another program sets."""
+    violation = found.violation
+    is_zero = isinstance(violation, QuaternionNotUnit) and violation.length < TOLERATED_NORM_ERROR
+    return is_zero and len(programs) == 1 and is_given_values(programs[0])
+
+
 def _of_text(found: Diagnostic) -> bool:
     """Whether the text alone tells it, and has."""
     return isinstance(found.violation, NotDeclaredHere)
@@ -340,6 +361,7 @@ def _doubted(
         or any(one.cell.refers_late for one in programs)
         or (len(programs) == 1 and is_given_values(programs[0]))
         or _lacked(run, programs)
+        or any(isinstance(one.violation, NobodyGuides) for one in run.diagnostics)
         or _was_asked(run)
     )
     if not options.io.stimuli:

@@ -52,6 +52,7 @@ ENTRY = "main"
 
 _IN_LOOP = "`{name}` changes from round to round"
 _BY_CALL = "`{name}` is written by a routine that is called in between"
+_NO_VALUE = "`{name}` has no initial value; another program sets it"
 _ELSEWHERE = "`{name}` is written while the program runs"
 _WAY = "`{name}` decides whether this is executed"
 TOO_LONG = "the program is too long to be followed to this place"
@@ -206,6 +207,8 @@ class Walker:
     def _initial(self, symbol: DataSymbol) -> Known:
         assert symbol.node is not None
         if symbol.node.value is None:
+            if symbol.storage is Storage.PERS:
+                return Unknown(_NO_VALUE.format(name=symbol.name))
             return empty_data(symbol)
         return self._evaluator.value(symbol.node.value, symbol.type)
 
