@@ -31,7 +31,6 @@ from rapidsim.module_files import (
     packed_station,
     read_tasks,
 )
-from rapidsim.motion.robot.catalogue import find_entry
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.backup.loose_configuration import (
@@ -145,10 +144,13 @@ def _of_cell(paths: Sequence[str], robot: str | None, file: Path, *, is_backup: 
 def _without_speeds(station: Station) -> Iterator[str]:
     """What is said of arms that the catalogue has without the speeds of their axes."""
     for name in dict.fromkeys(one.name for one in station.robots if one.name):
-        if None in find_entry(name).max_speeds:
+        arm = load_robot(name)
+        if all(joint.max_speed is not None for joint in arm.joints):
+            yield from arm.notices
+        else:
             yield (
                 f"no source gives the axis speeds of {name}, which a run needs: "
-                f"[motion] axis_speed = [...] in {load_robot(name).units('/s')}, one value per axis"
+                f"[motion] axis_speed = [...] in {arm.units('/s')}, one value per axis"
             )
 
 

@@ -95,3 +95,19 @@ def test_a_run_says_what_of_the_arm_is_not_modelled(tmp_path: Path) -> None:
     done = rapidsim("run", file, "--robot", "irb2400", "--no-record")
     assert done.code == 0, done.err
     assert "Not modelled: the rod of axis 3" in " ".join(done.out.split())
+
+
+def test_an_arm_of_unknown_speed_has_the_speeds_of_its_family(tmp_path: Path) -> None:
+    file = tmp_path / "turn.mod"
+    file.write_text(
+        "MODULE turn\n  PROC main()\n"
+        "    MoveAbsJ [[30,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    arguments = ("run", file, "--no-record", "--robot")
+    lent = rapidsim(*arguments, "irb1300-11-0.9")
+    assert lent.code == 0, lent.err
+    assert "no source gives the axis speeds of irb1300-11-0.9: those of irb1300-10-1.15" in lent.err
+    own = rapidsim(*arguments, "irb1300-10-1.15")
+    assert own.code == 0, own.err
+    assert "axis speeds of" not in own.err

@@ -124,6 +124,30 @@ def find_entry(name: str) -> CatalogueEntry:
     return read_entry(robots_folder() / wanted)
 
 
+def sibling_with_speeds(entry: CatalogueEntry) -> CatalogueEntry | None:
+    """The ABB arm of the same family whose axis speeds stand in for unknown ones; None if none has.
+
+    It is the one of the nearest reach, then of the nearest payload.
+    """
+    if entry.maker != "ABB":
+        return None
+    family = entry.name.partition("-")[0] + "-"
+    named = (name for name in robot_names() if name.startswith(family))
+    known = [
+        other
+        for other in map(find_entry, named)
+        if None not in other.max_speeds and len(other.max_speeds) == len(entry.max_speeds)
+    ]
+
+    def difference(other: CatalogueEntry) -> tuple[float, float]:
+        return (
+            abs((other.reach_m or 0.0) - (entry.reach_m or 0.0)),
+            abs((other.payload_kg or 0.0) - (entry.payload_kg or 0.0)),
+        )
+
+    return min(known, key=difference, default=None)
+
+
 def read_entry(folder: Path) -> CatalogueEntry:
     """Read the `robot.toml` of a folder.
 

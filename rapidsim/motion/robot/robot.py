@@ -21,6 +21,7 @@ from rapidsim.motion.robot.catalogue import (
     find_entry,
     kinematics_of,
     robot_names,
+    sibling_with_speeds,
 )
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
@@ -214,6 +215,10 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
 
 def _from_entry(entry: CatalogueEntry) -> Robot:
     kinematics = kinematics_of(entry)
+    sibling = sibling_with_speeds(entry) if None in entry.max_speeds else None
+    if sibling is not None:
+        entry = replace(entry, max_speeds=sibling.max_speeds)
+    lent = _speed_notices(entry, sibling)
     return Robot(
         name=entry.name,
         title=entry.title,
@@ -230,16 +235,26 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         ),
         kinematics=kinematics,
         dynamics=dynamics_of(entry),
-        notices=_notices(entry),
+        notices=(*_notices(entry), *lent),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
         reach_m=entry.reach_m,
         maker=entry.maker,
         sources=entry.sources,
         checks=entry.checks,
-        notes=entry.notes,
+        notes=(*entry.notes, *lent),
         not_modelled=entry.not_modelled,
         link_excess_m=entry.link_excess_m,
+    )
+
+
+def _speed_notices(entry: CatalogueEntry, sibling: CatalogueEntry | None) -> tuple[str, ...]:
+    """What the user should know of axis speeds that are those of another arm."""
+    if sibling is None:
+        return ()
+    return (
+        f"no source gives the axis speeds of {entry.name}: those of {sibling.name} are used; "
+        "[motion] axis_speed = [...] in rapidsim.toml sets them",
     )
 
 
