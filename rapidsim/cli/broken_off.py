@@ -63,25 +63,44 @@ def limited_to(seconds: float | None) -> Iterator[None]:
                     _interrupt(thread)
             wait_s = _AGAIN_S
 
-    threading.Thread(target=interrupt, name="rapidsim --max-wall", daemon=True).start()
-    try:
+    # Its handler is there as long as a signal may come.
+    with _interruptible(thread):
+        threading.Thread(target=interrupt, name="rapidsim --max-wall", daemon=True).start()
         try:
-            yield
-        finally:
-            with lock:
-                done.set()
-        if is_over.is_set():
-            sleep(_ARRIVAL_S)
-    except KeyboardInterrupt as interrupted:
-        if not is_over.is_set():
-            raise
-        raise TimeOverError("".join(map(str, interrupted.args))) from None
+            try:
+                yield
+            finally:
+                with lock:
+                    done.set()
+            if is_over.is_set():
+                sleep(_ARRIVAL_S)
+        except KeyboardInterrupt as interrupted:
+            if not is_over.is_set():
+                raise
+            raise TimeOverError("".join(map(str, interrupted.args))) from None
+
+
+@contextmanager
+def _interruptible(thread: int) -> Iterator[None]:
+    """Let a signal interrupt the main thread: not SIGINT, which background jobs ignore."""
+    if not _takes_signals(thread):
+        yield
+        return
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def _takes_signals(thread: int) -> bool:
+    return os.name == "posix" and thread == threading.main_thread().ident
 
 
 def _interrupt(thread: int) -> None:
     """Raise KeyboardInterrupt in a thread, even in the main thread while it waits for processes."""
-    if os.name == "posix" and thread == threading.main_thread().ident:
-        signal.pthread_kill(thread, signal.SIGINT)
+    if _takes_signals(thread):
+        signal.pthread_kill(thread, signal.SIGALRM)
         return
     exception = ctypes.py_object(KeyboardInterrupt)
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)

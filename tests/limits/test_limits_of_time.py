@@ -1,6 +1,8 @@
 """`--max-wall` holds, whatever the program is busy with: within 2 s of processor time."""
 
 import json
+import subprocess
+import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -297,6 +299,27 @@ def test_a_check_may_be_limited(given: tuple[str, ...], tmp_path: Path) -> None:
     ended = call("check", "one.mod", "two.mod", *given, *limit, cwd=tmp_path)
     assert (ended.code, ended.out) == (3, "")
     assert ended.err.startswith("error: --max-wall ended the command")
+
+
+@pytest.mark.process
+@pytest.mark.skipif(sys.platform == "win32", reason="shells of Windows have no such jobs")
+def test_the_check_of_a_background_job_is_limited_too(tmp_path: Path) -> None:
+    """A shell starts such jobs deaf to SIGINT."""
+    lines = "".join(f"    IF n>{i} n:=n*{i}+Sin(n);\n" for i in range(100_000))
+    text = f"MODULE one\n  VAR num n;\n  PROC p()\n{lines}  ENDPROC\nENDMODULE\n"
+    (tmp_path / "one.mod").write_text(text)
+    ignoring = "import signal, sys; signal.signal(signal.SIGINT, signal.SIG_IGN); "
+    command = "from rapidsim.cli import main; sys.argv = ['rapidsim', *sys.argv[1:]]; main()"
+    done = subprocess.run(
+        [sys.executable, "-c", ignoring + command, "check", "one.mod", "--max-wall", "0.3"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert (done.returncode, done.stdout) == (3, "")
+    assert "--max-wall ended the command" in done.stderr
 
 
 def test_a_zone_is_watched_no_longer_than_the_run(tmp_path: Path) -> None:
