@@ -50,3 +50,19 @@ def test_a_routine_in_metres(
     found = [] if message is None else [f"job.mod:4:11: error[M516] {message}"]
     assert [text for text in checked.out.splitlines() if "[M516]" in text] == found
     assert checked.code == len(found)
+
+
+def test_a_routine_that_only_declares_targets(tmp_path: Path) -> None:
+    """Many targets of its own, and no move: nothing is concluded, and nothing fails."""
+    shown = "".join(
+        f"    CONST robtarget p{i}:=[[{600 + i},0,600],[0,0,1,0],[0,0,0,0],"
+        "[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        for i in range(MOVES)
+    )
+    moves = "".join(f"    MoveL p{i},v100,z1,tool0;\n" for i in range(MOVES))
+    (tmp_path / "job.mod").write_text(
+        f"MODULE job\n{shown}  PROC main()\n{moves}  ENDPROC\n"
+        f"  PROC other()\n{shown}  ENDPROC\nENDMODULE\n"
+    )
+    checked = call("check", "job.mod", "--robot", "irb1600", "--select", "M516", cwd=tmp_path)
+    assert checked.code == 0, checked.out

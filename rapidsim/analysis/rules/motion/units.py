@@ -167,8 +167,10 @@ def _of_whole_routine(part: Part, facts: Facts) -> Diagnostic | None:
         for target, value in zip(targets, values, strict=True)
         if isinstance(value, tuple) and value and (position := numbers(value[0], 3)) is not None
     ]
-    runs = [run for run in part.module.runs if part.contains(run.like)]
-    if len({position for _, position in positions}) + sum(map(len, runs)) < _MANY_TARGETS:
+    is_call = (run for run in part.module.runs if isinstance(run.like, tree.Call))
+    runs = [run for run in is_call if part.contains(run.like)]
+    many = len({position for _, position in positions}) + sum(map(len, runs))
+    if not positions or many < _MANY_TARGETS:
         return None
     count = len(positions)
     if runs:
