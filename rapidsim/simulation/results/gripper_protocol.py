@@ -129,23 +129,34 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
 
 def _switches(close: Condition, task: str, simulation: Simulation) -> Iterator[_Switch]:
     """When the condition of a gripper changes, from its value at the start on."""
-    values = {name.lower(): value for name, value in simulation.signal_starts.items()}
-    holds = close.holds(lambda name: values.get(name.lower(), 0.0))
-    for event in _signal_events(close, simulation.events):
-        values[str(event.details["signal"]).lower()] = _number(event.details["value"])
-        now = close.holds(lambda name: values.get(name.lower(), 0.0))
-        if now is not holds:
-            holds = now
+    for holds, event in _changes(close, simulation):
+        if event is not None:
             before = event.moves_given if event.task == task and event.place else None
-            yield _Switch(event.time_s, now, event.place, before)
+            yield _Switch(event.time_s, holds, event.place, before)
 
 
-def _signal_events(condition: Condition, events: Sequence[Event]) -> Iterator[Event]:
+def _changes(condition: Condition, simulation: Simulation) -> Iterator[tuple[bool, Event | None]]:
+    """Whether a condition holds: at the start, with no event, and at each event that changes it."""
     names = {name.lower() for name in condition.signals()}
-    for event in events:
-        is_value = event.kind is EventKind.SIGNAL and "value" in event.details
-        if is_value and str(event.details.get("signal", "")).lower() in names:
-            yield event
+    values = {name.lower(): value for name, value in simulation.signal_starts.items()}
+
+    def holds_now() -> bool:
+        return condition.holds(lambda name: values.get(name.lower(), 0.0))
+
+    holds = holds_now()
+    yield holds, None
+    for event in simulation.events:
+        signal = str(event.details.get("signal", "")).lower()
+        if (
+            event.kind is not EventKind.SIGNAL
+            or signal not in names
+            or "value" not in event.details
+        ):
+            continue
+        values[signal] = _number(event.details["value"])
+        if holds_now() is not holds:
+            holds = not holds
+            yield holds, event
 
 
 def _number(value: object) -> float:
@@ -237,21 +248,12 @@ def _counted(moves: Sequence[ExecutedMove]) -> str:
 
 def _true_from(condition: Condition, simulation: Simulation, start_s: float) -> float | None:
     """The first instant from a time on at which a condition holds; None if it never does."""
-    values = {name.lower(): value for name, value in simulation.signal_starts.items()}
-
-    def holds() -> bool:
-        return condition.holds(lambda name: values.get(name.lower(), 0.0))
-
-    started = False
-    for event in _signal_events(condition, simulation.events):
-        if not started and event.time_s > start_s + _SAME_TIME_S:
-            started = True
-            if holds():
-                return start_s
-        values[str(event.details["signal"]).lower()] = _number(event.details["value"])
-        if event.time_s >= start_s - _SAME_TIME_S and holds():
-            return event.time_s
-    return start_s if not started and holds() else None
+    held = False
+    for holds, event in _changes(condition, simulation):
+        if event is not None and event.time_s > start_s + _SAME_TIME_S:
+            return start_s if held else event.time_s
+        held = holds
+    return start_s if held else None
 
 
 def _reads(
