@@ -5,6 +5,7 @@ Each concern has its file here and is given what it uses; what tasks share is th
 
 from __future__ import annotations
 
+from rapidsim.controller.axis_signals import TaskAxisSignals
 from rapidsim.controller.cameras import TaskCameras
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
@@ -25,6 +26,7 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.operator import TaskHonesty, TaskOperator
 from rapidsim.controller.other_tasks import TaskOthers
 from rapidsim.controller.path_control import TaskPathControl
+from rapidsim.controller.path_length import TaskPathLength
 from rapidsim.controller.path_recorder import TaskPathRecorder
 from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
@@ -57,6 +59,7 @@ class VirtualController:
     sockets: TaskSockets
     guidance: TaskGuidance
     recorder: TaskPathRecorder
+    path_length: TaskPathLength
     concerns: Controller
 
 
@@ -106,12 +109,14 @@ def virtual_controller(
     sockets = TaskSockets(clock, cell, journal)
     files = FileAccess(clock, cell)
     recorder = TaskPathRecorder(clock, unit, resolver, state, team.put)
+    path_length = TaskPathLength(clock, unit)
     concerns = Controller(
         clock=clock,
         execution=execution,
         motion=motion,
         path_control=TaskPathControl(clock, unit, marks, interrupts, state),
         path_recorder=recorder,
+        path_length=path_length,
         searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
@@ -126,11 +131,12 @@ def virtual_controller(
         sync_moves=team,
         honesty=TaskHonesty(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, others),
+        axis_signals=TaskAxisSignals(clock, cell, others),
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),
         guidance=guidance,
     )
     return VirtualController(
-        clock, execution, motion, others, files, sockets, guidance, recorder, concerns
+        clock, execution, motion, others, files, sockets, guidance, recorder, path_length, concerns
     )

@@ -19,7 +19,7 @@ from typing import Any, Protocol
 from rapidsim.language.cameras import Cameras
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
-from rapidsim.language.equipment import Equipment
+from rapidsim.language.equipment import AxisSignals, Equipment
 from rapidsim.language.error_answers import ErrorReports
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import Files
@@ -28,7 +28,13 @@ from rapidsim.language.messages import Messages
 from rapidsim.language.modules import Modules
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.option_data import RestartData
-from rapidsim.language.path_control import PathControl, PathRecorder, Searches, WorldZones
+from rapidsim.language.path_control import (
+    PathControl,
+    PathLength,
+    PathRecorder,
+    Searches,
+    WorldZones,
+)
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import Connection, Listener
@@ -436,6 +442,7 @@ class Controller:
     motion: Motion
     path_control: PathControl
     path_recorder: PathRecorder
+    path_length: PathLength
     searches: Searches
     world_zones: WorldZones
     operator: Operator
@@ -450,6 +457,7 @@ class Controller:
     sync_moves: SyncMoves
     honesty: Honesty
     equipment: Equipment
+    axis_signals: AxisSignals
     cyclic_bools: CyclicBools
     cameras: Cameras
     messages: Messages
@@ -467,6 +475,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Motion: "motion",
         PathControl: "path_control",
         PathRecorder: "path_recorder",
+        PathLength: "path_length",
         Searches: "searches",
         WorldZones: "world_zones",
         Operator: "operator",
@@ -481,6 +490,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         SyncMoves: "sync_moves",
         Honesty: "honesty",
         Equipment: "equipment",
+        AxisSignals: "axis_signals",
         CyclicBools: "cyclic_bools",
         Cameras: "cameras",
         Messages: "messages",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from enum import Enum
 from typing import Protocol, TypeAlias
 
 from rapidsim.values import dataclass
@@ -56,6 +57,50 @@ class MechanicalUnitFacts:
     """Place, from 1, of the robot that it moves with; 0 where there is none."""
     is_active: bool = True
     """Whether DeactUnit has not switched it off."""
+
+
+class AxisQuantity(Enum):
+    """Quantity of an axis that a test signal samples."""
+
+    POSITION = "position"
+    """[deg or mm]"""
+    SPEED = "speed"
+    """[deg/s or mm/s]"""
+
+
+class AxisSignals(Protocol):
+    """The test signals of the system, by the numbers of their channels."""
+
+    def define(
+        self,
+        channel: int,
+        unit: MechanicalUnitFacts,
+        at: int,
+        quantity: AxisQuantity,
+        sample_s: float,
+    ) -> None:
+        """Sample a quantity of an axis from now on.
+
+        Args:
+            channel: Replaces the signal that the channel had.
+            unit: The mechanical unit of the axis.
+            at: Position of the axis in `unit.axes`.
+            quantity: The quantity to sample.
+            sample_s: Interval [s] of the samples.
+        """
+        ...
+
+    def remove(self, channel: int) -> None:
+        """Stop sampling for a channel."""
+        ...
+
+    def read(self, channel: int) -> float | None:
+        """Value of a channel as sampled last; None for a channel without a signal."""
+        ...
+
+    def reset(self) -> None:
+        """Stop sampling for all channels."""
+        ...
 
 
 class Conveyor(Protocol):

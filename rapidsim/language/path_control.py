@@ -93,6 +93,26 @@ class PathRecorder(Protocol):
         ...
 
 
+class PathLength(Protocol):
+    """The counter of the path that the TCP travels."""
+
+    def switch_on(self) -> None:
+        """Count from here on, in addition to what was counted before."""
+        ...
+
+    def switch_off(self) -> None:
+        """Stop counting and keep the value."""
+        ...
+
+    def reset(self) -> None:
+        """Set the counter to 0; it stays on or off."""
+        ...
+
+    def length(self) -> float:
+        """Value [mm] of the counter."""
+        ...
+
+
 class Searches(Protocol):
     """Moves on which a signal or a persistent is watched."""
 

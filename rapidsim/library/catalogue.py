@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
 from rapidsim.library.arc import ARC
+from rapidsim.library.axis_signals import AXIS_SIGNALS
 from rapidsim.library.bits import BITS
 from rapidsim.library.cameras import CAMERAS
 from rapidsim.library.configuration import CONFIGURATION
@@ -38,6 +39,7 @@ from rapidsim.library.motion import MOTION
 from rapidsim.library.motion_settings import MOTION_SETTINGS
 from rapidsim.library.operator import OPERATOR
 from rapidsim.library.output_moves import OUTPUT_MOVES
+from rapidsim.library.path_length import PATH_LENGTH
 from rapidsim.library.path_recorder import PATH_RECORDER
 from rapidsim.library.positions import POSITIONS
 from rapidsim.library.raw_bytes import RAW_BYTES
@@ -79,6 +81,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Search": SEARCH,
         "Stop and start": STOP_START,
         "Path recorder": PATH_RECORDER,
+        "Path length": PATH_LENGTH,
         "World zones": WORLD_ZONES,
         "Tasks": TASKS,
         "Flow": FLOW,
@@ -103,6 +106,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Configuration": CONFIGURATION,
         "I/O devices": IO_DEVICES,
         "Mechanical units": MECHANICAL_UNITS,
+        "Test signals": AXIS_SIGNALS,
         "Path correction": CORRECTIONS,
         "Externally guided motion": GUIDANCE,
         "Cyclic bools": CYCLIC_BOOLS,

@@ -111,6 +111,16 @@ def unit_named(
     return next(named, MechanicalUnitFacts(name, False, ()))
 
 
+def system_unit_named(
+    controller: Controller, given: Reference[object], parameter: str = "mechunit"
+) -> MechanicalUnitFacts:
+    """The unit of any task that an argument names; without axes if no task has it."""
+    own = unit_named(controller, given, parameter)
+    wanted = own.name.lower()
+    units = (unit for unit in controller.equipment.system_units() if unit.name.lower() == wanted)
+    return own if own.axes else next(units, own)
+
+
 _FACTS = r"\MecRef \TCPRob \NoOfAxes \MecTaskNo \MotPlanNo \Active \DriveModule \OKToDeact"
 
 MECHANICAL_UNITS = table(

@@ -68,6 +68,14 @@ class ErrorListener(Protocol):
         ...
 
 
+class SampledSignal(Protocol):
+    """A test signal of an axis."""
+
+    def value(self, now_s: float, reader: object) -> float:
+        """Value as sampled last before a time [s], for the task that reads it."""
+        ...
+
+
 class Turns(Protocol):
     """Decides who may pass time: the one place where a scheduler of several tasks takes over."""
 
@@ -185,6 +193,8 @@ class Cell:
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()
         """Folded names of the I/O devices that the program has switched off."""
+        self.sampled: dict[int, SampledSignal] = {}
+        """The test signals by channel."""
         self.meetings = Meetings()
         self.turns: Turns = Alone()
         self.is_shared = False

@@ -345,6 +345,14 @@ class MotionCommand:
                 times[at] = start[at] + driven
         return times
 
+    def rows_at(self, place: Array) -> tuple[Index, Array]:
+        """The rows (k,), after row 0, that hold positions S (k,) [m], and the ways (k,) in them."""
+        ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
+        row = np.searchsorted(ends, place - ROUNDING_M, side="left")
+        row = np.clip(row, 1, self._rows - 1).astype(np.int64)
+        before, way = self._table[row, _Column.PLACE], self._table[row, _Column.WAY]
+        return row, np.clip(place - before, 0.0, way)
+
     def joints_at(self, times: Array) -> Array:
         """Joints of the arm, followed by external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)

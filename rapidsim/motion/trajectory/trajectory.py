@@ -15,9 +15,10 @@ Where a sensor corrects the path, the arm follows it with an offset: a `Correcte
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import field, replace
-from typing import overload
+from typing import NamedTuple, overload
 
 import numpy as np
 
@@ -40,6 +41,8 @@ _PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
 _NO_WAY = 1e-9
 """A path whose TCP gains less than this [m/m] leads nowhere: it turns the tool."""
+_CHORD_S = 0.004
+"""Length [s] of the chords along which the travel of a guided arm is measured."""
 _NEAR_S = 1e-10
 """A place has digits enough to tell times so far apart, and not many more."""
 
@@ -73,6 +76,14 @@ class Postures:
     """Shape (k, n) [rad]."""
     external: Array
     """Shape (k, e) [m or rad]: the external axes."""
+
+
+class Mark(NamedTuple):
+    """A place of the visible motion, from which travel is counted."""
+
+    time_s: float
+    place_m: float
+    """Position S [m] of the run."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,6 +241,38 @@ class Trajectory:
         for path, s, at, _ in self._command.on_paths(row, way):
             travel[at] = path.travelled(s)
         return travel
+
+    def mark(self, time_s: float) -> Mark:
+        """The mark of a time [s], from which travel can be counted.
+
+        It is a place, because a move may begin a little before the time at which the program gives
+        it.
+        """
+        if not self._command.last_row:
+            return Mark(time_s, 0.0)
+        return Mark(time_s, float(self.place_at(np.array([time_s]))[0]))
+
+    def travelled_between(self, first: Mark, last: Mark) -> float:
+        """TCP travel [m] of the visible motion from one mark to a later one.
+
+        Guidance and corrections by a sensor are measured along chords of `_CHORD_S`.
+        """
+        ends_s = [one.until_s for one in self._guided] + [one.until_s for one in self._corrected]
+        if any(end_s > first.time_s for end_s in ends_s):
+            steps = max(1, math.ceil((last.time_s - first.time_s) / _CHORD_S))
+            samples = self.at(np.linspace(first.time_s, last.time_s, steps + 1))
+            chords = np.diff(samples.base_from_tcp.translation, axis=0)
+            # Another tool has another TCP, which is no travel.
+            same = np.diff(samples.move) == 0
+            return float(np.sum(np.linalg.norm(chords[same], axis=1)))
+        if last.place_m <= first.place_m:
+            return 0.0
+        places = np.array([first.place_m, last.place_m])
+        (begin, end), (since_m, until_m) = self._command.rows_at(places)
+        row = np.arange(begin, end + 1)
+        until, since = self._command.ways(row), np.zeros(len(row))
+        until[-1], since[0] = until_m, since_m
+        return float(np.sum(self._travelled(row, until) - self._travelled(row, since)))
 
     def at(self, times: Array, *, coarse: bool = False) -> Samples:
         """The arm at some instants (k,) [s], in any order.

@@ -224,6 +224,7 @@ class LiveTask:
 
     def forget(self, before_s: float) -> None:
         """Forget what its robot did before a time [s], unless it may still move back along it."""
+        self.run.controller.path_length.count_to(before_s)
         self.unit.forget(before_s, self.run.controller.recorder.first)
 
     def set_speed_ratio(self, percent: float) -> None:
