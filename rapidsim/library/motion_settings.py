@@ -5,6 +5,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
@@ -19,13 +20,17 @@ from rapidsim.language.data import (
 from rapidsim.language.error_numbers import (
     ERR_ACC_TOO_LOW,
     ERR_ARGVALERR,
+    ERR_AXIS_PAR,
     ERR_SPEED_REFRESH_LIM,
+    ERR_UNIT_PAR,
     rapid_error,
 )
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import LEAST_RAMP_PERCENT, CirclePathMode, SingularArea
+from rapidsim.library.mechanical_units import system_unit_named
 from rapidsim.library.table import routine, table
 
+_NO_LIMIT_SPEED = "no system input LimitSpeed slows the robot down"
 _OF_VMAX = "the speed of vmax"
 LEAST_ACCELERATION_PERCENT = 20.0
 LEAST_LIMIT_M_S2 = 0.1
@@ -80,6 +85,38 @@ def speed_refresh(controller: Controller, override: Num) -> None:
         controller.motion.settings,
         speed_refresh_percent=max(override, LEAST_REFRESH_PERCENT),
     )
+
+
+def speed_lim_axis(
+    controller: Controller, mech_unit: Var[MecUnit], axis_no: Num, axis_speed: Num
+) -> None:
+    """Set the speed limit [deg/s or mm/s] of an axis for when the system input LimitSpeed is 1.
+
+    No cell of a run has this input, so the limit is never in force.
+    """
+    unit = system_unit_named(controller, mech_unit)
+    if not unit.axes:
+        raise rapid_error(ERR_UNIT_PAR, f"there is no mechanical unit {unit.name} in this run")
+    if not (1 <= axis_no <= len(unit.axes) and axis_no == math.floor(axis_no)):
+        raise rapid_error(
+            ERR_AXIS_PAR, f"{unit.name} has axes 1 to {len(unit.axes)}; {axis_no:g} is none of them"
+        )
+    _require_limit("SpeedLimAxis", axis_speed)
+    _without_effect(controller, "SpeedLimAxis", _NO_LIMIT_SPEED)
+
+
+def speed_lim_check_point(controller: Controller, rob_speed: Num) -> None:
+    """Set the speed limit [mm/s] of four points of the robot for when LimitSpeed is 1.
+
+    No cell of a run has this system input, so the limit is never in force.
+    """
+    _require_limit("SpeedLimCheckPoint", rob_speed)
+    _without_effect(controller, "SpeedLimCheckPoint", _NO_LIMIT_SPEED)
+
+
+def _require_limit(name: str, speed: float) -> None:
+    if speed <= 0.0:
+        raise NotAllowed(f"{name}: a speed limit of {speed:g}; it must be greater than 0")
 
 
 def path_resol(controller: Controller, path_sample_time: Num) -> None:
@@ -300,6 +337,12 @@ MOTION_SETTINGS = table(
         sets=("circle_path",),
     ),
     routine("SpeedRefresh", speed_refresh, sets=("speed_refresh_percent",)),
+    routine("SpeedLimAxis", speed_lim_axis, treated_as=f"{ACCEPTED}: {_NO_LIMIT_SPEED}"),
+    routine(
+        "SpeedLimCheckPoint",
+        speed_lim_check_point,
+        treated_as=f"{ACCEPTED}: {_NO_LIMIT_SPEED}",
+    ),
     routine(
         "PathResol",
         path_resol,
