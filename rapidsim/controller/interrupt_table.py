@@ -351,7 +351,9 @@ class InterruptTable:
     def _find(self, number: float) -> _Connection:
         connection = self._connections.get(number)
         if connection is None:
-            raise RapidError(ERR_UNKINO, "the interrupt is not connected to a trap routine")
+            raise RapidError(
+                ERR_UNKINO, "the interrupt is not connected to a trap routine; CONNECT comes first"
+            )
         return connection
 
 

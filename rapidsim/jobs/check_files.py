@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import partial
@@ -14,10 +14,11 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.program import Program
 from rapidsim.analysis.program_parts import ENTRY
+from rapidsim.analysis.rules.control_flow.traps import NeverConnected
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.findings.runs import EndlessWait, is_of_runs
+from rapidsim.findings.runs import EndlessWait, UncaughtError, is_of_runs
 from rapidsim.jobs.baseline import read_baseline
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.checked_program import Loaded, load_task
@@ -29,6 +30,7 @@ from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import Selection, choose_selection
 from rapidsim.jobs.standing_rows import stand_for_all
 from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
+from rapidsim.language.error_numbers import ERR_UNKINO, event_of
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
@@ -105,7 +107,7 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     )
     return replace(
         result,
-        diagnostics=selection.kept(unsuppressed),
+        diagnostics=tuple(_once(selection.kept(unsuppressed))),
         fail_on=station.check.fails_from,
         strict=job.is_strict,
         arm=job.robot,
@@ -216,6 +218,21 @@ def check_tasks(
         trees=tuple(file for _, one, _ in checked for file in one.files),
         coverage=sum((report.coverage for *_, report in checked), Coverage()),
     )
+
+
+def _once(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
+    """Findings without the warnings of interrupts at which the run has stopped."""
+    stopped = {
+        (finding.span.file, finding.span.line)
+        for finding in findings
+        if finding.span is not None
+        and isinstance(finding.violation, UncaughtError)
+        and finding.violation.event == event_of(ERR_UNKINO)
+    }
+    for finding in findings:
+        place = finding.span and (finding.span.file, finding.span.line)
+        if place not in stopped or not isinstance(finding.violation, NeverConnected):
+            yield finding
 
 
 def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:

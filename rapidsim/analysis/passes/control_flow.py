@@ -7,6 +7,7 @@ from itertools import takewhile
 from typing import TypeAlias
 
 from rapidsim.analysis.context import Context
+from rapidsim.analysis.error_clauses import depends_on_error
 from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.analysis.passes.flow_violations import (
     ContinueOutsideLoop,
@@ -112,6 +113,13 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
             closing,
             Related(context.module.span(routine.name), "the function begins here"),
         )
+    handler = routine.error if isinstance(routine, tree.Func) else None
+    if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
+        # A clause that decides by ERRNO may be complete for the errors that occur.
+        assert isinstance(routine, tree.Func)
+        if _goes_on(handler.body, context.analysis.symbol_of):
+            missing = MissingReturn(routine.name.text, routine.type.text, is_clause=True)
+            context.report(missing, handler)
 
 
 def _check_reached(body: tree.Body, context: Context, *, is_resumed: bool) -> None:

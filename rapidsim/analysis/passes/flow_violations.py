@@ -12,6 +12,15 @@ class UnreachableCode(Violation, code="F401"):
 class MissingReturn(Violation, code="F404"):
     function: str
     type: str
+    is_clause: bool = False
+    """Whether the ERROR clause of the function ends without it."""
+
+    @property
+    def message(self) -> str:
+        """The function, or its clause."""
+        if self.is_clause:
+            return f"the ERROR clause of `{self.function}` ends without RETURN"
+        return super().message
 
 
 class GotoTarget(Violation, code="F405"):

@@ -135,8 +135,7 @@ class _RoutineTranslation:
         undo = self._undo()
         body = self._statements(self._node.body, is_protected=handler is not None)
         if self._symbol.result is not None and not _ends_in_return(body):
-            end = self._context.positions.between(self._node.end - 1, self._node.end)
-            body.append(end.throw(end.call("_no_return", [end.constant(self._symbol.name)])))
+            body.append(self._without_value())
         if undo is not None:
             unwinds = at.when(
                 at.call("_unwinds", [at.name("_u")]),
@@ -284,10 +283,15 @@ class _RoutineTranslation:
         used = {node.id for node in ast.walk(clause) if isinstance(node, ast.Name)}
         return not used.isdisjoint(self._names.held())
 
+    def _without_value(self) -> ast.stmt:
+        """The end of a function that has returned no value, or of its ERROR clause."""
+        end = self._context.positions.between(self._node.end - 1, self._node.end)
+        return end.throw(end.call("_no_return", [end.constant(self._symbol.name)]))
+
     def _fall_off(self, at: At, ends: Answers) -> ast.stmt:
         """The end of an ERROR clause is the end of the routine; a function owes its value."""
         if self._symbol.result is not None:
-            return at.throw(at.call("_no_return", [at.constant(self._symbol.name)]))
+            return self._without_value()
         answered = at.call("_Leave", [at.constant(None)])
         dropped = at.call("_FellThrough", [at.constant(None)])
         if self._may_fall_through(ends):

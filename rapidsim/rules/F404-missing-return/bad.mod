@@ -5,3 +5,13 @@ MODULE example
     ENDIF
   ENDFUNC ! found
 ENDMODULE
+! ---
+MODULE example
+  VAR num zero;
+
+  FUNC num share(num whole)
+    RETURN whole/zero;
+  ERROR ! found
+    TPWrite "no share";
+  ENDFUNC
+ENDMODULE
