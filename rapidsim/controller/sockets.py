@@ -7,7 +7,8 @@ from collections.abc import Callable
 from dataclasses import field
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.network import NetworkConnection, NetworkPort
+from rapidsim.controller.cell.datagrams import Mailbox
+from rapidsim.controller.cell.network import NetworkConnection, NetworkMailbox, NetworkPort
 from rapidsim.controller.cell.streams import Port, StreamEnd
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import MAX_TIME, EventKind
@@ -15,7 +16,7 @@ from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
-from rapidsim.language.sockets import Connection, Listener
+from rapidsim.language.sockets import Connection, Datagram, DatagramPort, Listener
 from rapidsim.values import dataclass
 
 _CURE = (
@@ -34,6 +35,8 @@ class TaskSockets:
     cell: Cell
     journal: Journal
     _opened: list[Port | StreamEnd] = field(default_factory=list)
+    _mailboxes: dict[Mailbox, NetworkMailbox | None] = field(default_factory=dict)
+    """The sockets for datagrams, each with its real one if the run may use the network."""
 
     def bind_port(self, address: str, port: int) -> Listener:
         """Take a port: of the network where the run may use it.
@@ -196,8 +199,100 @@ class TaskSockets:
             connection.close()
         self.clock.tell()
 
+    def open_datagrams(self) -> DatagramPort:
+        """A new socket for datagrams, without a port."""
+        mailbox = Mailbox()
+        self._mailboxes[mailbox] = None
+        return mailbox
+
+    def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
+        """Give a socket for datagrams a port: of the network too where the run may use it.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        assert isinstance(socket, Mailbox)
+        now_s = self.clock.come_up()
+        network, table = self.cell.network, self.cell.datagrams
+        table.require_free(port)
+        if network is not None and not table.is_scripted(port, serves=False):
+            self._mailboxes[socket] = network.open_mailbox(address, port)
+        table.bind(socket, address, port, now_s)
+        self.clock.event(EventKind.SOCKET, f"takes datagrams at port {port}", port=port)
+        self.clock.tell()
+
+    def send_datagram(self, socket: DatagramPort, address: str, port: int, data: bytes) -> None:
+        """Send a datagram.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+        """
+        assert isinstance(socket, Mailbox)
+        now_s, peer, network = self.clock.come_up(), f"{address}:{port}", self.cell.network
+        self.clock.event(
+            EventKind.SOCKET,
+            f"sent {_shown(data)} to {peer}",
+            peer=peer,
+            sent=data.decode("iso-8859-1"),
+        )
+        if self.cell.datagrams.send(socket, address, port, data, now_s):
+            self.clock.tell()
+        elif network is not None:
+            network.require_reachable(address)
+            mailbox = self._mailboxes.get(socket) or network.open_mailbox("", 0)
+            self._mailboxes[socket] = mailbox
+            mailbox.send(address, port, data)
+            self._after_network(True, math.inf)
+        else:
+            cure = "a [[socket]] with `udp = true` or `--allow-network` gives it a receiver"
+            self.journal.unsimulated(
+                f"SocketSendTo to {peer}", f"the datagram is lost; {cure}", self.clock.place
+            )
+
+    def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
+        """Wait for a datagram; None if none came in time.
+
+        Raises:
+            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+        """
+        assert isinstance(socket, Mailbox)
+        deadline_s = self._deadline(max_time)
+        real, received = self._mailboxes.get(socket), socket.received
+        if real is not None and not received and not socket.talks_to_script:
+            datagram = real.receive(self._patience(deadline_s))
+            self._after_network(datagram is not None, deadline_s)
+        else:
+            where = f"at port {socket.port}" if socket.port else "without a port"
+            nothing = f"`SocketReceiveFrom` waits for a datagram {where}, and none comes"
+            arrived = self._waited(lambda: bool(received), deadline_s, nothing)
+            datagram = received.popleft() if arrived else None
+        if datagram is not None:
+            peer = f"{datagram.address}:{datagram.port}"
+            self.clock.event(
+                EventKind.SOCKET,
+                f"{_shown(datagram.data)} came from {peer}",
+                peer=peer,
+                received=datagram.data.decode("iso-8859-1"),
+            )
+        return datagram
+
+    def close_datagrams(self, socket: DatagramPort) -> None:
+        """Give the port of a socket for datagrams back."""
+        assert isinstance(socket, Mailbox)
+        self.clock.come_up()
+        self._close_mailbox(socket)
+        self.clock.tell()
+
+    def _close_mailbox(self, mailbox: Mailbox) -> None:
+        self.cell.datagrams.close(mailbox)
+        real = self._mailboxes.pop(mailbox, None)
+        if real is not None:
+            real.close()
+
     def close_all(self, now_s: float) -> None:
         """Close at a time [s] what the program left open, which ends here."""
+        for mailbox in tuple(self._mailboxes):
+            self._close_mailbox(mailbox)
         for one in self._opened:
             if isinstance(one, Port):
                 self._close_port(one, now_s)

@@ -37,7 +37,7 @@ from rapidsim.language.path_control import (
 )
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
-from rapidsim.language.sockets import Connection, Listener
+from rapidsim.language.sockets import Connection, Datagram, DatagramPort, Listener
 from rapidsim.language.symbols import Symbols
 from rapidsim.language.tasks import SyncMoves, TaskService
 from rapidsim.language.texts import Texts
@@ -299,6 +299,34 @@ class Sockets(Protocol):
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
         """Close the connection or port of a socket."""
+        ...
+
+    def open_datagrams(self) -> DatagramPort:
+        """A new socket for datagrams, without a port."""
+        ...
+
+    def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
+        """Give a socket for datagrams a port.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if another socket has it already.
+        """
+        ...
+
+    def send_datagram(self, socket: DatagramPort, address: str, port: int, data: bytes) -> None:
+        """Send a datagram.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+        """
+        ...
+
+    def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
+        """Wait `max_time` [s] or forever for a datagram; None if none came."""
+        ...
+
+    def close_datagrams(self, socket: DatagramPort) -> None:
+        """Give the port of a socket for datagrams back."""
         ...
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final, Protocol
+from collections.abc import Sized
+from typing import Final, NamedTuple, Protocol
 
 from rapidsim.values import dataclass
 
@@ -25,6 +26,27 @@ class Connection(Protocol):
     """Whether the other end has closed, so that nothing more arrives."""
 
 
+class Datagram(NamedTuple):
+    """A datagram that has arrived."""
+
+    data: bytes
+    address: str
+    """Of the sender."""
+    port: int
+
+
+class DatagramPort(Protocol):
+    """A socket for datagrams (UDP)."""
+
+    port: int
+    """0 until SocketBind or the first datagram that it sends gives it one."""
+
+    @property
+    def received(self) -> Sized:
+        """Datagrams that no statement has read yet."""
+        ...
+
+
 class Listener(Protocol):
     """A port of a program, where it may wait for clients."""
 
@@ -40,5 +62,7 @@ class SocketState:
     port: int = 0
     """What SocketBind gave it; 0 before."""
     connection: Connection | None = None
+    datagrams: DatagramPort | None = None
+    """The port of a socket for datagrams; None for one of streams."""
     listener: Listener | None = None
     """The port that SocketBind gave it, whether it listens or not."""

@@ -1,8 +1,11 @@
-r"""Sockets: talking to another computer over TCP.
+r"""Sockets: talking to another computer over TCP, or over UDP in datagrams.
 
 Who is at the other end is the controller's affair: a script of the station, another task, or the
 network where a run may use it. Text is bytes in ISO 8859-1. Waits end after 60 s unless \Time says
 otherwise; WAIT_MAX waits for ever.
+
+Unverified: that a datagram which is longer than what takes it loses the rest, and that instructions
+for streams raise ERR_SOCK_UNSPEC at a socket of datagrams, and the other way round.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SocketCreate",
 "SocketReceive" and their like; Application manual Controller software, "Socket Messaging".
@@ -26,7 +29,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty, Sockets
+from rapidsim.language.controller import Sockets
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_SOCK_ADDR_INVALID,
@@ -40,8 +43,15 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.language.sockets import BOUND, CLOSED, CONNECTED, LISTENING, Connection, SocketState
-from rapidsim.library.honesty import ignored
+from rapidsim.language.sockets import (
+    BOUND,
+    CLOSED,
+    CONNECTED,
+    LISTENING,
+    Connection,
+    DatagramPort,
+    SocketState,
+)
 from rapidsim.library.raw_bytes import MOST_BYTES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING
@@ -51,19 +61,16 @@ DEFAULT_TIME_S = 60.0
 WAIT_FOR_EVER_S = 8388608.0
 r"""The constant WAIT_MAX: given as \Time, a wait has no end."""
 _ENCODING = "iso-8859-1"
-_SENT_TO_NOBODY = "the datagram reaches nobody"
-_NO_DATAGRAM = "no datagram comes, the time runs out"
 _LARGEST_PORT = 65535
 
 _Device = Reference[SocketState | None]
 
 
-def socket_create(controller: Honesty, socket: Var[SocketDev], *, udp: Switch = False) -> None:
-    r"""Make a socket. One of datagrams (\UDP) is made, but nothing is sent with it."""
+def socket_create(controller: Sockets, socket: Var[SocketDev], *, udp: Switch = False) -> None:
+    r"""Make a socket of streams (TCP), or with \UDP one of datagrams."""
     if socket.value is not None:
         raise rapid_error(ERR_SOCK_IS_CONN, "the socket is there already; SocketClose it first")
-    ignored(controller, "SocketCreate", {r"\UDP": udp})
-    socket.value = SocketState()
+    socket.value = SocketState(datagrams=controller.open_datagrams() if udp else None)
 
 
 def socket_bind(
@@ -73,6 +80,11 @@ def socket_bind(
     state = _created(socket)
     if state.port:
         raise rapid_error(ERR_SOCK_IS_BOUND, f"the socket is bound to port {state.port} already")
+    if state.datagrams is not None:
+        host, port = _host(local_address), _port(local_port)
+        controller.bind_datagrams(state.datagrams, host, port)
+        socket.value = replace(state, status=BOUND, address=local_address, port=port)
+        return
     listener = controller.bind_port(_host(local_address), _port(local_port))
     socket.value = replace(
         state, status=BOUND, address=local_address, port=listener.port, listener=listener
@@ -81,7 +93,7 @@ def socket_bind(
 
 def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
     """Let clients connect to the port of a socket."""
-    state = _created(socket)
+    state = _of_streams(socket, "SocketListen")
     if state.listener is None:
         raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
     if state.status != LISTENING:
@@ -98,7 +110,7 @@ def socket_accept(
     time: Num | None = None,
 ) -> None:
     """Wait for a client; `ClientSocket` talks to it."""
-    state = _created(socket)
+    state = _of_streams(socket, "SocketAccept")
     if state.listener is None or state.status != LISTENING:
         raise rapid_error(
             ERR_SOCK_NOT_BOUND, "the socket does not listen; SocketListen comes first"
@@ -124,7 +136,7 @@ def socket_connect(
     time: Num | None = None,
 ) -> None:
     """Connect to a server."""
-    state = _created(socket)
+    state = _of_streams(socket, "SocketConnect")
     if state.connection is not None:
         raise rapid_error(
             ERR_SOCK_IS_CONN, f"the socket is connected to {state.connection.peer} already"
@@ -150,6 +162,18 @@ def socket_send(
 ) -> None:
     """Send a text, raw bytes or an array of bytes, all of it or so many bytes."""
     connection = _connected(socket)
+    given = _given("SocketSend", str_, raw_data, data, no_of_bytes)
+    controller.send_bytes(connection, given)
+
+
+def _given(
+    name: str,
+    str_: str | None,
+    raw_data: Reference[bytes] | None,
+    data: list[float] | None,
+    no_of_bytes: float | None,
+) -> bytes:
+    """The bytes that an instruction is to send."""
     if str_ is not None:
         given = str_.encode(_ENCODING, "replace")
     elif raw_data is not None:
@@ -157,11 +181,11 @@ def socket_send(
     elif data is not None:
         given = bytes(_byte(value) for value in data)
     else:
-        raise rapid_error(ERR_ARGVALERR, r"SocketSend needs \Str, \RawData or \Data")
+        raise rapid_error(ERR_ARGVALERR, rf"{name} needs \Str, \RawData or \Data")
     count = len(given) if no_of_bytes is None else int(no_of_bytes)
     if not 0 <= count <= len(given):
         raise rapid_error(ERR_ARGVALERR, f"{count} bytes are to be sent of {len(given)}")
-    controller.send_bytes(connection, given[:count])
+    return given[:count]
 
 
 def socket_receive(
@@ -190,6 +214,19 @@ def socket_receive(
         raise _too_late(f"{got} came from {connection.peer}", time)
     received = bytes(connection.received[:most])
     del connection.received[:most]
+    _store("SocketReceive", received, str_, raw_data, data)
+    if no_rec_bytes is not None:
+        no_rec_bytes.value = float(len(received))
+
+
+def _store(
+    name: str,
+    received: bytes,
+    str_: Reference[str] | None,
+    raw_data: Reference[bytes] | None,
+    data: list[float] | None,
+) -> None:
+    """Give a program the bytes that an instruction has received."""
     if str_ is not None:
         str_.value = received.decode(_ENCODING)
     elif raw_data is not None:
@@ -197,9 +234,7 @@ def socket_receive(
     elif data is not None:
         data[: len(received)] = [float(byte) for byte in received]
     else:
-        raise rapid_error(ERR_ARGVALERR, r"SocketReceive needs \Str, \RawData or \Data")
-    if no_rec_bytes is not None:
-        no_rec_bytes.value = float(len(received))
+        raise rapid_error(ERR_ARGVALERR, rf"{name} needs \Str, \RawData or \Data")
 
 
 def socket_peek(controller: Sockets, socket: Var[SocketDev]) -> Num:
@@ -210,7 +245,7 @@ def socket_peek(controller: Sockets, socket: Var[SocketDev]) -> Num:
 
 
 def socket_send_to(
-    controller: Honesty,
+    controller: Sockets,
     socket: Var[SocketDev],
     remote_address: String,
     remote_port: Num,
@@ -220,14 +255,16 @@ def socket_send_to(
     data: list[Byte] | None = None,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Send a datagram."""
-    del remote_address, remote_port, str_, raw_data, data, no_of_bytes
-    _created(socket)
-    controller.not_simulated("SocketSendTo", _SENT_TO_NOBODY)
+    """Send a datagram; a socket without a port gets one."""
+    port = _of_datagrams(socket, "SocketSendTo")
+    given = _given("SocketSendTo", str_, raw_data, data, no_of_bytes)
+    if not remote_address:
+        raise rapid_error(ERR_SOCK_ADDR_INVALID, "the address to send to is empty")
+    controller.send_datagram(port, _host(remote_address), _port(remote_port), given)
 
 
 def socket_receive_from(
-    controller: Controller,
+    controller: Sockets,
     socket: Var[SocketDev],
     remote_address: Var[String],
     remote_port: Var[Num],
@@ -238,15 +275,17 @@ def socket_receive_from(
     no_rec_bytes: Var[Num] | None = None,
     time: Num | None = None,
 ) -> None:
-    """Wait for a datagram: none comes, and the time runs out."""
-    del remote_address, remote_port, str_, raw_data, data, no_rec_bytes
-    _created(socket)
-    controller.honesty.not_simulated("SocketReceiveFrom", _NO_DATAGRAM)
-    limit = _limit(time)
-    if limit is None:
-        controller.signals.wait_until(lambda: False)
-    controller.clock.wait(limit or 0.0)
-    raise _too_late("no datagram came", time)
+    """Wait for a datagram, and say who has sent it."""
+    port = _of_datagrams(socket, "SocketReceiveFrom")
+    most = MAX_STRING if str_ is not None else MOST_BYTES if data is None else len(data)
+    datagram = controller.await_datagram(port, max_time=_limit(time))
+    if datagram is None:
+        raise _too_late("no datagram came", time)
+    received = datagram.data[:most]
+    _store("SocketReceiveFrom", received, str_, raw_data, data)
+    remote_address.value, remote_port.value = datagram.address, float(datagram.port)
+    if no_rec_bytes is not None:
+        no_rec_bytes.value = float(len(received))
 
 
 def socket_close(controller: Sockets, socket: Var[SocketDev]) -> None:
@@ -255,7 +294,10 @@ def socket_close(controller: Sockets, socket: Var[SocketDev]) -> None:
     if state is None:
         return
     socket.value = None
-    controller.close_socket(state.listener, state.connection)
+    if state.datagrams is not None:
+        controller.close_datagrams(state.datagrams)
+    else:
+        controller.close_socket(state.listener, state.connection)
 
 
 def socket_get_status(socket: Var[SocketDev]) -> SocketStatus:
@@ -267,6 +309,24 @@ def _created(socket: _Device) -> SocketState:
     if socket.value is None:
         raise rapid_error(ERR_SOCK_CLOSED, "the socket is closed; SocketCreate makes it")
     return socket.value
+
+
+def _of_streams(socket: _Device, name: str) -> SocketState:
+    state = _created(socket)
+    if state.datagrams is not None:
+        raise rapid_error(
+            ERR_SOCK_UNSPEC, rf"the socket was created with \UDP, and {name} needs one without"
+        )
+    return state
+
+
+def _of_datagrams(socket: _Device, name: str) -> DatagramPort:
+    port = _created(socket).datagrams
+    if port is None:
+        raise rapid_error(
+            ERR_SOCK_UNSPEC, rf"the socket was created without \UDP, and {name} needs one with it"
+        )
+    return port
 
 
 def _connected(socket: _Device) -> Connection:
@@ -340,13 +400,11 @@ SOCKETS = table(
         "SocketSendTo",
         socket_send_to,
         rf"Socket RemoteAddress RemotePort {_DATA} \NoOfBytes",
-        treated_as=_SENT_TO_NOBODY,
     ),
     routine(
         "SocketReceiveFrom",
         socket_receive_from,
         rf"Socket {_DATA} \NoRecBytes RemoteAddress RemotePort \Time",
-        treated_as=_NO_DATAGRAM,
         does=Does.WAIT,
     ),
     routine("SocketClose", socket_close),

@@ -25,6 +25,7 @@ from rapidsim.server.journal import (
     switched_on_line,
 )
 from rapidsim.server.messages import (
+    DATAGRAM,
     DONE,
     FromNetwork,
     Inquiry,
@@ -307,6 +308,10 @@ class Engine:
                 self.subscriptions.end(group)
             case FromNetwork(number, port, peer, data, is_over):
                 outside, now_s = self.live.outside, self.live.now_s
+                if number == DATAGRAM:
+                    self.live.mailboxes.arrived(port, peer, data)
+                    self.live.tell()
+                    return DONE
                 if peer:
                     outside.came(number, port, peer, now_s)
                 if data:

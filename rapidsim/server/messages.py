@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from types import MappingProxyType
-from typing import TypeAlias
+from typing import Final, TypeAlias
 
 from rapidsim.values import dataclass
 
@@ -113,14 +113,18 @@ class Unsubscribe:
     group: int
 
 
+DATAGRAM: Final = 0
+"""The number of no connection: a datagram has arrived."""
+
+
 @dataclass(frozen=True, slots=True)
 class FromNetwork:
     """The peer of a program's socket has done something."""
 
     number: int
-    """Of the connection; see `outside_streams`."""
+    """Of the connection, see `outside_streams`; `DATAGRAM` for a datagram from `peer`."""
     port: int = 0
-    """Of the program, where a client has connected to it."""
+    """Of the program, where a client has connected to it, or the datagram has arrived."""
     peer: str = ""
     """Who has connected, or has answered; empty if the connection existed before."""
     data: bytes = b""

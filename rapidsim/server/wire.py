@@ -19,7 +19,7 @@ from rapidsim.controller.cell.network import Network
 from rapidsim.controller.cell.outside_streams import MOST_UNREAD, NoWire, Wire
 from rapidsim.language.error_numbers import ERR_SOCK_NET_UNREACH, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.server.messages import FromNetwork
+from rapidsim.server.messages import DATAGRAM, FromNetwork
 
 _AT_ONCE: Final = 65536
 _MOST_CONNECTIONS: Final = 100
@@ -62,6 +62,20 @@ class NotedWire:
         """See `Wire`."""
         self.wire.close(number)
 
+    def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
+        """See `DatagramWire`."""
+        with self._noted():
+            self.wire.open_mailbox(port, address, is_bound=is_bound)
+
+    def close_mailbox(self, port: int) -> None:
+        """See `DatagramWire`."""
+        self.wire.close_mailbox(port)
+
+    def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
+        """See `DatagramWire`."""
+        with self._noted():
+            self.wire.send_datagram(port, address, to_port, data)
+
     @contextmanager
     def _noted(self) -> Iterator[None]:
         self._acts += 1
@@ -89,6 +103,16 @@ class RecordedWire(NoWire):
         del number, address, port
         self._act()
 
+    def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
+        """See `DatagramWire`."""
+        del port, address, is_bound
+        self._act()
+
+    def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
+        """See `DatagramWire`."""
+        del port, address, to_port, data
+        self._act()
+
     def _act(self) -> None:
         self._acts += 1
         if self._acts in self.refusals:
@@ -114,6 +138,8 @@ class SocketWire:
     _network: Network = field(init=False)
     _servers: dict[int, socket.socket] = field(default_factory=dict)
     _connections: dict[int, _Connection] = field(default_factory=dict)
+    _mailboxes: dict[int, socket.socket] = field(default_factory=dict)
+    """Sockets for datagrams, by the ports that programs know them by."""
     _calls: dict[int, Event] = field(default_factory=dict)
     """Calls that are not answered yet; set once nobody waits any more."""
     _answers: SimpleQueue[tuple[int, str, socket.socket]] = field(default_factory=SimpleQueue)
@@ -168,8 +194,28 @@ class SocketWire:
             connection.closes = True
             self._flush(number, connection)
 
+    def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
+        """See `DatagramWire`."""
+        opened = Network(self.hosts).open_mailbox(address, port if is_bound else 0)
+        opened.socket.setblocking(False)
+        self._mailboxes[port] = opened.socket
+
+    def close_mailbox(self, port: int) -> None:
+        """See `DatagramWire`."""
+        mailbox = self._mailboxes.pop(port, None)
+        if mailbox is not None:
+            mailbox.close()
+
+    def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
+        """See `DatagramWire`; a datagram that the network does not take is lost."""
+        self._network.require_reachable(address)
+        with suppress(OSError):
+            self._mailboxes[port].sendto(data, (address or "127.0.0.1", to_port))
+
     def shut(self) -> None:
         """Close all ports and connections."""
+        for mailbox in self._mailboxes.values():
+            mailbox.close()
         for server in self._servers.values():
             server.close()
         for connection in self._connections.values():
@@ -187,7 +233,8 @@ class SocketWire:
             for number, one in self._connections.items()
             if not one.closes and self.unread(number) < MOST_UNREAD
         ]
-        return [self._bell[0], *(self._servers.values() if room else ()), *readable]
+        waiting = self._servers.values() if room else ()
+        return [self._bell[0], *waiting, *self._mailboxes.values(), *readable]
 
     def patience_s(self, wait_s: float | None) -> float | None:
         """How long to wait for any of them, at most the time given [s]."""
@@ -210,6 +257,13 @@ class SocketWire:
         for number, connection in tuple(self._connections.items()):
             if connection.stream in ready:
                 yield from self._read(number, connection)
+        for port, mailbox in tuple(self._mailboxes.items()):
+            if mailbox in ready:
+                # An error says that an earlier datagram met a port that nobody has.
+                with suppress(OSError):
+                    data, address = mailbox.recvfrom(_AT_ONCE)
+                    if self._network.may_reach(address[0]):
+                        yield FromNetwork(DATAGRAM, port, _name(address), data)
 
     def _answered(self) -> Iterator[FromNetwork]:
         with suppress(BlockingIOError):

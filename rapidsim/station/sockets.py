@@ -5,7 +5,8 @@ accept = 5000
 repeat = true
 steps = [{ expect = "TRIG", after = 0.2, send = "12.5,3.0,90\r\n" }]
 
-With `connect = 5000` in place of `accept` the peer is a client of the program's server.
+With `connect = 5000` in place of `accept` the peer is a client of the program's server. With
+`udp = true` it sends and takes datagrams: what a step sends is one.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import re
 from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
 from rapidsim.station.toml_reader import Reader, Table
 
-_KEYS = ("accept", "connect", "after", "steps", "repeat", "reconnect")
+_KEYS = ("accept", "connect", "udp", "after", "steps", "repeat", "reconnect")
 _STEP_KEYS = ("expect", "after", "send", "close")
 _PORT = re.compile("[0-9]{1,5}")
 _LARGEST_PORT = 65535
@@ -36,6 +37,12 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
                 if key in table:
                     reader.wrong(f"{path}.{key}", "only for peers that `connect`")
         steps = _steps(reader, path, table)
+        is_datagrams = _switch(reader, table, path, "udp")
+        if is_datagrams:
+            if "reconnect" in table:
+                reader.wrong(f"{path}.reconnect", "datagrams need no connection")
+            if any(step.close for step in steps):
+                reader.wrong(f"{path}.steps", "no connection can be closed: `udp` has none")
         repeats = _switch(reader, table, path, "repeat")
         if repeats and not any(step.expect or step.after_s for step in steps):
             reader.wrong(f"{path}.repeat", "a step must `expect` something or wait with `after`")
@@ -44,6 +51,7 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
                 port=port,
                 steps=steps,
                 serves=serves,
+                is_datagrams=is_datagrams,
                 address=address,
                 after_s=reader.not_negative(table, path, "after") or 0.0,
                 repeats=repeats,

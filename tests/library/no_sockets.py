@@ -1,6 +1,6 @@
 """What a controller of these tests answers to sockets."""
 
-from rapidsim.language.sockets import Connection, Listener
+from rapidsim.language.sockets import Connection, Datagram, DatagramPort, Listener
 
 _WHERE = "sockets are tested with a cell around them"
 
@@ -29,4 +29,19 @@ class NoSockets:
         raise AssertionError(_WHERE)
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
+        raise AssertionError(_WHERE)
+
+    def open_datagrams(self) -> DatagramPort:
+        raise AssertionError(_WHERE)
+
+    def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
+        raise AssertionError(_WHERE)
+
+    def send_datagram(self, socket: DatagramPort, address: str, port: int, data: bytes) -> None:
+        raise AssertionError(_WHERE)
+
+    def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
+        raise AssertionError(_WHERE)
+
+    def close_datagrams(self, socket: DatagramPort) -> None:
         raise AssertionError(_WHERE)

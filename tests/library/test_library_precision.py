@@ -24,7 +24,7 @@ THIRD = 1.0 / 3.0
 BY_INTERPRETER = {"ArgName", "Dim", "IsPers", "IsVar", "Present", "Type"}
 NEEDS_MORE = {
     *("GetDataVal", "GetSysData", "SetAllDataVal"),
-    *("SocketGetStatus", "SocketPeek", "SocketReceive"),
+    *("SocketGetStatus", "SocketPeek", "SocketReceive", "SocketReceiveFrom"),
     *("GetTaskName", "TasksInSync"),
     *("MToolTCPCalib", "UIListView", "ReadAnyBin", "ReadBin", "ReadNum", "TextTabGet"),
     *("ModTime", "ReadErrData", "WZDOSet", "WZLimSup", "ReadStr", "ReadCfgData", "WriteCfgData"),

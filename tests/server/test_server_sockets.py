@@ -58,6 +58,48 @@ CALLER = """MODULE caller
 ENDMODULE
 """
 
+LETTERS = """MODULE letters
+  VAR socketdev letters;
+  PERS num served := 0;
+  PERS string silent := "";
+  PROC main()
+    VAR string text;
+    VAR string address;
+    VAR num port;
+    SocketCreate letters \\UDP;
+    SocketBind letters, "192.168.125.1", PORT;
+    WHILE TRUE DO
+      SocketReceiveFrom letters \\Str:=text, address, port \\Time:=2;
+      served := served + 1;
+      SocketSendTo letters, address, port \\Str:="ok " + text;
+    ENDWHILE
+  ERROR
+    silent := ValToStr(ERRNO = ERR_SOCK_TIMEOUT);
+    SocketClose letters;
+    RETURN;
+  ENDPROC
+ENDMODULE
+"""
+SENDER = """MODULE sender
+  VAR socketdev letters;
+  PERS string answer := "";
+  PROC main()
+    VAR string text;
+    VAR string address;
+    VAR num port;
+    SocketCreate letters \\UDP;
+    SocketSendTo letters, "127.0.0.1", PORT \\Str:="where";
+    SocketReceiveFrom letters \\Str:=text, address, port \\Time:=5;
+    answer := text;
+    SocketClose letters;
+  ERROR
+    answer := ValToStr(ERRNO = ERR_SOCK_NET_UNREACH);
+    SocketClose letters;
+    RETURN;
+  ENDPROC
+ENDMODULE
+"""
+
 
 class Driven:
     """A controller whose time the test lets pass, with a network of its own."""
@@ -185,4 +227,64 @@ def test_a_program_does_not_reach_other_computers_unasked(tmp_path: Path) -> Non
         driven = Driven(tmp_path, CALLER.replace("127.0.0.1", "192.0.2.1"), 9)
         driven.ask(cycle="once")
         assert driven.value("answer") == '"FALSE"'
+        driven.end()
+
+
+def datagrams(port: int = 0) -> socket.socket:
+    opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    opened.setblocking(False)
+    try:
+        opened.bind(("127.0.0.1", port))
+    except OSError:
+        opened.close()
+        raise
+    return opened
+
+
+def has_arrived(at: socket.socket, text: bytes) -> bool:
+    try:
+        return at.recv(100) == text
+    except BlockingIOError:
+        return False
+
+
+def test_two_clients_send_datagrams_to_a_program(tmp_path: Path) -> None:
+    with datagrams() as found:
+        port = found.getsockname()[1]
+    with recursion_limit(RUNNING_DEPTH), datagrams() as first, datagrams() as second:
+        driven = Driven(tmp_path, LETTERS, port)
+        driven.ask(cycle="once")
+        first.sendto(b"one", ("127.0.0.1", port))
+        driven.hear(lambda: has_arrived(first, b"ok one"))
+        second.sendto(b"two", ("127.0.0.1", port))
+        driven.hear(lambda: has_arrived(second, b"ok two"))
+        first.sendto(b"three", ("127.0.0.1", port))
+        driven.hear(lambda: has_arrived(first, b"ok three"))
+        assert driven.value("served") == "3"
+        # The port is the program's; a second program of the computer cannot take it.
+        with pytest.raises(OSError, match="in use"):
+            datagrams(port)
+        driven.pass_time(2.5)
+        assert driven.value("silent") == '"TRUE"'
+        datagrams(port).close()
+        driven.end()
+
+
+def test_a_program_sends_the_first_datagram(tmp_path: Path) -> None:
+    with recursion_limit(RUNNING_DEPTH), datagrams() as peer:
+        driven = Driven(tmp_path, SENDER, peer.getsockname()[1])
+        driven.ask(cycle="once")
+        driven.pass_time(0.1)
+        data, address = peer.recvfrom(100)
+        assert data == b"where"
+        peer.sendto(b"here", address)
+        driven.hear(lambda: driven.value("answer") == '"here"')
+        driven.end()
+
+
+def test_a_program_sends_no_datagrams_to_other_computers_unasked(tmp_path: Path) -> None:
+    with recursion_limit(RUNNING_DEPTH):
+        driven = Driven(tmp_path, SENDER.replace("127.0.0.1", "192.0.2.1"), 9)
+        driven.ask(cycle="once")
+        assert driven.value("answer") == '"TRUE"'
         driven.end()

@@ -276,11 +276,82 @@ ENDMODULE
     it = ran(text.replace("from", "sender"))
     assert it.texts == ["TRUE"]
     assert it.run.time_s == pytest.approx(2.0)
-    assert [one.name for one in it.run.unsimulated] == [
-        "SocketCreate \\UDP",
-        "SocketSendTo",
-        "SocketReceiveFrom",
+    assert [one.name for one in it.run.unsimulated] == ["SocketSendTo to 10.0.0.1:4000"]
+
+
+ASKS = r"""MODULE cell
+  VAR socketdev s;
+  PROC main()
+    VAR string text;
+    VAR string sender;
+    VAR num port;
+    SocketCreate s\UDP;
+    FOR i FROM 1 TO 2 DO
+      SocketSendTo s,"127.0.0.1",PORT\Str:="question "+ValToStr(i);
+      SocketReceiveFrom s\Str:=text,sender,port\Time:=20;
+      TPWrite text+" "+sender+" "+ValToStr(port=PORT);
+    ENDFOR
+    SocketReceiveFrom s\Str:=text,sender,port\Time:=0.2;
+  ERROR
+    TPWrite ValToStr(ERRNO=ERR_SOCK_TIMEOUT);
+    TRYNEXT;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def test_datagrams_of_a_real_peer() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as peer:
+        peer.bind(("127.0.0.1", 0))
+        peer.settimeout(20)
+
+        def answer() -> None:
+            for _ in range(2):
+                data, address = peer.recvfrom(100)
+                peer.sendto(b"to " + data, address)
+
+        thread = threading.Thread(target=answer)
+        thread.start()
+        it = ran(ASKS.replace("PORT", str(peer.getsockname()[1])), network=Network())
+        thread.join()
+    assert it.texts == [
+        "to question 1 127.0.0.1 TRUE",
+        "to question 2 127.0.0.1 TRUE",
+        "TRUE",
     ]
+    # What the network answers takes no time; the wait without effect takes its own.
+    assert it.run.time_s == pytest.approx(0.2, abs=1e-3)
+
+
+def test_a_real_port_for_datagrams_may_be_taken_already() -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
+        taken.bind(("127.0.0.1", 0))
+        statement = rf'SocketCreate s\UDP; SocketBind s,"",{taken.getsockname()[1]};'
+        text = WRONG.format(statement=statement, error="ERR_SOCK_ADDR_INUSE")
+        assert ran(text, network=Network()).texts == ["TRUE"]
+
+
+def test_datagrams_to_another_computer_need_its_name() -> None:
+    text = ASKS.replace("127.0.0.1", "192.0.2.1").replace("PORT", "4000")
+    it = ran(text.replace("ERR_SOCK_TIMEOUT", "ERR_SOCK_NET_UNREACH"), network=Network())
+    assert it.texts[0] == "TRUE"
+
+
+def test_the_station_refuses_what_datagrams_do_not_have(tmp_path: Path) -> None:
+    file = tmp_path / "io.toml"
+    file.write_text(
+        """
+[[socket]]
+connect = 6000
+udp = true
+reconnect = true
+steps = [{ send = "x", close = true }]
+"""
+    )
+    with pytest.raises(InputError) as error:
+        read_io(file)
+    assert "socket.reconnect" in str(error.value)
+    assert "socket.steps" in str(error.value)
 
 
 def test_a_port_that_another_program_of_the_computer_has_cannot_be_bound() -> None:

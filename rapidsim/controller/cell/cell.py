@@ -15,6 +15,7 @@ from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import camera_state
 from rapidsim.controller.cell.conveyors import ConveyorState
+from rapidsim.controller.cell.datagrams import DatagramTable
 from rapidsim.controller.cell.description import (
     CrossConnection,
     SignalDeclaration,
@@ -176,7 +177,11 @@ class Cell:
         self.pendant: Pendant | None = None
         """Where questions wait for answers; None if they are answered at once or never."""
         self.texts = TextTables()
-        self.sockets = SocketTable(inputs.io.sockets, self.happen)
+        scripts = inputs.io.sockets
+        streams = [script for script in scripts if not script.is_datagrams]
+        self.sockets = SocketTable(streams, self.happen)
+        datagrams = [script for script in scripts if script.is_datagrams]
+        self.datagrams = DatagramTable(datagrams, self.happen)
         self.network = inputs.network
         """None if sockets may not use the network."""
         self.sensors: Sensors = NoSensors()

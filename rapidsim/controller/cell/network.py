@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import socket
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -19,6 +20,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.errors import RapidError
+from rapidsim.language.sockets import Datagram
 
 T = TypeVar("T")
 
@@ -109,6 +111,38 @@ class NetworkPort:
         self.server.close()
 
 
+@dataclass(eq=False, slots=True)
+class NetworkMailbox:
+    """A real socket for datagrams, which takes none of hosts that the run may not talk to."""
+
+    socket: socket.socket
+    is_reachable: Callable[[str], bool]
+
+    def send(self, address: str, port: int, data: bytes) -> None:
+        """Send a datagram; one that the network refuses is lost."""
+        with suppress(OSError):
+            self.socket.settimeout(_LOOK_S)
+            self.socket.sendto(data, (address or _LOOPBACK, port))
+
+    def receive(self, seconds: float | None) -> Datagram | None:
+        """Wait `seconds`, or indefinitely, for a datagram; None if none came."""
+        while True:
+            try:
+                got = _tried(lambda: self.socket.recvfrom(_AT_ONCE), self.socket, seconds)
+            except RapidError:
+                # An earlier datagram met a port that nobody has.
+                continue
+            if got is None:
+                return None
+            data, (address, port, *_) = got
+            if self.is_reachable(address):
+                return Datagram(data, str(address), int(port))
+
+    def close(self) -> None:
+        """Give the port back."""
+        self.socket.close()
+
+
 @dataclass(slots=True)
 class Network:
     """The network as far as a run may use it."""
@@ -117,7 +151,7 @@ class Network:
     """Hosts other than this computer that sockets may bind or connect to."""
     sensors: Sensors | None = None
     """The sensors that guide robots; None for none."""
-    _opened: list[NetworkConnection | NetworkPort] = field(default_factory=list)
+    _opened: list[NetworkConnection | NetworkPort | NetworkMailbox] = field(default_factory=list)
 
     def bind(self, address: str, port: int) -> NetworkPort:
         """Bind a port: at the address if one was named, else only for this computer.
@@ -140,17 +174,43 @@ class Network:
         self._opened.append(bound)
         return bound
 
-    def connect(self, address: str, port: int, seconds: float | None) -> NetworkConnection | None:
-        """Connect to a server; None if it does not answer.
+    def open_mailbox(self, address: str, port: int) -> NetworkMailbox:
+        """Bind a port for datagrams, 0 for any: only for this computer if no host was named.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not talk to.
+            RapidError: ERR_SOCK_ADDR_INUSE.
+        """
+        # A socket of the loopback reaches no other host.
+        host = address if address in self.hosts else "" if self.hosts else _LOOPBACK
+        opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        try:
+            opened.bind((host, port))
+        except OSError as error:
+            opened.close()
+            raise _in_use(host, port, error) from None
+        mailbox = NetworkMailbox(opened, self.may_reach)
+        self._opened.append(mailbox)
+        return mailbox
+
+    def require_reachable(self, address: str) -> None:
+        """Refuse a host that the run may not talk to.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH.
         """
         if not self.may_reach(address):
             raise rapid_error(
                 ERR_SOCK_NET_UNREACH,
                 f"{address} is another computer; `--network-host {address}` lets the run use it",
             )
+
+    def connect(self, address: str, port: int, seconds: float | None) -> NetworkConnection | None:
+        """Connect to a server; None if it does not answer.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not talk to.
+        """
+        self.require_reachable(address)
         stream = self.reached(address, port, seconds)
         if stream is None:
             return None

@@ -10,13 +10,14 @@ from dataclasses import dataclass, field
 from functools import partial
 from typing import Final, Protocol
 
+from rapidsim.controller.cell.outside_datagrams import DatagramWire
 from rapidsim.controller.cell.streams import Port, StreamEnd, connected
 
 MOST_UNREAD: Final = 1_000_000
 """The most bytes that wait for a program; a peer that sends more has to wait."""
 
 
-class Wire(Protocol):
+class Wire(DatagramWire, Protocol):
     """What programs do with the network."""
 
     def listen(self, port: int, address: str) -> None:
@@ -65,6 +66,15 @@ class NoWire:
 
     def close(self, number: int) -> None:
         """See `Wire`."""
+
+    def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
+        """See `DatagramWire`."""
+
+    def close_mailbox(self, port: int) -> None:
+        """See `DatagramWire`."""
+
+    def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
+        """See `DatagramWire`."""
 
 
 @dataclass(slots=True)

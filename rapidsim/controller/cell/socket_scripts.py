@@ -28,6 +28,8 @@ class SocketScript:
     steps: tuple[SocketStep, ...]
     serves: bool
     """Whether it is a server that the program connects to; otherwise it connects to the program."""
+    is_datagrams: bool = False
+    """Whether it sends and takes datagrams (UDP) instead of streams."""
     address: str = ""
     """The address of a server, if that tells it from others; empty for any."""
     after_s: float = 0.0

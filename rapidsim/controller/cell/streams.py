@@ -17,7 +17,8 @@ from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
 Schedule = Callable[[float, Callable[[float], None]], None]
 """Lets a function be called with the time at a virtual time [s]."""
 
-_LOCAL = ("localhost", "127.0.0.1", "0.0.0.0", "")
+LOCAL = ("localhost", "127.0.0.1", "0.0.0.0", "")
+"""Addresses of the controller itself."""
 
 
 @dataclass(eq=False, slots=True)
@@ -69,7 +70,7 @@ class Port:
 
 
 @dataclass(eq=False, slots=True)
-class _Peer:
+class ScriptedPeer:
     """A script at one end of a connection, as far as it has come."""
 
     script: SocketScript
@@ -193,14 +194,14 @@ class SocketTable:
         for script in self._scripts:
             if script.serves and script.port == port and script.address in ("", address):
                 near, far = connected(name, "the program")
-                peer = _Peer(script, far, self._schedule, lambda _: None)
+                peer = ScriptedPeer(script, far, self._schedule, lambda _: None)
                 far.notice = peer.notice
                 peer.notice(now_s)
                 return near
         listening = self._listening(port)
         if listening is None:
             return None if self.outside is None else self.outside.called(address, port)
-        host = "127.0.0.1" if address in _LOCAL else address
+        host = "127.0.0.1" if address in LOCAL else address
         near, far = connected(name, f"{host}:{port}")
         listening.waiting.append(far)
         return near
@@ -226,7 +227,7 @@ class SocketTable:
                 self._busy.discard(index)
                 return
             near, far = connected(f"{script.address or '127.0.0.1'}:{script.port}", "the program")
-            peer = _Peer(script, far, self._schedule, again)
+            peer = ScriptedPeer(script, far, self._schedule, again)
             far.notice = peer.notice
             listening.waiting.append(near)
             peer.notice(time_s)

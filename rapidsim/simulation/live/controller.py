@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
 from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
+from rapidsim.controller.cell.outside_datagrams import OutsideMailboxes
 from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
 from rapidsim.controller.cell.rendezvous import Meetings
@@ -83,6 +84,8 @@ class LiveController:
     """What programs have written on the FlexPendant, the newest line last."""
     outside: OutsideStreams = field(init=False)
     """The peers of the programs' sockets."""
+    mailboxes: OutsideMailboxes = field(init=False)
+    """The programs' sockets for datagrams."""
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """By folded name, in the order of the station."""
@@ -113,6 +116,8 @@ class LiveController:
         self.cell.share(self._turns)
         self.outside = OutsideStreams(self.wire)
         self.cell.sockets.outside = self.outside
+        self.mailboxes = OutsideMailboxes(self.wire)
+        self.cell.datagrams.outside = self.mailboxes
         self.cell.sensors = self.sensors
         arms = [setup.robot for setup in self.setups if setup.robot is not None]
         if not arms:
