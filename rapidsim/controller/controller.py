@@ -35,6 +35,7 @@ from rapidsim.controller.queue.speed_outputs import SpeedOutputs
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
+from rapidsim.controller.smart_gripper import TaskSmartGripper
 from rapidsim.controller.sockets import TaskSockets
 from rapidsim.controller.solo_moves import SoloMoves
 from rapidsim.controller.standstill import StandstillOutputs
@@ -132,6 +133,7 @@ def virtual_controller(
         honesty=TaskHonesty(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, others),
         axis_signals=TaskAxisSignals(clock, cell, others),
+        smart_gripper=TaskSmartGripper(clock, cell, journal.task),
         cyclic_bools=TaskCyclicBools(clock, cell),
         cameras=TaskCameras(clock, cell),
         messages=TaskMessages(clock, cell, table, journal, own_queue),

@@ -19,7 +19,7 @@ from typing import Any, Protocol
 from rapidsim.language.cameras import Cameras
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
-from rapidsim.language.equipment import AxisSignals, Equipment
+from rapidsim.language.equipment import AxisSignals, Equipment, SmartGripper
 from rapidsim.language.error_answers import ErrorReports
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.files import Files
@@ -486,6 +486,7 @@ class Controller:
     honesty: Honesty
     equipment: Equipment
     axis_signals: AxisSignals
+    smart_gripper: SmartGripper
     cyclic_bools: CyclicBools
     cameras: Cameras
     messages: Messages
@@ -519,6 +520,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Honesty: "honesty",
         Equipment: "equipment",
         AxisSignals: "axis_signals",
+        SmartGripper: "smart_gripper",
         CyclicBools: "cyclic_bools",
         Cameras: "cameras",
         Messages: "messages",

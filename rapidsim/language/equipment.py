@@ -103,6 +103,50 @@ class AxisSignals(Protocol):
         ...
 
 
+class SmartGripper(Protocol):
+    """The servo gripper of the task's robot: fingers from 0 (closed) to 25 mm (open)."""
+
+    @property
+    def object_mm(self) -> float | None:
+        """Position [mm] at which closing fingers meet an object; None if it is not known."""
+        ...
+
+    @property
+    def limit_mm(self) -> float:
+        """Position [mm] to which the fingers open at most."""
+        ...
+
+    def adjust(
+        self,
+        *,
+        speed_mm_s: float | None = None,
+        force_n: float | None = None,
+        limit_mm: float | None = None,
+    ) -> None:
+        """Change speed [mm/s], force [N] or limit [mm] for the motions to come."""
+        ...
+
+    def move_fingers(self, to_mm: float) -> None:
+        """Begin to move the fingers to a position [mm]."""
+        ...
+
+    def stop_fingers(self) -> None:
+        """Stop the fingers where they are."""
+        ...
+
+    def await_fingers(self) -> None:
+        """Wait until the fingers are at rest."""
+        ...
+
+    def finger_position(self) -> float:
+        """Position [mm] of the fingers."""
+        ...
+
+    def finger_speed(self) -> float:
+        """Speed [mm/s] of the fingers."""
+        ...
+
+
 class Conveyor(Protocol):
     """A conveyor, and which of its objects a program has taken."""
 

@@ -47,6 +47,7 @@ from rapidsim.library.robot_state import ROBOT_STATE
 from rapidsim.library.search import SEARCH
 from rapidsim.library.signal_waits import SIGNAL_WAITS
 from rapidsim.library.signals import SIGNALS
+from rapidsim.library.smart_gripper import SMART_GRIPPER
 from rapidsim.library.sockets import SOCKETS
 from rapidsim.library.stop_start import STOP_START
 from rapidsim.library.strings import STRINGS
@@ -115,6 +116,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
         "Independent axes": INDEPENDENT_AXES,
         "Arc welding": ARC,
         "Tactile search": TACTILE_SEARCH,
+        "Gripper of the IRB 14000": SMART_GRIPPER,
     }
 )
 """The routines written in Python, by chapter."""

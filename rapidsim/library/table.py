@@ -107,6 +107,8 @@ class LibraryRoutine:
     """What the row says that it does; `does` is all."""
     sets: tuple[str, ...] = ()
     """The fields of `MotionSettings` that it sets."""
+    takes_anything: bool = False
+    """Whether arguments that no source gives may stand in a call; the function gets none."""
     back: str = ""
     """The call that puts a mode back to what it is at the start, if it changes one that it may
     leave behind: the switch or the percentages in it count, else the routine of that name."""
@@ -119,7 +121,8 @@ class LibraryRoutine:
     @cached_property
     def signature(self) -> Signature:
         """The RAPID signature, read from the function's annotations."""
-        return _read_signature(self.function, self.order)
+        signature = _read_signature(self.function, self.order)
+        return replace(signature, is_open=True) if self.takes_anything else signature
 
     @cached_property
     def does(self) -> Does:
@@ -153,9 +156,10 @@ def routine(
     does: Does = NOTHING,
     sets: tuple[str, ...] = (),
     back: str = "",
+    takes_anything: bool = False,
 ) -> LibraryRoutine:
     """One row of a table; what its parameters say that it does need not be stated."""
-    return LibraryRoutine(name, body, order, treated_as, does, sets, back)
+    return LibraryRoutine(name, body, order, treated_as, does, sets, takes_anything, back)
 
 
 def table(*rows: LibraryRoutine) -> Mapping[str, LibraryRoutine]:

@@ -5,11 +5,17 @@ close = "doGrip = 1"
 closed = "diGripped = 1"
 at = "stand"
 load = 2.5
+
+And [[smart_gripper]]: what the fingers of the servo gripper of an IRB 14000 meet.
+
+[[smart_gripper]]
+task = "T_ROB_R"
+object = 12
 """
 
 from __future__ import annotations
 
-from rapidsim.controller.cell.description import Gripper
+from rapidsim.controller.cell.description import DescribedFingers, Gripper
 from rapidsim.station.signals import read_when
 from rapidsim.station.toml_reader import Reader, Table
 
@@ -39,3 +45,17 @@ def read_grippers(reader: Reader, tables: Table) -> tuple[Gripper, ...]:
             continue
         grippers.append(Gripper(name, close, closed, at != _ANYWHERE, load_kg or 0.0, task))
     return tuple(grippers)
+
+
+def read_smart_grippers(reader: Reader, tables: Table) -> tuple[DescribedFingers, ...]:
+    """Read the list; errors are noted."""
+    described = []
+    for path, table in reader.tables(tables, "smart_gripper"):
+        reader.known(path, table, ("task", "object"))
+        object_mm = reader.not_negative(table, path, "object")
+        task = reader.text(table, path, "task")
+        if object_mm is None:
+            reader.wrong(path, "say where closing fingers meet the object, as in object = 12 [mm]")
+            continue
+        described.append(DescribedFingers(object_mm, task))
+    return tuple(described)

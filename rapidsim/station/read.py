@@ -19,7 +19,7 @@ from rapidsim.station.check import read_check
 from rapidsim.station.controller import read_robotware_of, read_stubs
 from rapidsim.station.conveyors import read_conveyors
 from rapidsim.station.external_axes import read_external_axes
-from rapidsim.station.grippers import read_grippers
+from rapidsim.station.grippers import read_grippers, read_smart_grippers
 from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
 from rapidsim.station.signals import read_crosses, read_signals
@@ -32,7 +32,16 @@ from rapidsim.station.toml_reader import Reader, Table, read_toml
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
 
-_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor", "gripper")
+_IO_KEYS = (
+    "signals",
+    "cross",
+    "stimulus",
+    "socket",
+    "camera",
+    "conveyor",
+    "gripper",
+    "smart_gripper",
+)
 NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
 _KEYS = (
@@ -137,4 +146,5 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_cameras(reader, table),
         read_conveyors(reader, table),
         read_grippers(reader, table),
+        read_smart_grippers(reader, table),
     )

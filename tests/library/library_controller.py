@@ -105,7 +105,23 @@ class RecordingController(NoSockets, Undisturbed):
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
             *(self, self, self, self, self, self, self, self, self),
-            *(self, self, self, self, self, self, self, self, self, self, self, self, self, self),
+            *(
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+                self,
+            ),
             # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
             # A sensor guides what moves: programs have that.

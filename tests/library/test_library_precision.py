@@ -109,6 +109,12 @@ class Uneven(RecordingController):
     def length(self) -> float:
         return THIRD
 
+    def finger_position(self) -> float:
+        return THIRD
+
+    def finger_speed(self) -> float:
+        return THIRD
+
 
 @pytest.mark.parametrize(
     "row", [row for row in ROUTINES.values() if tells_numbers(row)], ids=lambda row: row.name

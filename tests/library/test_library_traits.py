@@ -23,6 +23,7 @@ QUESTIONS = {"ask_number", "ask_choice", "ask_text"}
 WAITS = {
     *("wait", "wait_until", "wait_for_signal", "accept_client", "connect_socket", "await_bytes"),
     "await_datagram",
+    "await_fingers",
     *("meet", "move_together", "move_apart", "leave_team", "suspend_team", "resume_team"),
     *("await_message", "await_answer", "guide", "await_condition", "end_guidance", "give_back"),
 }

@@ -22,6 +22,7 @@ from rapidsim.controller.cell.description import (
     Status,
     Stimulus,
 )
+from rapidsim.controller.cell.finger_motion import Fingers
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.message_queues import MessageQueues
@@ -212,6 +213,8 @@ class Cell:
         self.error_listeners: list[ErrorListener] = []
         self.happenings = 0
         """Counts everything that another task may have to react to."""
+        self._fingers: dict[str, Fingers] = {}
+        """By folded name of the task."""
         self._io = inputs.io
         self._outside = Cause(journal.beside(OUTSIDE))
         self._coming: list[_Coming] = []
@@ -228,6 +231,15 @@ class Cell:
     def declared(self) -> tuple[SignalDeclaration, ...]:
         """The signals of its I/O configuration."""
         return self._io.signals
+
+    def fingers_of(self, task: str) -> Fingers:
+        """The fingers of the gripper of a task's robot."""
+        folded = task.lower()
+        if folded not in self._fingers:
+            described = (one for one in self._io.smart_grippers if one.is_of(task))
+            found = next(described, None)
+            self._fingers[folded] = Fingers(None if found is None else found.object_mm)
+        return self._fingers[folded]
 
     def share(self, turns: Turns) -> None:
         """Let several tasks take turns."""

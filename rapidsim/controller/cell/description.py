@@ -151,6 +151,20 @@ class CrossConnection:
 
 
 @dataclass(frozen=True, slots=True)
+class DescribedFingers:
+    """What the station says of a servo gripper."""
+
+    object_mm: float
+    """Position at which closing fingers meet an object."""
+    task: str | None = None
+    """The task of its robot; None for all."""
+
+    def is_of(self, task: str) -> bool:
+        """Whether it describes the gripper of a task."""
+        return self.task is None or self.task.lower() == task.lower()
+
+
+@dataclass(frozen=True, slots=True)
 class CellIo:
     """The signals of a cell and what drives them."""
 
@@ -162,6 +176,7 @@ class CellIo:
     cameras: tuple[CameraScript, ...] = ()
     conveyors: tuple[ConveyorScript, ...] = ()
     grippers: tuple[Gripper, ...] = ()
+    smart_grippers: tuple[DescribedFingers, ...] = ()
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both combined; if both declare a signal, the other's declaration counts."""
@@ -176,6 +191,7 @@ class CellIo:
             cameras=(*self.cameras, *other.cameras),
             conveyors=(*self.conveyors, *other.conveyors),
             grippers=(*self.grippers, *other.grippers),
+            smart_grippers=(*self.smart_grippers, *other.smart_grippers),
         )
 
     @property
