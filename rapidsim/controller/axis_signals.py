@@ -80,7 +80,7 @@ class TaskAxisSignals:
     cell: Cell
     others: TaskOthers
 
-    def define(
+    def sample_axis(
         self,
         channel: int,
         unit: MechanicalUnitFacts,
@@ -95,20 +95,20 @@ class TaskAxisSignals:
         of = next(one for one in tasks if one.task_number == unit.task_number)
         self.cell.sampled[channel] = SampledAxis(of, unit, at, quantity, sample_s, now_s)
 
-    def remove(self, channel: int) -> None:
+    def stop_sampling(self, channel: int) -> None:
         """Stop sampling for a channel."""
         self.clock.note_line()
         self.clock.come_up()
         self.cell.sampled.pop(channel, None)
 
-    def read(self, channel: int) -> float | None:
+    def last_sample(self, channel: int) -> float | None:
         """Value of a channel as sampled last; None for a channel without a signal."""
         self.clock.note_line()
         now_s = self.clock.come_up()
         signal = self.cell.sampled.get(channel)
         return None if signal is None else signal.value(now_s, self.others)
 
-    def reset(self) -> None:
+    def stop_all_sampling(self) -> None:
         """Stop sampling for all channels."""
         self.clock.note_line()
         self.clock.come_up()

@@ -71,7 +71,7 @@ class AxisQuantity(Enum):
 class AxisSignals(Protocol):
     """The test signals of the system, by the numbers of their channels."""
 
-    def define(
+    def sample_axis(
         self,
         channel: int,
         unit: MechanicalUnitFacts,
@@ -90,15 +90,15 @@ class AxisSignals(Protocol):
         """
         ...
 
-    def remove(self, channel: int) -> None:
+    def stop_sampling(self, channel: int) -> None:
         """Stop sampling for a channel."""
         ...
 
-    def read(self, channel: int) -> float | None:
+    def last_sample(self, channel: int) -> float | None:
         """Value of a channel as sampled last; None for a channel without a signal."""
         ...
 
-    def reset(self) -> None:
+    def stop_all_sampling(self) -> None:
         """Stop sampling for all channels."""
         ...
 

@@ -66,3 +66,81 @@ class SocketState:
     """The port of a socket for datagrams; None for one of streams."""
     listener: Listener | None = None
     """The port that SocketBind gave it, whether it listens or not."""
+
+
+class Sockets(Protocol):
+    """Connections to other computers, or to what stands for them."""
+
+    def bind_port(self, address: str, port: int) -> Listener:
+        """Take a port; clients cannot connect to it yet.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if somebody has it already.
+        """
+        ...
+
+    def open_port(self, listener: Listener) -> None:
+        """Let clients connect to a port.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if another program of the computer has it.
+        """
+        ...
+
+    def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
+        """Wait `max_time` [s] or forever for a client; None if none came."""
+        ...
+
+    def connect_socket(
+        self, address: str, port: int, *, max_time: float | None
+    ) -> Connection | None:
+        """Connect to a server within `max_time` [s], or wait forever; None if none answered."""
+        ...
+
+    def send_bytes(self, connection: Connection, data: bytes) -> None:
+        """Send bytes.
+
+        Raises:
+            RapidError: ERR_SOCK_CLOSED if the other end has closed.
+        """
+        ...
+
+    def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
+        """Wait until this many bytes have been received or no more will come.
+
+        Returns:
+            False if `max_time` [s] ran out first.
+        """
+        ...
+
+    def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
+        """Close the connection or port of a socket."""
+        ...
+
+    def open_datagrams(self) -> DatagramPort:
+        """A new socket for datagrams, without a port."""
+        ...
+
+    def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
+        """Give a socket for datagrams a port.
+
+        Raises:
+            RapidError: ERR_SOCK_ADDR_INUSE if another socket has it already.
+        """
+        ...
+
+    def send_datagram(self, socket: DatagramPort, address: str, port: int, data: bytes) -> None:
+        """Send a datagram.
+
+        Raises:
+            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+        """
+        ...
+
+    def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
+        """Wait `max_time` [s] or forever for a datagram; None if none came."""
+        ...
+
+    def close_datagrams(self, socket: DatagramPort) -> None:
+        """Give the port of a socket for datagrams back."""
+        ...

@@ -52,20 +52,20 @@ def define_test_signal(
     quantity = _SAMPLED.get(signal_id)
     if quantity is None:
         controller.honesty.not_simulated(f"the test signal {signal_id:g}", "it reads 0")
-        controller.axis_signals.remove(number)
+        controller.axis_signals.stop_sampling(number)
         return
     if sample_time > LONGEST_SAMPLE_S:
         controller.honesty.not_simulated(
             f"TestSignDefine with a SampleTime of {sample_time:g} s", f"{LONGEST_SAMPLE_S:g} s"
         )
     interval_s = min(max(sample_time, 0.0), LONGEST_SAMPLE_S)
-    controller.axis_signals.define(number, unit, int(axis) - 1, quantity, interval_s)
+    controller.axis_signals.sample_axis(number, unit, int(axis) - 1, quantity, interval_s)
 
 
 def read_test_signal(controller: Controller, channel: Num) -> Num:
     """Value of a channel: the last sample, or a mean over 4 ms of those in shorter intervals."""
     number = _channel(channel)
-    value = controller.axis_signals.read(number)
+    value = controller.axis_signals.last_sample(number)
     if value is None:
         controller.honesty.not_simulated(
             f"TestSignRead of channel {number}, which has no signal that is simulated", "0"
@@ -76,7 +76,7 @@ def read_test_signal(controller: Controller, channel: Num) -> Num:
 
 def reset_test_signals(controller: AxisSignals) -> None:
     """Stop sampling for all channels."""
-    controller.reset()
+    controller.stop_all_sampling()
 
 
 def _channel(channel: float) -> int:

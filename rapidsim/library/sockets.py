@@ -29,7 +29,6 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Sockets
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
     ERR_SOCK_ADDR_INVALID,
@@ -50,6 +49,7 @@ from rapidsim.language.sockets import (
     LISTENING,
     Connection,
     DatagramPort,
+    Sockets,
     SocketState,
 )
 from rapidsim.library.raw_bytes import MOST_BYTES

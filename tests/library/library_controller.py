@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from memory_file import MemoryFile
 from no_sockets import NoSockets
+from parts_at_rest import PartsAtRest
 from undisturbed import Undisturbed
 
 from rapidsim.diagnostics import Source, Span
@@ -60,7 +61,7 @@ def call(name: str, *arguments: Any, **options: Any) -> Any:
 
 
 @dataclass
-class RecordingController(NoSockets, Undisturbed):
+class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     """Implements all protocols of `language.controller` with nothing behind it."""
 
     time_s: float = 0.0
@@ -104,27 +105,10 @@ class RecordingController(NoSockets, Undisturbed):
     def whole(self) -> Controller:
         """All concerns in one; mypy holds it against the protocol of each."""
         whole = Controller(
-            *(self, self, self, self, self, self, self, self, self),
-            *(
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-                self,
-            ),
-            # Messages go between tasks, and here is one: the book of the language has them.
+            *(self, self, self, self, self, self, self, self, self, self, self, self),
+            *(self, self, self, self, self, self, self, self, self, self, self, self),
+            # Programs of the book of the language have messages and sensors.
             cast(Messages, self),
-            # A sensor guides what moves: programs have that.
             cast(Guidance, self),
         )
         for name in ("symbols", "modules"):

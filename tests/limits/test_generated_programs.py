@@ -83,8 +83,8 @@ def test_laws_find_programs_to_speak_of() -> None:
 
 def test_shrinking_keeps_what_fails() -> None:
     made = program(SEED, 3)
-    small = shrunk(made, lambda one: any("main" in text for text in one.files.values()), 500)
+    small = shrunk(made, lambda one: any("PROC main" in text for text in one.files.values()), 500)
     (text,) = small.files.values()
     # The head of main; the line that ends it may go.
-    assert [line.strip() for line in text.splitlines() if "main" in line] == ["PROC main()"]
+    assert [line.strip() for line in text.splitlines() if "PROC main" in line] == ["PROC main()"]
     assert len(text.splitlines()) <= 5

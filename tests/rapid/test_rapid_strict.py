@@ -28,6 +28,7 @@ RESERVATIONS = {
 }
 """Programs that only a strict check rejects, and why."""
 TOLD_BY_A_RUN = {"R104", "I801", "N220"}
+TOLD_IN_HEADLINE = ("ended early", "not in the stored configuration")
 CASES = sorted({*some(PROGRAMS, 8), *(one for one in PROGRAMS if name(one) in RESERVATIONS)})
 
 
@@ -53,4 +54,5 @@ def test_strictness_adds_no_other_rejection(
         return
     if run_verdict(replace(run.simulation, strict=False)).ok and not run.ok:
         told = {text for *_, kind, text in promised(sources(program)) if kind == "warning"}
-        assert told & TOLD_BY_A_RUN, run.headline
+        is_in_headline = any(text in run.headline for text in TOLD_IN_HEADLINE)
+        assert told & TOLD_BY_A_RUN or is_in_headline, run.headline

@@ -10,6 +10,7 @@ import socket
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
+from time import monotonic
 from typing import TypeVar
 
 from rapidsim.controller.cell.sensors import Sensors
@@ -126,17 +127,21 @@ class NetworkMailbox:
 
     def receive(self, seconds: float | None) -> Datagram | None:
         """Wait `seconds`, or indefinitely, for a datagram; None if none came."""
+        until = None if seconds is None else monotonic() + seconds
         while True:
+            wait_s = None if until is None else max(until - monotonic(), 0.0)
             try:
-                got = _tried(lambda: self.socket.recvfrom(_AT_ONCE), self.socket, seconds)
+                got = _tried(lambda: self.socket.recvfrom(_AT_ONCE), self.socket, wait_s)
+                if got is None:
+                    return None
+                data, (address, port, *_) = got
+                if self.is_reachable(address):
+                    return Datagram(data, str(address), int(port))
             except RapidError:
                 # An earlier datagram met a port that nobody has.
-                continue
-            if got is None:
+                pass
+            if until is not None and monotonic() >= until:
                 return None
-            data, (address, port, *_) = got
-            if self.is_reachable(address):
-                return Datagram(data, str(address), int(port))
 
     def close(self) -> None:
         """Give the port back."""
