@@ -238,6 +238,18 @@ EIO_SIGNAL:
     assert "SimMode is not simulated: `aoFlow`" in said.remarks[-1]
 
 
+def test_an_input_that_slows_the_robot_down_is_told(tmp_path: Path) -> None:
+    inputs = """#
+SYSSIG_IN:
+
+      -Signal "diStart" -Action "StartMain" -Arg1 "CONT"
+
+      -Signal "diSlow" -Action "LimitSpeed"
+"""
+    said = station(tmp_path, {"SYSPAR/EIO.cfg": f"{EIO}\n{inputs}"})
+    assert said.remarks[-1] == ("EIO.cfg: LimitSpeed is not simulated: `diSlow` slows nothing down")
+
+
 @pytest.mark.parametrize(
     ("line", "version"),
     [

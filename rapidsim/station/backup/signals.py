@@ -50,7 +50,19 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
     declared = (one and _showing(one, shown) for one in signals)
     crosses, remarks = _crosses(types.get("EIO_CROSS", ()))
     io = CellIo(tuple(one for one in declared if one is not None), crosses)
-    return io, (*remarks, *others)
+    return io, (*remarks, *others, *_limit_speed(types.get("SYSSIG_IN", ())))
+
+
+def _limit_speed(instances: Iterable[Instance]) -> tuple[str, ...]:
+    """A remark for inputs that slow a robot down, which no input of a run does."""
+    names = [
+        f"`{instance.get('signal', '')}`"
+        for instance in instances
+        if instance.get("action", "").lower() == "limitspeed"
+    ]
+    if not names:
+        return ()
+    return (f"EIO.cfg: LimitSpeed is not simulated: {', '.join(names)} slows nothing down",)
 
 
 def _system_outputs(
