@@ -23,6 +23,8 @@ _CURE = (
     "a [[socket]] of rapidsim.toml plays the other end, `--allow-network` lets a real one in, "
     r"\Time ends the wait"
 )
+_STEP_S = 0.01
+"""Time [s] for which a task waits for the network before other tasks may send."""
 _SHOWN = 40
 """Characters of what is sent and received that an event shows."""
 
@@ -258,14 +260,16 @@ class TaskSockets:
         assert isinstance(socket, Mailbox)
         deadline_s = self._deadline(max_time)
         real, received = self._mailboxes.get(socket), socket.received
-        if real is not None and not received and not socket.talks_to_script:
-            datagram = real.receive(self._patience(deadline_s))
-            self._after_network(datagram is not None, deadline_s)
-        else:
+        if real is None or received or socket.talks_to_script:
             where = f"at port {socket.port}" if socket.port else "without a port"
             nothing = f"`SocketReceiveFrom` waits for a datagram {where}, and none comes"
             arrived = self._waited(lambda: bool(received), deadline_s, nothing)
             datagram = received.popleft() if arrived else None
+        elif self.cell.is_shared:
+            datagram = self._from_network_or_task(socket, real, deadline_s)
+        else:
+            datagram = real.receive(self._patience(deadline_s))
+            self._after_network(datagram is not None, deadline_s)
         if datagram is not None:
             peer = f"{datagram.address}:{datagram.port}"
             self.clock.event(
@@ -275,6 +279,22 @@ class TaskSockets:
                 received=datagram.data.decode("iso-8859-1"),
             )
         return datagram
+
+    def _from_network_or_task(
+        self, socket: Mailbox, real: NetworkMailbox, deadline_s: float
+    ) -> Datagram | None:
+        """Wait in steps that take as long in virtual time as on the computer's clock."""
+        instead = "a task waits as long in simulated time as on the computer's clock"
+        self.journal.unsimulated("the network", instead, self.clock.place)
+        with self.clock.waiting("the network") as wait:
+            while self.clock.observe() < deadline_s:
+                datagram = socket.received.popleft() if socket.received else real.receive(_STEP_S)
+                if datagram is not None:
+                    wait.ended_by = "the network"
+                    return datagram
+                self.clock.await_event(min(deadline_s, self.clock.observe() + _STEP_S))
+            wait.ended_by = MAX_TIME
+        return socket.received.popleft() if socket.received else real.receive(0.0)
 
     def close_datagrams(self, socket: DatagramPort) -> None:
         """Give the port of a socket for datagrams back."""

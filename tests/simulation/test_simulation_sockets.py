@@ -323,6 +323,40 @@ def test_datagrams_of_a_real_peer() -> None:
     assert it.run.time_s == pytest.approx(0.2, abs=1e-3)
 
 
+def test_tasks_send_each_other_datagrams_where_the_network_is_allowed() -> None:
+    answers = r"""
+VAR socketdev s;
+VAR string text;
+VAR string sender;
+VAR num port;
+PROC main()
+  SocketCreate s\UDP;
+  SocketBind s,"127.0.0.1",PORT;
+  SocketReceiveFrom s\Str:=text,sender,port\Time:=10;
+  SocketSendTo s,sender,port\Str:="to "+text;
+ENDPROC
+"""
+    asks = r"""
+VAR socketdev s;
+VAR string text;
+VAR string sender;
+VAR num port;
+PROC main()
+  WaitTime 0.2;
+  SocketCreate s\UDP;
+  SocketSendTo s,"127.0.0.1",PORT\Str:="question";
+  SocketReceiveFrom s\Str:=text,sender,port\Time:=10;
+  TPWrite text;
+ENDPROC
+"""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as found:
+        found.bind(("127.0.0.1", 0))
+        port = str(found.getsockname()[1])
+    programs = {"T_ROB1": asks.replace("PORT", port), "T_COM": answers.replace("PORT", port)}
+    it = ran_tasks(programs, robots=("T_ROB1",), network=Network())
+    assert [text for _, text in it.texts] == ["to question"]
+
+
 def test_a_real_port_for_datagrams_may_be_taken_already() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as taken:
         taken.bind(("127.0.0.1", 0))
