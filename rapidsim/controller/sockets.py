@@ -266,7 +266,7 @@ class TaskSockets:
             arrived = self._waited(lambda: bool(received), deadline_s, nothing)
             datagram = received.popleft() if arrived else None
         elif self.cell.is_shared:
-            datagram = self._from_network_or_task(socket, real, deadline_s)
+            datagram = self._await_network_or_task(socket, real, deadline_s)
         else:
             datagram = real.receive(self._patience(deadline_s))
             self._after_network(datagram is not None, deadline_s)
@@ -280,7 +280,7 @@ class TaskSockets:
             )
         return datagram
 
-    def _from_network_or_task(
+    def _await_network_or_task(
         self, socket: Mailbox, real: NetworkMailbox, deadline_s: float
     ) -> Datagram | None:
         """Wait in steps that take as long in virtual time as on the computer's clock."""

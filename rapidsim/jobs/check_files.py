@@ -107,7 +107,7 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     )
     return replace(
         result,
-        diagnostics=tuple(_once(selection.kept(unsuppressed))),
+        diagnostics=tuple(_without_repeats(selection.kept(unsuppressed))),
         fail_on=station.check.fails_from,
         strict=job.is_strict,
         arm=job.robot,
@@ -220,7 +220,7 @@ def check_tasks(
     )
 
 
-def _once(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
+def _without_repeats(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
     """Findings without the warnings of interrupts at which the run has stopped."""
     stopped = {
         (finding.span.file, finding.span.line)

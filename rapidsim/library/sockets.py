@@ -93,7 +93,7 @@ def socket_bind(
 
 def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
     """Let clients connect to the port of a socket."""
-    state = _of_streams(socket, "SocketListen")
+    state = _stream_socket(socket, "SocketListen")
     if state.listener is None:
         raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
     if state.status != LISTENING:
@@ -110,7 +110,7 @@ def socket_accept(
     time: Num | None = None,
 ) -> None:
     """Wait for a client; `ClientSocket` talks to it."""
-    state = _of_streams(socket, "SocketAccept")
+    state = _stream_socket(socket, "SocketAccept")
     if state.listener is None or state.status != LISTENING:
         raise rapid_error(
             ERR_SOCK_NOT_BOUND, "the socket does not listen; SocketListen comes first"
@@ -136,7 +136,7 @@ def socket_connect(
     time: Num | None = None,
 ) -> None:
     """Connect to a server."""
-    state = _of_streams(socket, "SocketConnect")
+    state = _stream_socket(socket, "SocketConnect")
     if state.connection is not None:
         raise rapid_error(
             ERR_SOCK_IS_CONN, f"the socket is connected to {state.connection.peer} already"
@@ -162,11 +162,11 @@ def socket_send(
 ) -> None:
     """Send a text, raw bytes or an array of bytes, all of it or so many bytes."""
     connection = _connected(socket)
-    given = _given("SocketSend", str_, raw_data, data, no_of_bytes)
+    given = _bytes_to_send("SocketSend", str_, raw_data, data, no_of_bytes)
     controller.send_bytes(connection, given)
 
 
-def _given(
+def _bytes_to_send(
     name: str,
     str_: str | None,
     raw_data: Reference[bytes] | None,
@@ -256,8 +256,8 @@ def socket_send_to(
     no_of_bytes: Num | None = None,
 ) -> None:
     """Send a datagram; a socket without a port gets one."""
-    port = _of_datagrams(socket, "SocketSendTo")
-    given = _given("SocketSendTo", str_, raw_data, data, no_of_bytes)
+    port = _datagram_port(socket, "SocketSendTo")
+    given = _bytes_to_send("SocketSendTo", str_, raw_data, data, no_of_bytes)
     if not remote_address:
         raise rapid_error(ERR_SOCK_ADDR_INVALID, "the address to send to is empty")
     controller.send_datagram(port, _host(remote_address), _port(remote_port), given)
@@ -276,7 +276,7 @@ def socket_receive_from(
     time: Num | None = None,
 ) -> None:
     """Wait for a datagram, and say who has sent it."""
-    port = _of_datagrams(socket, "SocketReceiveFrom")
+    port = _datagram_port(socket, "SocketReceiveFrom")
     most = MAX_STRING if str_ is not None else MOST_BYTES if data is None else len(data)
     datagram = controller.await_datagram(port, max_time=_limit(time))
     if datagram is None:
@@ -311,7 +311,7 @@ def _created(socket: _Device) -> SocketState:
     return socket.value
 
 
-def _of_streams(socket: _Device, name: str) -> SocketState:
+def _stream_socket(socket: _Device, name: str) -> SocketState:
     state = _created(socket)
     if state.datagrams is not None:
         raise rapid_error(
@@ -320,7 +320,7 @@ def _of_streams(socket: _Device, name: str) -> SocketState:
     return state
 
 
-def _of_datagrams(socket: _Device, name: str) -> DatagramPort:
+def _datagram_port(socket: _Device, name: str) -> DatagramPort:
     port = _created(socket).datagrams
     if port is None:
         raise rapid_error(
