@@ -67,10 +67,10 @@ def grip_inward(
     meets_mm = gripper.object_mm
     if meets_mm is None:
         meets_mm = _within(gripper, 0.0 if target_pos is None else target_pos)
-        what = "the fingers close fully" if target_pos is None else "an object at `targetPos`"
+        instead = "they close fully" if target_pos is None else "an object at `targetPos`"
         controller.honesty.not_simulated(
-            "what the gripper meets, which no [[smart_gripper]] of the station file describes",
-            what,
+            "what the fingers of the gripper meet",
+            f"{instead}; [[smart_gripper]] in the station file describes an object",
         )
     # Fingers that are nearer already have the object beside them.
     meets_mm = min(meets_mm, gripper.finger_position())
