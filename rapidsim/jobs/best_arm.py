@@ -38,8 +38,7 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
     usual = ranked_arm(load_robot(DEFAULT_ROBOT), found)
     if not hints and usual.makes_all:
         return job
-    # A run needs the speeds of the axes.
-    ranked = [arm for arm in rank_arms(found, hints, DEFAULT_ROBOT) if arm.has_speeds]
+    ranked = rank_arms(found, hints, DEFAULT_ROBOT)
     best = ranked[0]
     if best.reached == 0 or (best.name == DEFAULT_ROBOT and not best.deviation):
         return job

@@ -89,8 +89,8 @@ class RankedArm:
     carries: bool
     """Whether it is rated for the heaviest tool."""
     has_six_axes: bool
-    has_speeds: bool
-    """Whether the speeds of its axes are known, which a run needs."""
+    has_own_speeds: bool
+    """Whether a source gives the speeds of its axes; else another arm lends them."""
     is_named: bool
     """Whether a text names its type."""
     deviation: float
@@ -187,14 +187,14 @@ def rank_arms(
         if told_apart(robot.kinematics) or is_named:
             ranked.append(ranked_arm(robot, of_programs, deviation, is_named=is_named))
 
-    best = max(ranked, key=lambda arm: (*arm.score, -arm.deviation, arm.has_speeds))
+    best = max(ranked, key=lambda arm: (*arm.score, -arm.deviation, arm.has_own_speeds))
     ties = [arm for arm in ranked if arm.score == best.score and arm.deviation == best.deviation]
     middle = median(arm.reach_m or 0.0 for arm in ties)
 
     def order(arm: RankedArm) -> tuple[float, ...]:
         worse = (-float(part) for part in arm.score)
         apart = abs((arm.reach_m or 0.0) - middle)
-        return (*worse, arm.deviation, arm.name != preferred, not arm.has_speeds, apart)
+        return (*worse, arm.deviation, arm.name != preferred, not arm.has_own_speeds, apart)
 
     # Sorting is stable, and the names of the catalogue have an order.
     return tuple(sorted(ranked, key=order))
@@ -229,7 +229,7 @@ def ranked_arm(
         held + within,
         payload is None or of_programs.heaviest_kg <= payload,
         len(robot.joints) == _USUAL_AXES,
-        all(joint.max_speed is not None for joint in robot.joints),
+        robot.axis_speeds_from is None,
         is_named,
         deviation,
     )

@@ -139,6 +139,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
         "aliases": list(aliases),
         "payload_kg": robot.payload_kg,
         "reach_mm": None if robot.reach_m is None else robot.reach_m * 1000.0,
+        "axis_speeds_from": robot.axis_speeds_from,
         "joints": [
             {
                 "name": joint.name,

@@ -24,6 +24,12 @@ _MEANING = (
 )
 
 
+_LENT = (
+    "Axis speeds `of` another arm: no source gives this arm's, and a run uses those of the nearest "
+    "arm of the same kind unless [motion] axis_speed sets them."
+)
+
+
 def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> RenderableType:
     """One row a robot with its short names, maker by maker."""
     table = UncutTable.without_lines()
@@ -33,6 +39,7 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
     table.add_column("reach", justify="right", no_wrap=True)
     table.add_column("axes", justify="right", no_wrap=True)
     table.add_column("axis speeds", justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True)
     by_maker = sorted(robots, key=_maker)
     for maker, group in groupby(by_maker, key=_maker):
         table.add_row()
@@ -45,9 +52,13 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
                 _reach(robot),
                 str(len(robot.joints)),
                 _speeds(robot),
+                f"of {robot.axis_speeds_from}" if robot.axis_speeds_from else "",
             )
+    meanings = [_LENT] if any(robot.axis_speeds_from for robot, _ in robots) else []
     if any(_lacks_something(robot) for robot, _ in robots):
-        return Group(table, Padding(Text(_MEANING, "dim"), (1, 0, 0, 0)))
+        meanings.append(_MEANING)
+    if meanings:
+        return Group(table, Padding(Text("\n".join(meanings), "dim"), (1, 0, 0, 0)))
     return table
 
 
@@ -106,7 +117,8 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     axes.add_column("axis", style="bold", no_wrap=True)
     axes.add_column("from", justify="right", no_wrap=True)
     axes.add_column("to", justify="right", no_wrap=True)
-    axes.add_column("speed", justify="right", no_wrap=True)
+    lender = robot.axis_speeds_from
+    axes.add_column(f"speed of {lender}" if lender else "speed", justify="right", no_wrap=True)
     measured = any(joint.max_acceleration is not None for joint in robot.joints)
     if measured:
         axes.add_column("acceleration, measured", justify="right", no_wrap=True)
