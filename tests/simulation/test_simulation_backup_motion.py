@@ -105,9 +105,67 @@ def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:
     assert np.degrees([arm.lower[2], arm.upper[2]]) == pytest.approx([-100.0, -20.0])
 
 
-@pytest.mark.parametrize("name", ["ROB_L_14000_05_05", "ROB_R_14000_0.5_0.5"])
-def test_the_arms_of_a_yumi_are_known_by_their_names(name: str) -> None:
-    assert catalogue_name(name) == "irb14000-0.5-0.5"
+@pytest.mark.parametrize(
+    ("name", "arm"),
+    [
+        ("ROB_L_14000_05_05", "irb14000-0.5-0.5-left"),
+        ("ROB_R_14000_0.5_0.5", "irb14000-0.5-0.5-right"),
+        ("ROB_R_14000_05_05_TYPEA", "irb14000-0.5-0.5-right"),
+    ],
+)
+def test_the_arms_of_a_yumi_are_known_by_their_names(name: str, arm: str) -> None:
+    assert catalogue_name(name) == arm
+
+
+HOME_OF_YUMI = """MODULE m
+  PROC main()
+    MoveAbsJ [[0,-130,30,0,40,0],[{eax_a},9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    TPWrite "at " \\Pos:=CPos(\\Tool:=tool0 \\WObj:=wobj0);
+  ENDPROC
+ENDMODULE
+"""
+MOC_OF_YUMI = """MOC:CFG_1.0:6:0::
+#
+ROBOT:
+
+      -name "ROB_R" -use_robot_type "ROB_R_14000_05_05" -gravity_alpha 0.629233
+
+      -name "ROB_L" -use_robot_type "ROB_L_14000_05_05" -gravity_alpha -0.629233
+"""
+SYS_OF_YUMI = """SYS:CFG_1.0:6:0::
+#
+CAB_TASKS:
+
+      -Name "T_ROB_R" -Type "NORMAL" -UseMechanicalUnitGroup "rob_R" -MotionTask
+
+      -Name "T_ROB_L" -Type "NORMAL" -UseMechanicalUnitGroup "rob_L" -MotionTask
+#
+MECHANICAL_UNIT_GROUP:
+
+      -Name "rob_R" -Robot "ROB_R"
+
+      -Name "rob_L" -Robot "ROB_L"
+"""
+
+
+def test_the_arms_of_a_yumi_stand_on_its_body(tmp_path: Path) -> None:
+    """MOC.cfg of a YuMi has no base frames: both arms share that of the body."""
+    for name, text in {
+        "RAPID/TASK1/m.mod": HOME_OF_YUMI.format(eax_a=-135),
+        "RAPID/TASK2/m.mod": HOME_OF_YUMI.format(eax_a=135),
+        "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB_R,,)\n>>TASK2: (T_ROB_L,,)\n",
+        "SYSPAR/MOC.cfg": MOC_OF_YUMI,
+        "SYSPAR/SYS.cfg": SYS_OF_YUMI,
+    }.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    assert not [one for one in check([tmp_path]).diagnostics if one.severity == "error"]
+    run = simulate([tmp_path])
+    said = {one.task: one.message for one in run.events if one.kind.value == "text"}
+    # Where a controller has tool0 in the home position [mm].
+    for task, side in (("T_ROB_R", -1.0), ("T_ROB_L", 1.0)):
+        place = [float(word) for word in said[task].strip("at []").split(",")]
+        assert place == pytest.approx([-9.5784, side * 182.6099, 198.6278], abs=2e-3)
 
 
 def test_a_track_is_read_with_all_that_it_can_do(tmp_path: Path) -> None:
