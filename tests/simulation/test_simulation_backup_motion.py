@@ -331,3 +331,60 @@ def test_a_task_that_moves_a_unit_alone_is_said_and_its_moves_are_not_checked(
     reasons = [one.reason for one in result.coverage.unchecked]
     assert reasons[-1] == "T_ROB2 moves none of the robots: there are 1"
     assert simulate([folder]).end == "ended"
+
+
+SEVERAL = """MODULE m
+  PROC main()
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    MoveJ [[{x},0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+  ENDPROC
+ENDMODULE
+"""
+SENDER = 'MODULE s\n  PROC main()\n    TPWrite "sends";\n  ENDPROC\nENDMODULE\n'
+MOC_OF_SEVERAL = """MOC:CFG_1.0:6:0::
+#
+ROBOT:
+
+      -name "ROB_1" -use_robot_type "ROB1_120_0.58_3"
+
+      -name "ROB_2" -use_robot_type "ROB2_6700_2.60_200"
+"""
+SYS_OF_SEVERAL = """SYS:CFG_1.0:6:0::
+#
+CAB_TASKS:
+
+      -Name "T_SEND" -Type "NORMAL" -UseMechanicalUnitGroup "rob1"
+
+      -Name "T_ROB2" -Type "NORMAL" -UseMechanicalUnitGroup "rob2" -MotionTask
+
+      -Name "T_ROB1" -Type "NORMAL" -UseMechanicalUnitGroup "rob1" -MotionTask
+#
+MECHANICAL_UNIT_GROUP:
+
+      -Name "rob1" -Robot "ROB_1"
+
+      -Name "rob2" -Robot "ROB_2"
+"""
+
+
+@pytest.mark.parametrize("configured", [True, False])
+def test_tasks_without_backinfo_move_each_its_own_robot(tmp_path: Path, configured: bool) -> None:
+    """TASK1 and TASK2 are of the two robots, whatever the order in SYS.cfg."""
+    files = {
+        "RAPID/TASK1/m.mod": SEVERAL.format(x=300),
+        "RAPID/TASK2/m.mod": SEVERAL.format(x=2000),
+        "SYSPAR/MOC.cfg": MOC_OF_SEVERAL,
+    }
+    if configured:
+        files |= {"RAPID/TASK3/s.mod": SENDER, "SYSPAR/SYS.cfg": SYS_OF_SEVERAL}
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    station = said(tmp_path)
+    moved = {task.name: task.robot_number for task in station.tasks}
+    assert moved == {"T_ROB1": 0, "T_ROB2": 1} | ({"T_SEND": None} if configured else {})
+    # 2 m are beyond the reach of the first arm.
+    assert not [one for one in check([tmp_path]).diagnostics if one.severity == "error"]
+    run = simulate([tmp_path])
+    assert [one.robot.name for one in run.robots] == ["irb120-3-0.58", "irb6700-200-2.6"]
+    assert not [one for one in run.diagnostics if one.severity == "error"]
