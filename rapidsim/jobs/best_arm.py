@@ -25,7 +25,7 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
     Raises:
         RunNotFollowedError: See `walk_program`.
     """
-    if job.is_arm_named or not programs:
+    if job.is_arm_named or job.unknown_arm or not programs:
         return job
     # Most jobs name their arm, and a program without moves does not import one.
     from rapidsim.motion.robot.robot import load_robot
@@ -42,7 +42,7 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
     best = ranked[0]
     if best.reached == 0 or (best.name == DEFAULT_ROBOT and not best.deviation):
         return job
-    return replace(job, robot=RobotChoice(best.name, _reason(ranked)))
+    return replace(job, robot=RobotChoice(best.name, _reason(job, ranked)))
 
 
 def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
@@ -61,8 +61,10 @@ def texts_of(job: Job) -> tuple[str, ...]:
     return (*types, *names, *(file.text for file in job.files))
 
 
-def _reason(ranked: Sequence[RankedArm]) -> str:
+def _reason(job: Job, ranked: Sequence[RankedArm]) -> str:
+    first = next(iter(job.station.robots), None)
+    lacking = f"the catalogue has no {first.unknown}; " if first and first.unknown else ""
     best, *others = ranked
     counts = f"{best.reached} of {best.tried} targets reached, {best.held} as stored"
     next_ones = ", ".join(f"{one.name} {one.reached}/{one.held}" for one in others[:_RUNNERS_UP])
-    return f"best of the catalogue: {counts}; next {next_ones}; --robot names another"
+    return f"{lacking}best of the catalogue: {counts}; next {next_ones}; --robot names another"

@@ -116,8 +116,8 @@ class PreparedRun:
     """What the run is called."""
     strict: bool = False
     """Whether any qualification of the verdict fails the run."""
-    is_arm_named: bool = True
-    """Whether the arm was named; if not, what it does not reach is a warning."""
+    is_arm_guessed: bool = False
+    """Whether an arm is a guess; then what it does not reach is a warning."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -147,6 +147,7 @@ def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
         in_runs: Execute long runs of alike moves as one loop, unless a tracer follows the execution
             of Python: it would not see each move on its own line.
     """
+    job.require_arms()
     if job.is_arm_named:
         # An unknown name is an error before any of the program.
         job.arm()
@@ -184,7 +185,7 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     )
     title = program_title(job.asked.paths)
     diagnostics = loaded.diagnostics
-    return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_named)
+    return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_guessed)
 
 
 def executed(
@@ -212,7 +213,7 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
     found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
-    if not prepared.is_arm_named:
+    if prepared.is_arm_guessed:
         found = of_unnamed_arm(found)
     diagnostics = (*prepared.diagnostics, *found)
     run = replace(

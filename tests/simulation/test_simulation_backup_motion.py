@@ -1,9 +1,11 @@
 """What the MOC.cfg of a backup says of arms, their bounds, tracks and positioners."""
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import call
 
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check
@@ -211,12 +213,14 @@ def test_bounds_hold_for_the_arm_that_they_are_given_for(tmp_path: Path) -> None
     assert told in other.station.remarks
 
 
-def test_an_arm_that_is_not_known_is_not_judged(tmp_path: Path) -> None:
+def test_moves_of_an_arm_that_is_not_known_are_judged_as_a_guess(tmp_path: Path) -> None:
+    """MOC.cfg bounds axis 1 of the guess, too."""
     folder = backup(tmp_path, "ROB1_9999_9.99_999")
     result = check([folder])
-    assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
-    (unchecked,) = result.coverage.unchecked
-    assert unchecked.reason.startswith("arm unknown: the catalogue has no ROB1_9999_9.99_999")
+    found = [one for one in result.diagnostics if one.violation.code[0] == "K"]
+    assert [(one.violation.code, one.severity.value) for one in found] == [("K602", "warning")]
+    assert result.arm is not None
+    assert "the catalogue has no ROB1_9999_9.99_999" in result.arm.text
     named = check([folder], robot="irb1200")
     assert named.coverage.checked == 1
 
@@ -388,3 +392,63 @@ def test_tasks_without_backinfo_move_each_its_own_robot(tmp_path: Path, configur
     run = simulate([tmp_path])
     assert [one.robot.name for one in run.robots] == ["irb120-3-0.58", "irb6700-200-2.6"]
     assert not [one for one in run.diagnostics if one.severity == "error"]
+
+
+def joints(count: int) -> str:
+    return " ".join(f'-use_joint_{n} "rob1_{n + 1}"' for n in range(count))
+
+
+def lacking(folder: Path, type_name: str, count: int, second: str = "") -> Path:
+    """A backup with an arm that the catalogue lacks, and a target that nothing reaches."""
+    more = f'\n      -name "ROB_2" -use_robot_type "{second}" {joints(count)}\n' if second else ""
+    for name, text in {
+        "RAPID/TASK1/m.mod": SEVERAL.format(x=9000),
+        **({"RAPID/TASK2/m.mod": SEVERAL.format(x=9000)} if second else {}),
+        "SYSPAR/MOC.cfg": "MOC:CFG_1.0:6:0::\n#\nROBOT:\n\n"
+        f'      -name "ROB_1" -use_robot_type "{type_name}" {joints(count)}\n{more}',
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("type_name", "second"), [("ROB1_360_1.6_6", ""), ("ROB1_910SC_0.55_3", "ROB2_360_1.6_6")]
+)
+def test_a_delta_is_not_run_as_another_arm(tmp_path: Path, type_name: str, second: str) -> None:
+    cell = lacking(tmp_path, type_name, 4, second)
+    checked = call("check", ".", "--no-cache", cwd=cell)
+    assert "arm unknown: the catalogue has no ROB" in " ".join(checked.out.split())
+    ran = call("run", ".", "--no-record", cwd=cell)
+    assert (ran.code, ran.out) == (2, "")
+    assert "the catalogue has no ROB" in ran.err
+    assert "_360_1.6_6, the arm of the backup with 4 axes" in ran.err
+    assert "--robot NAME" in ran.err
+    named = call("run", ".", "--no-record", "--robot", "irb1600", cwd=cell)
+    assert "the catalogue has no" not in named.err
+    assert "on ABB IRB 1600-6/1.2" in " ".join(named.out.split())
+
+
+def test_an_unknown_arm_of_six_axes_is_a_guess_at_both_doors(tmp_path: Path) -> None:
+    cell = lacking(tmp_path, "ROB1_6700_LeanID_2.65_220", 6)
+    checked = call("check", ".", "--no-cache", "--format", "json", cwd=cell)
+    ran = call("run", ".", "--no-record", "--format", "json", cwd=cell)
+    for done in (checked, ran):
+        found = {one["code"]: one["severity"] for one in json.loads(done.out)["diagnostics"]}
+        assert found["K601"] == "warning"
+    text = " ".join(call("check", ".", "--no-cache", cwd=cell).out.split())
+    assert "(by default; the catalogue has no ROB1_6700_LeanID_2.65_220; --robot names" in text or (
+        "(the catalogue has no ROB1_6700_LeanID_2.65_220; best of the catalogue:" in text
+    )
+
+
+def test_an_unknown_second_arm_is_said_to_be_a_guess(tmp_path: Path) -> None:
+    cell = lacking(tmp_path, "ROB1_120_0.58_3", 6, "ROB2_6700_LeanID_2.65_220")
+    checked = call("check", ".", "--no-cache", "--format", "json", cwd=cell)
+    found = [one for one in json.loads(checked.out)["diagnostics"] if one["code"] == "K601"]
+    assert [(one["file"][-11:], one["severity"]) for one in found] == [
+        ("TASK1/m.mod", "error"),
+        ("TASK2/m.mod", "warning"),
+    ]
+    said = "the catalogue has no ROB2_6700_LeanID_2.65_220: the arm of the first robot stands in"
+    assert said in " ".join(call("check", ".", "--no-cache", cwd=cell).err.split())

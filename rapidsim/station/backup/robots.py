@@ -36,6 +36,7 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
         world_from_base=base_frame(instance),
         label=instance.get("name"),
         unknown=type_name if name is None else None,
+        axis_count=len(joints) or None,
         bounds=_bounds([arms.get(joint) for joint in joints]),
         carried_by=instance.get("base_frame_coordinated") or None,
     )
