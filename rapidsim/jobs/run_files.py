@@ -27,6 +27,7 @@ from rapidsim.jobs.task_files import program_name, program_title
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
+from rapidsim.reach.valueless_persistents import doubt_valueless
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress
@@ -212,7 +213,9 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     """A run with the findings of its check, under the names that the user knows."""
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
-    found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
+    programs = [setup.program for setup in prepared.setups]
+    sure = tuple(doubt_valueless(one, programs) for one in run.diagnostics)
+    found = pointed_at_targets(sure, programs)
     if prepared.is_arm_guessed:
         found = of_unnamed_arm(found)
     diagnostics = (*prepared.diagnostics, *found)
