@@ -86,7 +86,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
 
 
 def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings when it is not known whether the program is for the default arm.
+    """The findings when it is not known whether the program is for the arm.
 
     Errors that end a run do not depend on the arm.
     """

@@ -68,7 +68,8 @@ def simulate(
     Args:
         paths: What to run; together it forms one task, unless a backup or the station file assigns
             the modules to tasks. The station file is the one nearby.
-        robot: An arm, or its name in the catalogue; None takes that of the station, or the default.
+        robot: An arm, or its name in the catalogue; None takes that of the station or
+            backup; if neither names one, the default arm, or the arm that suits the targets best.
         io: A file of signals and stimuli; adds to the station and the options.
         max_time: Virtual time [s] at which the run ends; overrides that of the options.
         options: Inputs and limits of the run; non-default settings of the cell override the station
