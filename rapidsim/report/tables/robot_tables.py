@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from math import degrees
 
@@ -24,9 +24,10 @@ _MEANING = (
 )
 
 
+_LENT_MARK = "~"
 _LENT = (
-    "Axis speeds `of` another arm: no source gives this arm's, and a run uses those of the nearest "
-    "arm of the same kind unless [motion] axis_speed sets them."
+    f"{_LENT_MARK} marks axis speeds of another arm, the nearest of the same kind, as no source "
+    "gives this arm's; [motion] axis_speed = [...] sets them:"
 )
 
 
@@ -39,7 +40,6 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
     table.add_column("reach", justify="right", no_wrap=True)
     table.add_column("axes", justify="right", no_wrap=True)
     table.add_column("axis speeds", justify="right", no_wrap=True)
-    table.add_column("", no_wrap=True)
     by_maker = sorted(robots, key=_maker)
     for maker, group in groupby(by_maker, key=_maker):
         table.add_row()
@@ -51,15 +51,26 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
                 _payload(robot),
                 _reach(robot),
                 str(len(robot.joints)),
-                _speeds(robot),
-                f"of {robot.axis_speeds_from}" if robot.axis_speeds_from else "",
+                f"{_LENT_MARK if robot.axis_speeds_from else ''}{_speeds(robot)}",
             )
-    meanings = [_LENT] if any(robot.axis_speeds_from for robot, _ in robots) else []
+    meanings = list(_lenders([robot for robot, _ in robots]))
     if any(_lacks_something(robot) for robot, _ in robots):
         meanings.append(_MEANING)
     if meanings:
         return Group(table, Padding(Text("\n".join(meanings), "dim"), (1, 0, 0, 0)))
     return table
+
+
+def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
+    """The arms that lend their axis speeds, each with those that use them; empty if none does."""
+    users: dict[str, list[str]] = {}
+    for robot in robots:
+        if robot.axis_speeds_from is not None:
+            users.setdefault(robot.axis_speeds_from, []).append(robot.name)
+    if users:
+        yield _LENT
+    for lender, names in users.items():
+        yield f"those of {lender}: {', '.join(names)}"
 
 
 def workspace_page(found: Workspace | str) -> RenderableType:
