@@ -452,3 +452,19 @@ def test_an_unknown_second_arm_is_said_to_be_a_guess(tmp_path: Path) -> None:
     ]
     said = "the catalogue has no ROB2_6700_LeanID_2.65_220: the arm of the first robot stands in"
     assert said in " ".join(call("check", ".", "--no-cache", cwd=cell).err.split())
+
+
+def test_lines_of_seven_axes_are_no_error_of_the_program(tmp_path: Path) -> None:
+    line = HOME_OF_YUMI.format(eax_a=-135).replace(
+        '    TPWrite "at " \\Pos:=CPos(\\Tool:=tool0 \\WObj:=wobj0);\n',
+        "    MoveL Offs(CRobT(\\Tool:=tool0\\WObj:=wobj0),0,0,20),v100,fine,tool0;\n",
+    )
+    assert "MoveL" in line
+    (tmp_path / "m.mod").write_text(line)
+    for command in ("check", "run"):
+        arguments = (command, "m.mod", "--robot", "yumi-right", "--format", "json")
+        done = json.loads(call(*arguments, cwd=tmp_path).out)
+        found = [(one["code"], one["severity"]) for one in done["diagnostics"]]
+        assert ("K604", "warning") in found
+        assert "error" not in {severity for _, severity in found}
+    assert done["end"] == "error"

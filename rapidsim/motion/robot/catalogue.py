@@ -69,6 +69,8 @@ class CatalogueEntry:
     checks: tuple[str, ...]
     """What the figures were compared with."""
     notes: tuple[str, ...]
+    notices: tuple[str, ...]
+    """What the user of the arm should know; commands print them."""
     not_modelled: tuple[str, ...]
     """What the arm has and a run leaves out; every run on it says so."""
     link_excess_m: tuple[float, ...]
@@ -253,6 +255,7 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         sources=tuple(table["sources"]),
         checks=tuple(table["checks"]),
         notes=tuple(table["notes"]),
+        notices=tuple(table.get("notices", ())),
         not_modelled=tuple(table.get("not_modelled", ())),
         link_excess_m=tuple(1e-3 * excess for excess in table.get("link_excess_mm", ())),
         folder=folder,
