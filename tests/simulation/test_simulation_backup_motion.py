@@ -461,10 +461,11 @@ def test_lines_of_seven_axes_are_no_error_of_the_program(tmp_path: Path) -> None
     )
     assert "MoveL" in line
     (tmp_path / "m.mod").write_text(line)
-    for command in ("check", "run"):
-        arguments = (command, "m.mod", "--robot", "yumi-right", "--format", "json")
-        done = json.loads(call(*arguments, cwd=tmp_path).out)
-        found = [(one["code"], one["severity"]) for one in done["diagnostics"]]
+    options = ("m.mod", "--robot", "yumi-right", "--format", "json")
+    checked = json.loads(call("check", *options, cwd=tmp_path).out)
+    ran = json.loads(call("run", *options, cwd=tmp_path).out)
+    for report in (checked, ran):
+        found = [(one["code"], one["severity"]) for one in report["diagnostics"]]
         assert ("K604", "warning") in found
         assert "error" not in {severity for _, severity in found}
-    assert done["end"] == "error"
+    assert ran["end"] == "error"
