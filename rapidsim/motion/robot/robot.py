@@ -238,7 +238,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         ),
         kinematics=kinematics,
         dynamics=dynamics_of(entry),
-        notices=(*entry.notices, *_notices(entry), *lent),
+        notices=(*_notices(entry), *entry.notices, *lent),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
         reach_m=entry.reach_m,
