@@ -133,6 +133,13 @@ class PathNotReachable(Violation, code="K604"):
     percent: float
     distance_mm: float
     why: str
+    is_simulated: bool = True
+    """Whether paths of the arm are simulated; if not, the controller may make this one."""
+
+    @property
+    def severity(self) -> Severity:
+        """What is not simulated is no error of the program."""
+        return super().severity if self.is_simulated else Severity.WARNING
 
 
 class PathThroughSingularity(Violation, code="K614"):

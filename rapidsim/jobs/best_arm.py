@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +16,8 @@ if TYPE_CHECKING:
     from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm
 
 _RUNNERS_UP = 3
+_NAMED_PARTS = 4
+_STATIONS = (".rsstn", ".rspag", ".pgf")
 
 
 def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
@@ -25,7 +28,7 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
     Raises:
         RunNotFollowedError: See `walk_program`.
     """
-    if job.is_arm_named or not programs:
+    if job.is_arm_named or job.unknown_arm or not programs:
         return job
     # Most jobs name their arm, and a program without moves does not import one.
     from rapidsim.motion.robot.robot import load_robot
@@ -34,16 +37,15 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
     found = job_targets(job, programs)
     if not found.count:
         return job
-    hints = hints_of(texts_of(job))
+    hints = hints_of(texts_of(job), names_of(job))
     usual = ranked_arm(load_robot(DEFAULT_ROBOT), found)
     if not hints and usual.makes_all:
         return job
-    # A run needs the speeds of the axes.
-    ranked = [arm for arm in rank_arms(found, hints, DEFAULT_ROBOT) if arm.has_speeds]
+    ranked = rank_arms(found, hints, DEFAULT_ROBOT)
     best = ranked[0]
     if best.reached == 0 or (best.name == DEFAULT_ROBOT and not best.deviation):
         return job
-    return replace(job, robot=RobotChoice(best.name, _reason(ranked)))
+    return replace(job, robot=RobotChoice(best.name, _reason(job, ranked)))
 
 
 def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
@@ -52,18 +54,48 @@ def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
     from rapidsim.reach.arm_ranking import program_targets
 
     place = job.station.world_from_base or Transform.identity()
-    return program_targets(programs, place.inverse())
+    has_axis_a = any(axis.letter == "a" for axis in job.station.external_axes)
+    return program_targets(programs, place.inverse(), has_axis_a=has_axis_a)
 
 
 def texts_of(job: Job) -> tuple[str, ...]:
-    """The texts that may name the arm: files with their names, and the type in a backup."""
-    types = (robot.unknown for robot in job.station.robots if robot.unknown)
-    names = (Path(file.name).name for file in job.files)
-    return (*types, *names, *(file.text for file in job.files))
+    """The texts that may name the arm: of files, and the type in a backup."""
+    types = (named for robot in job.station.robots if (named := robot.unknown or robot.name))
+    return (*types, *(file.text for file in job.files))
 
 
-def _reason(ranked: Sequence[RankedArm]) -> str:
+def names_of(job: Job) -> tuple[str, ...]:
+    """The names that may name the arm: of files, folders, tasks and stations.
+
+    Folders are those from three above the path down to the files.
+    A file of RobotStudio next to the path, or in the folder above, is a station.
+    """
+    names: dict[str, None] = {}
+    for path in job.asked.paths:
+        place = Path(path).resolve()
+        folder = place if place.is_dir() else place.parent
+        stations = (entry.name for above in (folder, folder.parent) for entry in _entries(above))
+        names |= dict.fromkeys(place.parts[-_NAMED_PARTS:])
+        names |= dict.fromkeys(name for name in stations if name.lower().endswith(_STATIONS))
+        for file in job.files:
+            with suppress(ValueError):
+                names |= dict.fromkeys(Path(file.name).resolve().relative_to(folder).parts)
+    names |= dict.fromkeys(task.name for task in job.tasks if task.name)
+    return tuple(names)
+
+
+def _entries(folder: Path) -> Sequence[Path]:
+    """The entries of a folder; empty if it cannot be read."""
+    try:
+        return sorted(folder.iterdir())
+    except OSError:
+        return ()
+
+
+def _reason(job: Job, ranked: Sequence[RankedArm]) -> str:
+    first = next(iter(job.station.robots), None)
+    lacking = f"the catalogue has no {first.unknown}; " if first and first.unknown else ""
     best, *others = ranked
     counts = f"{best.reached} of {best.tried} targets reached, {best.held} as stored"
     next_ones = ", ".join(f"{one.name} {one.reached}/{one.held}" for one in others[:_RUNNERS_UP])
-    return f"best of the catalogue: {counts}; next {next_ones}; --robot names another"
+    return f"{lacking}best of the catalogue: {counts}; next {next_ones}; --robot names another"

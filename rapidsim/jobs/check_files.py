@@ -67,7 +67,8 @@ def check(
     Args:
         paths: What to check; together it forms one task, unless a backup or the station file
             assigns the modules to tasks. The station file is the one nearby.
-        robot: An arm, or its name in the catalogue; None takes that of the station, or the default.
+        robot: An arm, or its name in the catalogue; None takes that of the station or
+            backup; if neither names one, the default arm, or the arm that suits the targets best.
         options: Settings that override the station file, and how main is run for moves that only a
             run determines.
         run: Whether main is run at all.

@@ -57,6 +57,37 @@ class Job:
         return self.robot.reason is None or self.station.robot is not None
 
     @property
+    def is_arm_guessed(self) -> bool:
+        """Whether an arm stands in for one that nothing names or the catalogue lacks."""
+        lacking = any(robot.unknown for robot in self.station.robots)
+        return not self.is_arm_named or (lacking and self.asked.robot is None)
+
+    @property
+    def unknown_arm(self) -> StationRobot | None:
+        """The first robot without an arm that may stand in for it; None if there is no such robot.
+
+        Another arm is run only if the user names it.
+        """
+        if self.asked.robot is not None:
+            return None
+        robots = self.station.robots
+        return next((one for one in robots if one.unknown and not one.can_be_guessed), None)
+
+    def require_arms(self) -> None:
+        """Refuse robots without an arm that may stand in for theirs.
+
+        Raises:
+            InputError: If there is one.
+        """
+        lacking = self.unknown_arm
+        if lacking is not None:
+            raise InputError(
+                f"the catalogue has no {lacking.unknown}, the arm of the backup with "
+                f"{lacking.axis_count} axes, and no other arm stands in for it",
+                "--robot NAME runs the program on an arm of the catalogue",
+            )
+
+    @property
     def is_strict(self) -> bool:
         """Whether what is unknown, not simulated or not checked fails too."""
         return self.asked.strict or self.station.check.strict
@@ -101,6 +132,8 @@ class Job:
         Raises:
             InputError: If it is unknown; `RobotError` where `open_robot` says so.
         """
+        if self.unknown_arm is not None and self.unknown_arm is self.station.robots[0]:
+            self.require_arms()
         given = self.asked.robot
         if given is not None and not isinstance(given, str):
             return given
@@ -134,7 +167,12 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
     station = replace(station, check=settings)
     tasks = chosen_tasks(asked.paths, station, asked.task)
     open_robot = open_robot or _of_the_catalogue
-    remarks = (*station.remarks, *_remarks(tasks), *_of_another_arm(asked, station, open_robot))
+    remarks = (
+        *station.remarks,
+        *_remarks(tasks),
+        *_of_another_arm(asked, station, open_robot),
+        *_of_lacking_arms(station),
+    )
     station = replace(station, remarks=remarks)
     robot = choose_robot(asked.robot, station, asked.scale)
     return Job(asked, station, tasks, robot, open_robot)
@@ -159,6 +197,16 @@ def _of_another_arm(asked: Asked, station: Station, open_robot: OpenRobot) -> It
     arm = open_robot(asked.robot, asked.scale)
     if not _is_arm_of(first, arm, open_robot):
         yield f"shapes and joint limits given for {first.name} are not used for {arm.name}"
+
+
+def _of_lacking_arms(station: Station) -> Iterator[str]:
+    """Notices about robots other than the first whose arm the catalogue lacks."""
+    for robot in station.robots[1:]:
+        if robot.unknown and robot.can_be_guessed:
+            yield (
+                f"the catalogue has no {robot.unknown}: the arm of the first robot stands in for "
+                f"that of {robot.label}"
+            )
 
 
 def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:

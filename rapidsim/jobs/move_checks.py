@@ -49,7 +49,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         if station.robots and number >= len(station.robots):
             return f"{task} moves none of the robots: there are {len(station.robots)}"
         robot = station.robots[number] if station.robots else None
-        if robot is not None and robot.unknown and job.asked.robot is None:
+        if robot is not None and robot is job.unknown_arm:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if robot is not None and robot.carried_by and not station.external_axes:
             return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
@@ -66,6 +66,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             entry=job.entry(task),
             queue=next((one.queue for one in station.tasks if one.name == task), None),
         )
+        is_guess = not job.is_arm_named or bool(robot and robot.unknown and job.asked.robot is None)
         budget_s = station.check.cycle_budget_s
         trial_run = job.asked.trial_run and runs
         report = check_reach(
@@ -74,18 +75,18 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             options,
             run=trial_run,
             cycle_budget_s=budget_s,
-            by_default=not job.is_arm_named,
+            by_default=is_guess,
         )
         # What a run of main has found stands at the instruction.
         pointed = pointed_at_targets(report.diagnostics, (program,))
-        found = pointed if job.is_arm_named else of_unnamed_arm(pointed)
+        found = of_unnamed_arm(pointed) if is_guess else pointed
         return replace(report, diagnostics=found)
 
     return check_moves if job.asked.reach else None
 
 
 def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings when it is not known whether the program is for the default arm.
+    """The findings when it is not known whether the program is for the arm.
 
     Errors that end a run do not depend on the arm.
     """

@@ -27,6 +27,7 @@ from rapidsim.jobs.task_files import program_name, program_title
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
+from rapidsim.reach.valueless_persistents import doubt_valueless
 from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress
@@ -67,7 +68,8 @@ def simulate(
     Args:
         paths: What to run; together it forms one task, unless a backup or the station file assigns
             the modules to tasks. The station file is the one nearby.
-        robot: An arm, or its name in the catalogue; None takes that of the station, or the default.
+        robot: An arm, or its name in the catalogue; None takes that of the station or
+            backup; if neither names one, the default arm, or the arm that suits the targets best.
         io: A file of signals and stimuli; adds to the station and the options.
         max_time: Virtual time [s] at which the run ends; overrides that of the options.
         options: Inputs and limits of the run; non-default settings of the cell override the station
@@ -116,8 +118,8 @@ class PreparedRun:
     """What the run is called."""
     strict: bool = False
     """Whether any qualification of the verdict fails the run."""
-    is_arm_named: bool = True
-    """Whether the arm was named; if not, what it does not reach is a warning."""
+    is_arm_guessed: bool = False
+    """Whether an arm is a guess; then what it does not reach is a warning."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -147,6 +149,7 @@ def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
         in_runs: Execute long runs of alike moves as one loop, unless a tracer follows the execution
             of Python: it would not see each move on its own line.
     """
+    job.require_arms()
     if job.is_arm_named:
         # An unknown name is an error before any of the program.
         job.arm()
@@ -184,7 +187,7 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
     )
     title = program_title(job.asked.paths)
     diagnostics = loaded.diagnostics
-    return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_named)
+    return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_guessed)
 
 
 def executed(
@@ -211,8 +214,10 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     """A run with the findings of its check, under the names that the user knows."""
     run = finished.simulation
     written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
-    found = pointed_at_targets(run.diagnostics, [setup.program for setup in prepared.setups])
-    if not prepared.is_arm_named:
+    programs = [setup.program for setup in prepared.setups]
+    sure = tuple(doubt_valueless(one, programs) for one in run.diagnostics)
+    found = pointed_at_targets(sure, programs)
+    if prepared.is_arm_guessed:
         found = of_unnamed_arm(found)
     diagnostics = (*prepared.diagnostics, *found)
     run = replace(

@@ -52,4 +52,4 @@ def errors_together(
     if found is None:
         return None
     found = pointed_at_targets(found, [one.program for one in named])
-    return found if job.is_arm_named else of_unnamed_arm(found)
+    return of_unnamed_arm(found) if job.is_arm_guessed else found

@@ -13,10 +13,17 @@ class QuaternionNotUnit(Violation, code="M501"):
     length: float
     refused: bool = False
     """Whether a move asks for it and it is too far off for the move to be made."""
+    valueless: bool = False
+    """Whether the program has persistents without a value, which another task may give."""
 
     @property
     def help(self) -> str | None:
         """What to write instead; zeros have no direction that could be kept."""
+        if self.valueless:
+            return (
+                "a persistent without an initial value has zeros unless another task gives it one: "
+                "check or run all tasks together, or write a value"
+            )
         if self.length < TOLERATED_NORM_ERROR:
             return "teach it again, or write `[1,0,0,0]` for the orientation of the frame itself"
         return super().help

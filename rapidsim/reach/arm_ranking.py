@@ -1,18 +1,22 @@
 """Which arms of the catalogue suit the targets of programs: reach and stored configurations.
 
-Arms of ABB with a closed form are tried; one without, only where a text names it, and at a few
-targets: each takes a search.
+Arms of ABB with a closed form are tried. An arm without a closed form is tried at a few targets, as
+each takes a search, and only if a text names it or the targets have seven axes: then only arms with
+seven axes are offered. Seven axes are recognised by `eax_a` in every target, an angle that no track
+of the station explains, together with a `cfx` above 7, with a name such as T_ROB_L, or with an arm
+that reaches all targets where no other makes them as stored.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from statistics import median
 
 from rapidsim.analysis.program import Program
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.language.data import JointTarget
+from rapidsim.language.data import JointTarget, RobTarget
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.configurations.confdata import told_apart
 from rapidsim.motion.configurations.reachability import programmed_excess
@@ -28,14 +32,22 @@ MAKER = "ABB"
 _MOST_TARGETS = 400
 _MOST_SEARCHED = 10
 _USUAL_AXES = 6
+_SEVEN_AXES = 7
+_NEARLY_ALL = 0.9
+_LARGEST_CFX = 7.0
+"""Of arms with six axes."""
+_HALF_TURN_DEG = 180.0
+_TWO_ARMED = "14000"
+_SEVEN_AXIS_TYPES = (_TWO_ARMED, "14050")
+_SIDE = re.compile(r"(?<![a-z])(?:rob|yumi)[_-](l|r|left|right)(?![a-z])", re.IGNORECASE)
 _HINT = re.compile(
-    r"(?<![a-z])(?:irb|crb|rob\d_(?:[lr]_)?(?:irb_|crb_)?)[ _-]?(\d{3,5})"
-    r"((?:[ _/-]+\d+(?:\.\d+)?(?:kg|m)?){0,2})",
+    r"(?<![a-z])(?P<kind>irb|crb|rob\d_(?:[lr]_)?(?:irb_|crb_)?)[ _-]?(?P<model>\d{3,5})"
+    r"(?P<figures>(?:[ _/-]+\d+(?:\.\d+)?(?:kg|m)?){0,2})",
     re.IGNORECASE,
 )
 _FIGURE = re.compile(r"\d+(?:\.\d+)?")
 _CALLED = {"yumi": "14000", "gofa": "15000"}
-_PARTS = re.compile(r"[a-z]+(\d+)\w*-([\d.]+)-([\d.]+)")
+_PARTS = re.compile(r"[a-z]+(\d+)\w*-([\d.]+)-([\d.]+)(?:-(\w+))?")
 _OTHER_MODEL = 10.0
 _LONGEST_TEXT = 200_000
 
@@ -51,6 +63,9 @@ class ProgramTargets:
     axes: tuple[JointTarget, ...]
     heaviest_kg: float
     """The heaviest tool with what it holds."""
+    arm_angles: tuple[float, ...] = ()
+    """Values [deg] of `eax_a`, which may be those of a seventh axis; empty if a target has none."""
+    largest_cfx: float = 0.0
 
     @property
     def count(self) -> int:
@@ -64,6 +79,10 @@ class Hint:
 
     model: str
     figures: tuple[float, ...] = ()
+    family: str | None = None
+    """`irb` or `crb`; None if not named."""
+    side: str | None = None
+    """The first letter of the arm of a two-armed robot; None if not named."""
 
     def deviation(self, name: str) -> float:
         """How far an arm of the catalogue is from it; 0 for the same."""
@@ -72,6 +91,8 @@ class Hint:
             return 2.0 * _OTHER_MODEL
         known = (float(parts[2]), float(parts[3]))
         apart = sum(min(abs(one - x) / max(one, x) for x in known) for one in self.figures)
+        apart += self.family is not None and not name.startswith(self.family)
+        apart += self.side is not None and not (parts[4] or "").startswith(self.side)
         return apart if parts[1] == self.model else _OTHER_MODEL + apart
 
 
@@ -89,21 +110,25 @@ class RankedArm:
     carries: bool
     """Whether it is rated for the heaviest tool."""
     has_six_axes: bool
-    has_speeds: bool
-    """Whether the speeds of its axes are known, which a run needs."""
+    has_own_speeds: bool
+    """Whether a source gives the speeds of its axes; else another arm lends them."""
     is_named: bool
     """Whether a text names its type."""
     deviation: float
     """From the arms that texts name; 0 where none is named."""
+    name_counts: bool = False
+    """Whether its name counts more than its reach, as no arm reaches nearly all targets: then the
+    place of the robot is not known."""
 
     @property
-    def score(self) -> tuple[float, bool, float, bool]:
+    def score(self) -> tuple[bool, float, bool, float, bool]:
         """Larger is better; equal for arms that suit the targets equally well."""
         tried = max(self.tried, 1)
         # Configurations of other kinds of arms mean something else, and a palletizer with its four
         # axes holds all zeros.
         usual = self.has_six_axes or self.is_named
-        return self.reached / tried, usual, self.held / tried, self.carries
+        leads = self.is_named and (self.name_counts or self.reached == self.tried)
+        return leads, self.reached / tried, usual, self.held / tried, self.carries
 
     @property
     def makes_all(self) -> bool:
@@ -111,8 +136,15 @@ class RankedArm:
         return self.tried == self.reached == self.held and self.carries
 
 
-def program_targets(programs: Iterable[Program], base_from_world: Transform) -> ProgramTargets:
+def program_targets(
+    programs: Iterable[Program], base_from_world: Transform, *, has_axis_a: bool = False
+) -> ProgramTargets:
     """The targets that are known without a run, each once; evenly chosen ones of very many.
+
+    Args:
+        programs: The programs.
+        base_from_world: The inverse of the base frame.
+        has_axis_a: Whether the station has an external axis `a`, so that `eax_a` is its value.
 
     Raises:
         RunNotFollowedError: See `walk_program`.
@@ -133,6 +165,7 @@ def program_targets(programs: Iterable[Program], base_from_world: Transform) -> 
     # Poses do not depend on the arm.
     placed = posed(chosen, load_robot(robot_names()[0]), base_from_world)
     rows = [row for row in range(len(chosen)) if row not in placed.left_out]
+    ends = [*(known.move.to for known in chosen), *axes]
     return ProgramTargets(
         Transform(
             placed.base_from_flange.rotation[rows], placed.base_from_flange.translation[rows]
@@ -140,7 +173,15 @@ def program_targets(programs: Iterable[Program], base_from_world: Transform) -> 
         confdata_columns([chosen[row] for row in rows]),
         tuple(list(axes)[row] for row in _chosen(len(axes), _MOST_TARGETS)),
         heaviest,
+        () if has_axis_a else _arm_angles(ends),
+        max((to.robconf.cfx for to in ends if isinstance(to, RobTarget)), default=0.0),
     )
+
+
+def _arm_angles(reached: Sequence[RobTarget | JointTarget]) -> tuple[float, ...]:
+    """The values of `eax_a` of targets; empty unless all have one that may be an angle."""
+    values = tuple(target.extax.eax_a for target in reached)
+    return values if all(abs(value) <= _HALF_TURN_DEG for value in values) else ()
 
 
 def _chosen(count: int, most: int) -> list[int]:
@@ -150,17 +191,28 @@ def _chosen(count: int, most: int) -> list[int]:
     return [round(n * (count - 1) / (most - 1)) for n in range(most)]
 
 
-def hints_of(texts: Iterable[str]) -> tuple[Hint, ...]:
-    """The arms that texts name, such as comments of a program or a type in a backup."""
+def hints_of(texts: Iterable[str], names: Sequence[str] = ()) -> tuple[Hint, ...]:
+    """The arms that texts name.
+
+    Args:
+        texts: Such as comments of a program or a type in a backup.
+        names: Of files, folders, tasks and stations. Only these name an arm of a two-armed robot:
+            programs of one of its arms also mention the other.
+    """
     hints: dict[Hint, None] = {}
-    for text in texts:
+    for text in (*names, *texts):
         for match in _HINT.finditer(text[:_LONGEST_TEXT]):
-            figures = tuple(float(one) for one in _FIGURE.findall(match[2]))
-            hints[Hint(match[1], tuple(x for x in figures if x > 0.0))] = None
+            figures = tuple(float(one) for one in _FIGURE.findall(match["figures"]))
+            family = "crb" if "crb" in match["kind"].lower() else "irb"
+            hints[Hint(match["model"], tuple(x for x in figures if x > 0.0), family)] = None
         folded = text[:_LONGEST_TEXT].lower()
         for word, model in _CALLED.items():
             if re.search(rf"(?<![a-z]){word}(?![a-z])", folded):
                 hints[Hint(model)] = None
+    sides = {match[1][0].lower() for name in names for match in _SIDE.finditer(name)}
+    if len(sides) == 1:
+        side = Hint(_TWO_ARMED, side=sides.pop())
+        return (side, *(hint for hint in hints if hint.model != _TWO_ARMED))
     return tuple(hints)
 
 
@@ -169,6 +221,7 @@ def rank_arms(
 ) -> tuple[RankedArm, ...]:
     """The arms, best first.
 
+    An arm that a text names comes first if it reaches all targets, or if no arm reaches nearly all.
     A tie goes to the arm nearest to one that a text names, then to the preferred one, then to the
     one whose reach is in the middle: with the shortest, lines between the targets may leave it.
 
@@ -177,27 +230,53 @@ def rank_arms(
         hints: The arms that texts name.
         preferred: The name of an arm.
     """
-    ranked = []
-    for name in robot_names():
-        if find_entry(name).maker != MAKER:
-            continue
-        deviation = min((hint.deviation(name) for hint in hints), default=0.0)
-        robot = load_robot(name)
-        is_named = bool(hints) and deviation < _OTHER_MODEL
-        if told_apart(robot.kinematics) or is_named:
-            ranked.append(ranked_arm(robot, of_programs, deviation, is_named=is_named))
+    ranked = [
+        ranked_arm(robot, of_programs, deviation, is_named=is_named)
+        for robot, deviation, is_named in _candidates(hints)
+        if told_apart(robot.kinematics) or is_named
+    ]
+    ranked = _seven_axis_arms(of_programs, hints, ranked) or ranked
 
-    best = max(ranked, key=lambda arm: (*arm.score, -arm.deviation, arm.has_speeds))
+    reached = max(arm.reached / max(arm.tried, 1) for arm in ranked)
+    if reached < _NEARLY_ALL:
+        ranked = [replace(arm, name_counts=True) for arm in ranked]
+    best = max(ranked, key=lambda arm: (*arm.score, -arm.deviation, arm.has_own_speeds))
     ties = [arm for arm in ranked if arm.score == best.score and arm.deviation == best.deviation]
     middle = median(arm.reach_m or 0.0 for arm in ties)
 
     def order(arm: RankedArm) -> tuple[float, ...]:
         worse = (-float(part) for part in arm.score)
         apart = abs((arm.reach_m or 0.0) - middle)
-        return (*worse, arm.deviation, arm.name != preferred, not arm.has_speeds, apart)
+        return (*worse, arm.deviation, arm.name != preferred, not arm.has_own_speeds, apart)
 
     # Sorting is stable, and the names of the catalogue have an order.
     return tuple(sorted(ranked, key=order))
+
+
+def _candidates(hints: Sequence[Hint]) -> Iterator[tuple[Robot, float, bool]]:
+    """The arms of the maker, each with its deviation from the hints and whether one names it."""
+    for name in robot_names():
+        if find_entry(name).maker == MAKER:
+            deviation = min((hint.deviation(name) for hint in hints), default=0.0)
+            yield load_robot(name), deviation, bool(hints) and deviation < _OTHER_MODEL
+
+
+def _seven_axis_arms(
+    of_programs: ProgramTargets, hints: Sequence[Hint], others: Sequence[RankedArm]
+) -> list[RankedArm]:
+    """The arms with seven axes; empty if the targets are for one of the other arms, on a track."""
+    if not of_programs.arm_angles:
+        return []
+    is_named = any(hint.model in _SEVEN_AXIS_TYPES for hint in hints)
+    is_sure = is_named or of_programs.largest_cfx > _LARGEST_CFX
+    if not is_sure and (not any(of_programs.arm_angles) or any(arm.makes_all for arm in others)):
+        return []
+    ranked = [
+        ranked_arm(robot, of_programs, deviation, is_named=is_named)
+        for robot, deviation, is_named in _candidates(hints)
+        if len(robot.joints) == _SEVEN_AXES
+    ]
+    return ranked if is_sure or any(arm.reached == arm.tried for arm in ranked) else []
 
 
 def ranked_arm(
@@ -229,7 +308,7 @@ def ranked_arm(
         held + within,
         payload is None or of_programs.heaviest_kg <= payload,
         len(robot.joints) == _USUAL_AXES,
-        all(joint.max_speed is not None for joint in robot.joints),
+        robot.axis_speeds_from is None,
         is_named,
         deviation,
     )

@@ -255,8 +255,8 @@ class _Places:
         others: list[Diagnostic] = []
         for diagnostic in diagnostics:
             code, move = diagnostic.violation.code, self._move_of(diagnostic.span)
-            is_error = diagnostic.severity is Severity.ERROR
-            if (code, move) in said or (code in _SAID_BY_TEXT and not is_error):
+            ends_run = diagnostic.violation.severity is Severity.ERROR
+            if (code, move) in said or (code in _SAID_BY_TEXT and not ends_run):
                 continue
             if code in _FAULTS_OF_PATHS and move in made:
                 continue

@@ -29,11 +29,11 @@ from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
-from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, QuaternionNotUnit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.checked_moves import MOST_MOVES, MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
 from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
+from rapidsim.reach.valueless_persistents import doubt_valueless, is_valueless
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import run_tasks, simulate
@@ -146,7 +146,8 @@ def run_for_moves(
         tuple(
             _as_sure(one, run, (program,), options)
             for one in run.diagnostics
-            if _is_told(one) and not _is_of_no_value(one, (program,))
+            # A run of all tasks has the values that they give each other.
+            if _is_told(one) and (_is_all(options) or not is_valueless(one, (program,)))
         ),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
@@ -190,11 +191,7 @@ def run_for_error(
     if _was_to_be_answered(run):
         return ErrorRun(met=met)
     moves = [module.span(call) for call, module in walked.written]
-    errors = (
-        one
-        for one in run.diagnostics
-        if _ends_or_doubts(one, moves) and not _is_of_no_value(one, (program,))
-    )
+    errors = (one for one in run.diagnostics if _ends_or_doubts(one, moves))
     found = tuple(_as_sure(one, run, (program,), options, moves) for one in errors)
     return ErrorRun(found, "", met)
 
@@ -231,11 +228,7 @@ def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diag
         return None
     if _was_to_be_answered(run):
         return ()
-    errors = [
-        one
-        for one in run.diagnostics
-        if one.severity is Severity.ERROR and not _is_of_no_value(one, programs)
-    ]
+    errors = [one for one in run.diagnostics if one.severity is Severity.ERROR]
     if run.end is End.TIME_LIMIT and not errors:
         return None
     return tuple(_as_sure(one, run, programs, options) for one in errors if not _of_text(one))
@@ -317,13 +310,6 @@ def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
     return of_reach and at is not None and not any(map(at.begins_in, moves))
 
 
-def _is_of_no_value(found: Diagnostic, programs: Sequence[Program]) -> bool:
-    """Whether a run had zeros for a target whose value another program sets."""
-    violation = found.violation
-    is_zero = isinstance(violation, QuaternionNotUnit) and violation.length < TOLERATED_NORM_ERROR
-    return is_zero and len(programs) == 1 and is_given_values(programs[0])
-
-
 def _of_text(found: Diagnostic) -> bool:
     """Whether the text alone tells it, and has."""
     return isinstance(found.violation, NotDeclaredHere)
@@ -346,6 +332,7 @@ def _as_sure(
         moves: The places of moves: findings there are as sure as their targets. None takes all
             findings but those of runs so.
     """
+    found = doubt_valueless(found, programs)
     at = found.span
     is_of_move = moves is None or (at is not None and any(map(at.begins_in, moves)))
     is_sure = is_of_move and not _of_run(found)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
 
 _KEYS = ("model", "urdf", "scale", "base", "start", "shapes", "shapes-unit", "shapes-frame")
+_USUAL_AXES = 6
 _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 
@@ -36,6 +37,8 @@ class StationRobot:
     """What [[task]] tables call it; None where the file does not say."""
     unknown: str | None = None
     """What a backup calls an arm that the catalogue does not have."""
+    axis_count: int | None = None
+    """Number of axes that a backup lists; None if it lists none."""
     bounds: tuple[tuple[float, float] | None, ...] = ()
     """Of each axis what a backup lets it do [rad, m of one that slides], None where it does not
     say."""
@@ -53,6 +56,11 @@ class StationRobot:
     def has_bounds_of(self, name: str) -> bool:
         """Whether the axis bounds apply to an arm: to this one, or to one that stands in for it."""
         return self.name is None or entry_name(self.name) == entry_name(name)
+
+    @property
+    def can_be_guessed(self) -> bool:
+        """Whether an arm of the catalogue may stand in: the targets of six axes mean the same."""
+        return self.axis_count in (None, _USUAL_AXES)
 
     @property
     def is_special(self) -> bool:

@@ -133,3 +133,100 @@ def test_the_table_names_the_best(tmp_path: Path) -> None:
     assert first[:2] == ["1", "irb120-3-0.58"]
     assert "named" in first
     assert "25 targets, heaviest tool 0.001 kg" in " ".join(out.split())
+
+
+def near(out: float = 0.0, eax_a: str = "9E9") -> str:
+    """Targets in the middle of the space of small arms [mm], which many others reach, too."""
+    poses = [(250, -150, 400), (300, 0, 350), (250, 150, 400), (200, 100, 450)]
+    moves = "\n".join(
+        f"    MoveJ [[{x + out:g},{y},{z}],[0,0,1,0],[0,0,0,0],[{eax_a},9E9,9E9,9E9,9E9,9E9]],"
+        "v100,fine,tool0;"
+        for x, y, z in poses
+    )
+    return f"MODULE Job\n  PROC main()\n{moves}\n  ENDPROC\nENDMODULE\n"
+
+
+def best(folder: Path, path: str = "Job.mod") -> str:
+    ended = call("robots", "--for", path, "--format", "json", cwd=folder)
+    assert ended.code == 0, ended.err
+    return str(json.loads(ended.out)["robots"][0]["name"])
+
+
+@pytest.mark.parametrize(
+    ("folders", "beside", "arm"),
+    [
+        ("Solution_IRB_1200/Rapid/T_ROB1", "", "irb1200-"),
+        ("cell/irb140", "", "irb140-6-0.81"),
+        ("cell/Rapid", "IRB1200_5_90.rsstn", "irb1200-5-0.9"),
+        ("IRB1300_11_90", "", "irb1300-11-0.9"),
+        ("CRB1300_11_90", "", "crb1300-11-0.9"),
+    ],
+)
+def test_names_of_folders_and_stations_name_the_arm(
+    tmp_path: Path, folders: str, beside: str, arm: str
+) -> None:
+    """Many arms reach these targets as they are stored."""
+    folder = tmp_path / folders
+    folder.mkdir(parents=True)
+    (folder / "Job.mod").write_text(near(out=300.0 if "1300" in arm else 0.0))
+    if beside:
+        (folder.parent / beside).write_bytes(b"")
+    assert best(folder).startswith(arm)
+    assert best(tmp_path, folders).startswith(arm)
+    checked = " ".join(call("check", folders, cwd=tmp_path).out.split())
+    assert f"on {arm}" in checked
+
+
+def test_a_name_counts_where_no_arm_reaches_the_targets(tmp_path: Path) -> None:
+    """The robot stands elsewhere: only one of five targets is near it."""
+    far = near().replace("[[250,", "[[9250,").replace("[[200,", "[[9200,")
+    (tmp_path / "Job.mod").write_text(far)
+    assert not best(tmp_path).startswith("irb140-")
+    named = far.replace("MODULE Job", "MODULE Job\n  ! for an IRB 140")
+    (tmp_path / "Job.mod").write_text(named)
+    assert best(tmp_path).startswith("irb140-")
+
+
+SEVEN = "irb14000-0.5-0.5"
+
+
+def of_yumi(side: str, count: int = 4) -> str:
+    """Moves to targets of an arm of a YuMi, with `eax_a` as its programs have it."""
+    robot, random_ = load_robot(f"{SEVEN}-{side}"), random.Random(3)
+    lines = []
+    for _ in range(count):
+        joints = np.radians([0, -130, 135 if side == "left" else -135, 30, 0, 40, 0])
+        flange = robot.forward(joints + np.array([random_.uniform(-0.2, 0.2) for _ in range(7)]))
+        place = ",".join(f"{1000.0 * x:.3f}" for x in flange.translation)
+        turned = ",".join(f"{q:.7f}" for q in flange.quaternion)
+        target = f"[[{place}],[{turned}],[0,0,0,4],[101.96,9E9,9E9,9E9,9E9,9E9]]"
+        lines.append(f"    MoveJ {target},v100,fine,tool0;")
+    text = "\n".join(lines)
+    return f"MODULE Job\n  PROC main()\n{text}\n  ENDPROC\nENDMODULE\n"
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_targets_with_seven_axes_are_offered_arms_with_seven_axes(
+    tmp_path: Path, side: str
+) -> None:
+    (tmp_path / "Job.mod").write_text(of_yumi(side))
+    ranked = ranking(tmp_path)
+    assert set(ranked) == {SEVEN, f"{SEVEN}-left", f"{SEVEN}-right", "irb14050-0.5-0.5"}
+    assert ranked[f"{SEVEN}-{side}"] == 1
+    folder = tmp_path / f"T_ROB_{side[0].upper()}"
+    folder.mkdir()
+    (folder / "Job.mod").write_text(of_yumi(side))
+    assert best(folder) == f"{SEVEN}-{side}"
+
+
+def test_a_track_is_no_seventh_axis(tmp_path: Path) -> None:
+    """Positions of a track [mm], or an axis that the station declares."""
+    for eax_a in ("1500", "0"):
+        (tmp_path / "Job.mod").write_text(near(eax_a=eax_a))
+        assert len(load_robot(best(tmp_path)).joints) == 6
+    (tmp_path / "Job.mod").write_text(near(eax_a="100"))
+    (tmp_path / "rapidsim.toml").write_text(
+        '[[external_axis]]\nname = "TRACK"\naxis = "a"\nkind = "linear"\ncarries = "robot"\n'
+        "limits = [0, 3000]\nspeed = 1000\n"
+    )
+    assert len(load_robot(best(tmp_path)).joints) == 6

@@ -3,8 +3,12 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from cli_helper import rapidsim
+from laws import some
+
+from rapidsim.motion.robot.robot import Robot, load_robot, robot_names
 
 MOVE = """MODULE Small
   PROC main()
@@ -38,7 +42,10 @@ def test_the_table_holds_arms_of_every_kind_without_notes_beside_it() -> None:
     assert listed.err == ""
     rows = [line for line in listed.out.splitlines() if line.startswith("  ") and line.strip()]
     axes = {line.split()[0]: line for line in rows}
-    assert axes["irb460-110-2.4"].split()[-2:] == ["4", "?"]
+    assert axes["irb460-110-2.4"].split()[-2:] == ["4", "~130-300°/s"]
+    assert axes["irb660-180-3.15"].split()[-2:] == ["4", "130-300°/s"]
+    text = " ".join(listed.out.split())
+    assert "those of irb660-180-3.15: irb260-30-1.5, irb460-110-2.4, irb660-250-3.15" in text
     assert axes["irb14000-0.5-0.5"].split()[-2] == "7"
     assert axes["crb15000-5-0.95"].split()[-2] == "6"
     assert "found by a numerical search" in rapidsim("robots", "gofa").err
@@ -48,18 +55,20 @@ def test_json_says_null_where_nothing_is_known() -> None:
     listed = json.loads(rapidsim("robots", "--format", "json").out)["robots"]
     robots = {robot["name"]: robot for robot in listed}
     assert len(robots) == len(listed) > 50
-    unknown = robots["kr120-r2500-pro"]
+    unknown = robots["rv-m1"]
     assert {joint["max_speed_deg_s"] for joint in unknown["joints"]} == {None}
-    assert robots["rv-m1"]["payload_kg"] is None
+    assert unknown["payload_kg"] is None
+    assert unknown["axis_speeds_from"] is None
+    assert robots["kr120-r2500-pro"]["axis_speeds_from"] == "kr120-r2700-2"
     assert robots["irb2400-16-1.55"]["not_modelled"]
     assert {robot["maker"] for robot in listed} == {"ABB", "KUKA", "Mitsubishi"}
     assert all(robot["sources"] and robot["checks"] for robot in listed)
 
 
 def test_an_arm_of_unknown_speed_is_refused_with_the_remedy(program: Path) -> None:
-    done = rapidsim("run", program, "--robot", "kr120-r2500-pro", "--no-record")
+    done = rapidsim("run", program, "--robot", "rv-m1", "--no-record")
     assert done.code == 2
-    assert done.err.startswith("error: kr120-r2500-pro: no axis speed is known for joint_1, ")
+    assert done.err.startswith("error: rv-m1: no axis speed is known for joint_1, ")
     assert "[motion] axis_speed" in done.err
     assert not done.out
 
@@ -95,6 +104,51 @@ def test_a_run_says_what_of_the_arm_is_not_modelled(tmp_path: Path) -> None:
     done = rapidsim("run", file, "--robot", "irb2400", "--no-record")
     assert done.code == 0, done.err
     assert "Not modelled: the rod of axis 3" in " ".join(done.out.split())
+
+
+THREE_MOVES = """MODULE three
+  PROC main()
+    MoveAbsJ [[10,{second},{third},0,{fifth},0],[{eax},9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+    MoveAbsJ [[-10,{second},{third},0,{fifth},0],[{eax},9E9,9E9,9E9,9E9,9E9]],v500,z10,tool0;
+    MoveAbsJ [[0,{second},{third},0,{fifth},0],[{eax},9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+  ENDPROC
+ENDMODULE
+"""
+
+
+def three_moves(robot: Robot) -> str:
+    """A program of three joint moves within the limits of an arm."""
+    seven = len(robot.joints) == 7
+    zero = np.degrees(np.clip(np.zeros(len(robot.joints)), robot.lower, robot.upper))
+    return THREE_MOVES.format(
+        second=f"{zero[1]:.3f}",
+        third=0 if seven else f"{zero[2]:.3f}",
+        fifth=30 if len(robot.joints) > 4 else 0,
+        eax=0 if seven else "9E9",
+    )
+
+
+@pytest.mark.parametrize("name", [*some(robot_names(), 4), "irb920-6-0.55", "irb14000-0.5-0.5"])
+def test_every_arm_runs_and_names_the_arm_that_lends_its_speeds(tmp_path: Path, name: str) -> None:
+    robot = load_robot(name)
+    file = tmp_path / "three.mod"
+    file.write_text(three_moves(robot))
+    done = rapidsim("run", file, "--robot", name, "--no-record", "--format", "json")
+    if name == "rv-m1":
+        # No arm of its kind has speeds.
+        assert done.code == 2
+        return
+    assert done.code == 0, done.err
+    run = json.loads(done.out)
+    assert len(run["moves"]) == 3
+    lent = f"axis speeds of {robot.axis_speeds_from}, no source gives those of {name}"
+    assert run["models"].get("axis_speed") == (lent if robot.axis_speeds_from else None)
+
+
+def test_the_page_of_an_arm_names_the_arm_that_lends_its_speeds() -> None:
+    page = rapidsim("robots", "crb1300").out
+    assert "speed of irb1300-10-1.15" in page
+    assert "speed of" not in rapidsim("robots", "irb1300").out
 
 
 def test_an_arm_of_unknown_speed_has_the_speeds_of_its_family(tmp_path: Path) -> None:

@@ -74,7 +74,7 @@ def test_every_file_says_only_what_is_read(robot: Robot) -> None:
     text = (robots_folder() / robot.name / "robot.toml").read_text(encoding="utf-8")
     table = tomllib.loads(text)
     known = "name title maker structure payload_kg reach_m sources checks notes not_modelled flange"
-    tables = "geometry_mm zero joint dynamics"
+    tables = "notices geometry_mm zero joint dynamics"
     assert set(table) <= {*known.split(), *tables.split(), "link_excess_mm"}
     assert table["maker"] in MAKERS
     assert table["title"].startswith(table["maker"])
@@ -87,6 +87,40 @@ def test_links_that_were_compared_say_how_far_they_are_off(robot: Robot) -> None
         assert min(excess) >= 0.0
         assert max(excess) <= LARGEST_EXCESS[0] * robot.reach_m
         assert max(excess[3:]) <= LARGEST_EXCESS[1] * robot.reach_m
+
+
+def test_lent_speeds_are_those_of_an_arm_of_the_same_kind(robot: Robot) -> None:
+    """The lender has speeds of its own, and no source gives those of the borrower."""
+    entry = find_entry(robot.name)
+    if None not in entry.max_speeds or robot.name == "rv-m1":
+        assert robot.axis_speeds_from is None
+        assert tuple(joint.max_speed for joint in robot.joints) == entry.max_speeds
+        return
+    assert robot.axis_speeds_from is not None
+    lender = find_entry(robot.axis_speeds_from)
+    assert None not in lender.max_speeds
+    assert lender.maker == entry.maker
+    assert type(lender.geometry) is type(entry.geometry)
+    assert tuple(joint.max_speed for joint in robot.joints) == lender.max_speeds
+    assert any(lender.name in notice for notice in robot.notices)
+
+
+@pytest.mark.parametrize(
+    ("name", "lender"),
+    [
+        # The same family, nearest in reach and payload.
+        ("irb6700-245-3.0", "irb6700-235-2.65"),
+        # The same number of the type.
+        ("irb2400l-7-1.8", "irb2400-10-1.55"),
+        ("crb1300-7-1.4", "irb1300-10-1.15"),
+        # Neither: the nearest of the same structure.
+        ("irb460-110-2.4", "irb660-180-3.15"),
+        ("irb920-6-0.65", "irb910sc-3-0.65"),
+        ("irb5720-155-2.6-lid", "irb6700-155-2.85"),
+    ],
+)
+def test_the_nearest_arm_lends_its_speeds(name: str, lender: str) -> None:
+    assert load_robot(name).axis_speeds_from == lender
 
 
 def test_limits_are_sane(robot: Robot) -> None:

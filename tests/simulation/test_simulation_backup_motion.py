@@ -1,9 +1,11 @@
 """What the MOC.cfg of a backup says of arms, their bounds, tracks and positioners."""
 
+import json
 from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import call
 
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check
@@ -105,9 +107,67 @@ def test_a_backup_bounds_an_axis_that_slides_in_metres() -> None:
     assert np.degrees([arm.lower[2], arm.upper[2]]) == pytest.approx([-100.0, -20.0])
 
 
-@pytest.mark.parametrize("name", ["ROB_L_14000_05_05", "ROB_R_14000_0.5_0.5"])
-def test_the_arms_of_a_yumi_are_known_by_their_names(name: str) -> None:
-    assert catalogue_name(name) == "irb14000-0.5-0.5"
+@pytest.mark.parametrize(
+    ("name", "arm"),
+    [
+        ("ROB_L_14000_05_05", "irb14000-0.5-0.5-left"),
+        ("ROB_R_14000_0.5_0.5", "irb14000-0.5-0.5-right"),
+        ("ROB_R_14000_05_05_TYPEA", "irb14000-0.5-0.5-right"),
+    ],
+)
+def test_the_arms_of_a_yumi_are_known_by_their_names(name: str, arm: str) -> None:
+    assert catalogue_name(name) == arm
+
+
+HOME_OF_YUMI = """MODULE m
+  PROC main()
+    MoveAbsJ [[0,-130,30,0,40,0],[{eax_a},9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    TPWrite "at " \\Pos:=CPos(\\Tool:=tool0 \\WObj:=wobj0);
+  ENDPROC
+ENDMODULE
+"""
+MOC_OF_YUMI = """MOC:CFG_1.0:6:0::
+#
+ROBOT:
+
+      -name "ROB_R" -use_robot_type "ROB_R_14000_05_05" -gravity_alpha 0.629233
+
+      -name "ROB_L" -use_robot_type "ROB_L_14000_05_05" -gravity_alpha -0.629233
+"""
+SYS_OF_YUMI = """SYS:CFG_1.0:6:0::
+#
+CAB_TASKS:
+
+      -Name "T_ROB_R" -Type "NORMAL" -UseMechanicalUnitGroup "rob_R" -MotionTask
+
+      -Name "T_ROB_L" -Type "NORMAL" -UseMechanicalUnitGroup "rob_L" -MotionTask
+#
+MECHANICAL_UNIT_GROUP:
+
+      -Name "rob_R" -Robot "ROB_R"
+
+      -Name "rob_L" -Robot "ROB_L"
+"""
+
+
+def test_the_arms_of_a_yumi_stand_on_its_body(tmp_path: Path) -> None:
+    """MOC.cfg of a YuMi has no base frames: both arms share that of the body."""
+    for name, text in {
+        "RAPID/TASK1/m.mod": HOME_OF_YUMI.format(eax_a=-135),
+        "RAPID/TASK2/m.mod": HOME_OF_YUMI.format(eax_a=135),
+        "BACKINFO/backinfo.txt": ">>TASK1: (T_ROB_R,,)\n>>TASK2: (T_ROB_L,,)\n",
+        "SYSPAR/MOC.cfg": MOC_OF_YUMI,
+        "SYSPAR/SYS.cfg": SYS_OF_YUMI,
+    }.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    assert not [one for one in check([tmp_path]).diagnostics if one.severity == "error"]
+    run = simulate([tmp_path])
+    said = {one.task: one.message for one in run.events if one.kind.value == "text"}
+    # Where a controller has tool0 in the home position [mm].
+    for task, side in (("T_ROB_R", -1.0), ("T_ROB_L", 1.0)):
+        place = [float(word) for word in said[task].strip("at []").split(",")]
+        assert place == pytest.approx([-9.5784, side * 182.6099, 198.6278], abs=2e-3)
 
 
 def test_a_track_is_read_with_all_that_it_can_do(tmp_path: Path) -> None:
@@ -153,12 +213,14 @@ def test_bounds_hold_for_the_arm_that_they_are_given_for(tmp_path: Path) -> None
     assert told in other.station.remarks
 
 
-def test_an_arm_that_is_not_known_is_not_judged(tmp_path: Path) -> None:
+def test_moves_of_an_arm_that_is_not_known_are_judged_as_a_guess(tmp_path: Path) -> None:
+    """MOC.cfg bounds axis 1 of the guess, too."""
     folder = backup(tmp_path, "ROB1_9999_9.99_999")
     result = check([folder])
-    assert not [one for one in result.diagnostics if one.violation.code[0] == "K"]
-    (unchecked,) = result.coverage.unchecked
-    assert unchecked.reason.startswith("arm unknown: the catalogue has no ROB1_9999_9.99_999")
+    found = [one for one in result.diagnostics if one.violation.code[0] == "K"]
+    assert [(one.violation.code, one.severity.value) for one in found] == [("K602", "warning")]
+    assert result.arm is not None
+    assert "the catalogue has no ROB1_9999_9.99_999" in result.arm.text
     named = check([folder], robot="irb1200")
     assert named.coverage.checked == 1
 
@@ -273,3 +335,137 @@ def test_a_task_that_moves_a_unit_alone_is_said_and_its_moves_are_not_checked(
     reasons = [one.reason for one in result.coverage.unchecked]
     assert reasons[-1] == "T_ROB2 moves none of the robots: there are 1"
     assert simulate([folder]).end == "ended"
+
+
+SEVERAL = """MODULE m
+  PROC main()
+    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+    MoveJ [[{x},0,500],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v1000,fine,tool0;
+  ENDPROC
+ENDMODULE
+"""
+SENDER = 'MODULE s\n  PROC main()\n    TPWrite "sends";\n  ENDPROC\nENDMODULE\n'
+MOC_OF_SEVERAL = """MOC:CFG_1.0:6:0::
+#
+ROBOT:
+
+      -name "ROB_1" -use_robot_type "ROB1_120_0.58_3"
+
+      -name "ROB_2" -use_robot_type "ROB2_6700_2.60_200"
+"""
+SYS_OF_SEVERAL = """SYS:CFG_1.0:6:0::
+#
+CAB_TASKS:
+
+      -Name "T_SEND" -Type "NORMAL" -UseMechanicalUnitGroup "rob1"
+
+      -Name "T_ROB2" -Type "NORMAL" -UseMechanicalUnitGroup "rob2" -MotionTask
+
+      -Name "T_ROB1" -Type "NORMAL" -UseMechanicalUnitGroup "rob1" -MotionTask
+#
+MECHANICAL_UNIT_GROUP:
+
+      -Name "rob1" -Robot "ROB_1"
+
+      -Name "rob2" -Robot "ROB_2"
+"""
+
+
+@pytest.mark.parametrize("configured", [True, False])
+def test_tasks_without_backinfo_move_each_its_own_robot(tmp_path: Path, configured: bool) -> None:
+    """TASK1 and TASK2 are of the two robots, whatever the order in SYS.cfg."""
+    files = {
+        "RAPID/TASK1/m.mod": SEVERAL.format(x=300),
+        "RAPID/TASK2/m.mod": SEVERAL.format(x=2000),
+        "SYSPAR/MOC.cfg": MOC_OF_SEVERAL,
+    }
+    if configured:
+        files |= {"RAPID/TASK3/s.mod": SENDER, "SYSPAR/SYS.cfg": SYS_OF_SEVERAL}
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    station = said(tmp_path)
+    moved = {task.name: task.robot_number for task in station.tasks}
+    assert moved == {"T_ROB1": 0, "T_ROB2": 1} | ({"T_SEND": None} if configured else {})
+    # 2 m are beyond the reach of the first arm.
+    assert not [one for one in check([tmp_path]).diagnostics if one.severity == "error"]
+    run = simulate([tmp_path])
+    assert [one.robot.name for one in run.robots] == ["irb120-3-0.58", "irb6700-200-2.6"]
+    assert not [one for one in run.diagnostics if one.severity == "error"]
+
+
+def joints(count: int) -> str:
+    return " ".join(f'-use_joint_{n} "rob1_{n + 1}"' for n in range(count))
+
+
+def lacking(folder: Path, type_name: str, count: int, second: str = "") -> Path:
+    """A backup with an arm that the catalogue lacks, and a target that nothing reaches."""
+    more = f'\n      -name "ROB_2" -use_robot_type "{second}" {joints(count)}\n' if second else ""
+    for name, text in {
+        "RAPID/TASK1/m.mod": SEVERAL.format(x=9000),
+        **({"RAPID/TASK2/m.mod": SEVERAL.format(x=9000)} if second else {}),
+        "SYSPAR/MOC.cfg": "MOC:CFG_1.0:6:0::\n#\nROBOT:\n\n"
+        f'      -name "ROB_1" -use_robot_type "{type_name}" {joints(count)}\n{more}',
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    return folder
+
+
+@pytest.mark.parametrize(
+    ("type_name", "second"), [("ROB1_360_1.6_6", ""), ("ROB1_910SC_0.55_3", "ROB2_360_1.6_6")]
+)
+def test_a_delta_is_not_run_as_another_arm(tmp_path: Path, type_name: str, second: str) -> None:
+    cell = lacking(tmp_path, type_name, 4, second)
+    checked = call("check", ".", "--no-cache", cwd=cell)
+    assert "arm unknown: the catalogue has no ROB" in " ".join(checked.out.split())
+    ran = call("run", ".", "--no-record", cwd=cell)
+    assert (ran.code, ran.out) == (2, "")
+    assert "the catalogue has no ROB" in ran.err
+    assert "_360_1.6_6, the arm of the backup with 4 axes" in ran.err
+    assert "--robot NAME" in ran.err
+    named = call("run", ".", "--no-record", "--robot", "irb1600", cwd=cell)
+    assert "the catalogue has no" not in named.err
+    assert "on ABB IRB 1600-6/1.2" in " ".join(named.out.split())
+
+
+def test_an_unknown_arm_of_six_axes_is_a_guess_at_both_doors(tmp_path: Path) -> None:
+    cell = lacking(tmp_path, "ROB1_6700_LeanID_2.65_220", 6)
+    checked = call("check", ".", "--no-cache", "--format", "json", cwd=cell)
+    ran = call("run", ".", "--no-record", "--format", "json", cwd=cell)
+    for done in (checked, ran):
+        found = {one["code"]: one["severity"] for one in json.loads(done.out)["diagnostics"]}
+        assert found["K601"] == "warning"
+    text = " ".join(call("check", ".", "--no-cache", cwd=cell).out.split())
+    assert "(by default; the catalogue has no ROB1_6700_LeanID_2.65_220; --robot names" in text or (
+        "(the catalogue has no ROB1_6700_LeanID_2.65_220; best of the catalogue:" in text
+    )
+
+
+def test_an_unknown_second_arm_is_said_to_be_a_guess(tmp_path: Path) -> None:
+    cell = lacking(tmp_path, "ROB1_120_0.58_3", 6, "ROB2_6700_LeanID_2.65_220")
+    checked = call("check", ".", "--no-cache", "--format", "json", cwd=cell)
+    found = [one for one in json.loads(checked.out)["diagnostics"] if one["code"] == "K601"]
+    assert [(one["file"][-11:], one["severity"]) for one in found] == [
+        ("TASK1/m.mod", "error"),
+        ("TASK2/m.mod", "warning"),
+    ]
+    said = "the catalogue has no ROB2_6700_LeanID_2.65_220: the arm of the first robot stands in"
+    assert said in " ".join(call("check", ".", "--no-cache", cwd=cell).err.split())
+
+
+def test_lines_of_seven_axes_are_no_error_of_the_program(tmp_path: Path) -> None:
+    line = HOME_OF_YUMI.format(eax_a=-135).replace(
+        '    TPWrite "at " \\Pos:=CPos(\\Tool:=tool0 \\WObj:=wobj0);\n',
+        "    MoveL Offs(CRobT(\\Tool:=tool0\\WObj:=wobj0),0,0,20),v100,fine,tool0;\n",
+    )
+    assert "MoveL" in line
+    (tmp_path / "m.mod").write_text(line)
+    options = ("m.mod", "--robot", "yumi-right", "--format", "json")
+    checked = json.loads(call("check", *options, cwd=tmp_path).out)
+    ran = json.loads(call("run", *options, cwd=tmp_path).out)
+    for report in (checked, ran):
+        found = [(one["code"], one["severity"]) for one in report["diagnostics"]]
+        assert ("K604", "warning") in found
+        assert "error" not in {severity for _, severity in found}
+    assert ran["end"] == "error"

@@ -58,7 +58,8 @@ def robots(
     NAME is a name or alias of the catalogue, or a URDF file.
 
     With --for, the arms of ABB by how many of the targets of PATH they reach and hold in the
-    stored configuration; a tie goes to the arm that comments, file names or a backup name.
+    stored configuration; a tie goes to the arm that comments, files, folders, stations or a
+    backup name. For targets with seven axes, only arms with seven axes.
     """
     terminal = current_terminal()
     if program is not None:
@@ -111,7 +112,7 @@ def robots(
 def _show_ranking(path: str, output_format: str) -> None:
     """Rank the arms for a program."""
     from rapidsim.jobs.asked import Asked
-    from rapidsim.jobs.best_arm import job_targets, texts_of
+    from rapidsim.jobs.best_arm import job_targets, names_of, texts_of
     from rapidsim.jobs.check_files import programs_of
     from rapidsim.jobs.job import job
     from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
@@ -124,7 +125,7 @@ def _show_ranking(path: str, output_format: str) -> None:
         raise InputError(
             f"no target of {path} is known without a run", "name an arm to check or run it"
         )
-    ranked = rank_arms(targets, hints_of(texts_of(found)), DEFAULT_ROBOT)
+    ranked = rank_arms(targets, hints_of(texts_of(found), names_of(found)), DEFAULT_ROBOT)
     if output_format == "json":
         print_json(ranking_json(path, targets, ranked))
     else:
@@ -139,6 +140,7 @@ def _as_json(robot: Robot, aliases: tuple[str, ...]) -> dict[str, object]:
         "aliases": list(aliases),
         "payload_kg": robot.payload_kg,
         "reach_mm": None if robot.reach_m is None else robot.reach_m * 1000.0,
+        "axis_speeds_from": robot.axis_speeds_from,
         "joints": [
             {
                 "name": joint.name,

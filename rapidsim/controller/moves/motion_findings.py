@@ -44,6 +44,8 @@ def fault_violation(fault: PathFault, target: str) -> Violation:
     if fault.kind is FaultKind.WRIST_PAIR:
         percent, distance_mm = 100.0 * fault.fraction, 1000.0 * fault.distance
         return WristCircleFails(target, percent, distance_mm, fault.reason, fault.cure)
+    if fault.kind is FaultKind.NOT_SIMULATED:
+        return PathNotReachable(target, 0.0, 0.0, fault.reason, is_simulated=False)
     of_kind = {
         FaultKind.SINGULARITY: PathThroughSingularity,
         FaultKind.CONFIGURATION: PathConfiguration,

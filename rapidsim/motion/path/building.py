@@ -73,9 +73,10 @@ def outline_of(
     for i, segment in enumerate(segments):
         if segment.geometry is Geometry.JOINT:
             continue
-        reason = circle_fault(segment) or unsupported(kinematics)
-        if reason is not None:
+        if (reason := circle_fault(segment)) is not None:
             return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.SET_UP)
+        if (reason := unsupported(kinematics)) is not None:
+            return PathFault(i, 0.0, 0.0, 0.0, reason, FaultKind.NOT_SIMULATED)
     curves = curves_of(segments, kinematics)
     active = np.flatnonzero(curves.length > 0.0).astype(np.int64)
     if not len(active):

@@ -44,7 +44,9 @@ class FaultKind(Enum):
     WRIST_PAIR = "wrist pair"
     """Two wrist axes alone cannot lead the tool along the arc, or not within their limits."""
     SET_UP = "set-up"
-    """What the move asks for is not simulated, or no geometry at all."""
+    """The move asks for no geometry at all."""
+    NOT_SIMULATED = "not simulated"
+    """Paths of such an arm are not simulated."""
 
 
 @dataclass(frozen=True, slots=True)

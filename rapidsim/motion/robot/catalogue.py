@@ -12,7 +12,7 @@ import re
 import tomllib
 from collections.abc import Mapping, Sequence
 from functools import cache
-from math import radians
+from math import log, radians
 from pathlib import Path
 from typing import Any
 
@@ -69,6 +69,8 @@ class CatalogueEntry:
     checks: tuple[str, ...]
     """What the figures were compared with."""
     notes: tuple[str, ...]
+    notices: tuple[str, ...]
+    """What the user of the arm should know; commands print them."""
     not_modelled: tuple[str, ...]
     """What the arm has and a run leaves out; every run on it says so."""
     link_excess_m: tuple[float, ...]
@@ -124,28 +126,50 @@ def find_entry(name: str) -> CatalogueEntry:
     return read_entry(robots_folder() / wanted)
 
 
-def sibling_with_speeds(entry: CatalogueEntry) -> CatalogueEntry | None:
-    """The ABB arm of the same family whose axis speeds stand in for unknown ones; None if none has.
+def speed_lender(entry: CatalogueEntry) -> CatalogueEntry | None:
+    """The arm whose axis speeds stand in for unknown ones; None if no arm of the same kind has any.
 
-    It is the one of the nearest reach, then of the nearest payload.
+    Arms of one kind have the same maker and structure. Those of the same family are preferred, then
+    those whose type has the same number, then those of the nearest payload and reach. The inertia
+    of a payload grows with the square of the reach, which therefore counts twice.
     """
-    if entry.maker != "ABB":
-        return None
-    family = entry.name.partition("-")[0] + "-"
-    named = (name for name in robot_names() if name.startswith(family))
-    known = [
-        other
-        for other in map(find_entry, named)
-        if None not in other.max_speeds and len(other.max_speeds) == len(entry.max_speeds)
-    ]
 
-    def difference(other: CatalogueEntry) -> tuple[float, float]:
+    def is_of_kind(other: CatalogueEntry) -> bool:
+        kind = entry.maker, type(entry.geometry), len(entry.limits)
+        return kind == (other.maker, type(other.geometry), len(other.limits))
+
+    def difference(other: CatalogueEntry) -> tuple[bool, bool, float]:
         return (
-            abs((other.reach_m or 0.0) - (entry.reach_m or 0.0)),
-            abs((other.payload_kg or 0.0) - (entry.payload_kg or 0.0)),
+            _family(other.name) != _family(entry.name),
+            _type_number(other.name) != _type_number(entry.name),
+            2.0 * _distance(other.reach_m, entry.reach_m)
+            + _distance(other.payload_kg, entry.payload_kg),
         )
 
-    return min(known, key=difference, default=None)
+    return min(filter(is_of_kind, _entries_with_speeds()), key=difference, default=None)
+
+
+@cache
+def _entries_with_speeds() -> tuple[CatalogueEntry, ...]:
+    """The arms whose axis speeds a source gives."""
+    entries = map(find_entry, robot_names())
+    return tuple(entry for entry in entries if None not in entry.max_speeds)
+
+
+def _family(name: str) -> str:
+    """The part of a name before payload and reach."""
+    return name.partition("-")[0]
+
+
+def _type_number(name: str) -> str:
+    """The number of a type, such as 1300 of `crb1300-7-1.4`."""
+    number = _PARTS.search(name)
+    return "" if number is None else number[0]
+
+
+def _distance(one: float | None, other: float | None) -> float:
+    """Distance of two figures as the logarithm of their ratio; 0 if either is unknown."""
+    return abs(log(one / other)) if one and other else 0.0
 
 
 def read_entry(folder: Path) -> CatalogueEntry:
@@ -231,6 +255,7 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
         sources=tuple(table["sources"]),
         checks=tuple(table["checks"]),
         notes=tuple(table["notes"]),
+        notices=tuple(table.get("notices", ())),
         not_modelled=tuple(table.get("not_modelled", ())),
         link_excess_m=tuple(1e-3 * excess for excess in table.get("link_excess_mm", ())),
         folder=folder,

@@ -21,7 +21,7 @@ from rapidsim.motion.robot.catalogue import (
     find_entry,
     kinematics_of,
     robot_names,
-    sibling_with_speeds,
+    speed_lender,
 )
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
@@ -103,6 +103,8 @@ class Robot:
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
     """What the arm has but a run does not model."""
+    axis_speeds_from: str | None = None
+    """The arm of the catalogue that lends its axis speeds; None if they are this arm's."""
     link_excess_m: tuple[float, ...] = ()
     """How far 95 % of the surface of the maker's links reach beyond ours at most [m], the base
     first; empty where they were not compared."""
@@ -215,13 +217,14 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
 
 def _from_entry(entry: CatalogueEntry) -> Robot:
     kinematics = kinematics_of(entry)
-    sibling = sibling_with_speeds(entry) if None in entry.max_speeds else None
-    if sibling is not None:
-        entry = replace(entry, max_speeds=sibling.max_speeds)
-    lent = _speed_notices(entry, sibling)
+    lender = speed_lender(entry) if None in entry.max_speeds else None
+    if lender is not None:
+        entry = replace(entry, max_speeds=lender.max_speeds)
+    lent = _speed_notices(entry, lender)
     return Robot(
         name=entry.name,
         title=entry.title,
+        axis_speeds_from=None if lender is None else lender.name,
         joints=tuple(
             Joint(name, lower, upper, speed, acceleration, slides)
             for name, (lower, upper), speed, acceleration, slides in zip(
@@ -235,7 +238,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
         ),
         kinematics=kinematics,
         dynamics=dynamics_of(entry),
-        notices=(*_notices(entry), *lent),
+        notices=(*_notices(entry), *entry.notices, *lent),
         urdf=entry.urdf,
         payload_kg=entry.payload_kg,
         reach_m=entry.reach_m,
@@ -248,13 +251,13 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
     )
 
 
-def _speed_notices(entry: CatalogueEntry, sibling: CatalogueEntry | None) -> tuple[str, ...]:
-    """What the user should know of axis speeds that are those of another arm."""
-    if sibling is None:
+def _speed_notices(entry: CatalogueEntry, lender: CatalogueEntry | None) -> tuple[str, ...]:
+    """Notices about axis speeds of another arm."""
+    if lender is None:
         return ()
     return (
-        f"no source gives the axis speeds of {entry.name}: those of {sibling.name} are used; "
-        "[motion] axis_speed = [...] in rapidsim.toml sets them",
+        f"no source gives the axis speeds of {entry.name}: those of {lender.name} are used "
+        "unless [motion] axis_speed = [...] in rapidsim.toml sets them",
     )
 
 

@@ -153,12 +153,6 @@ def models(simulation: Simulation) -> dict[str, object]:
     """The models behind the numbers and their parameters, and what they leave out of the arm."""
     model = simulation.model
     resolved = [model_of(one.robot, model) for one in simulation.robots]
-    given_speeds = {}
-    if model.max_speed is not None:
-        given_speeds = {
-            "axis_speed": f"axis speeds {_degrees(model.max_speed)} "
-            f"{simulation.robots[0].robot.units('/s')}, as the station file says"
-        }
     return {
         "motion": model.version,
         "controller": model.controller,
@@ -166,7 +160,7 @@ def models(simulation: Simulation) -> dict[str, object]:
             of_robots(simulation, lambda robot: [_acceleration(model, robot)])
         ),
         **_load(simulation),
-        **given_speeds,
+        **_axis_speeds(simulation),
         "corner": model.corner,
         "program_pointer": PROGRAM_POINTER,
         "filter_time_s": max(one.window for one in resolved),
@@ -188,6 +182,23 @@ def of_robots(simulation: Simulation, texts: Callable[[Robot], Sequence[str]]) -
         text if len(names) == len(robots) else f"{', '.join(names)}: {text}"
         for text, names in said.items()
     ]
+
+
+def _axis_speeds(simulation: Simulation) -> dict[str, str]:
+    """The source of axis speeds other than the arm's own."""
+    given = simulation.model.max_speed
+    if given is not None:
+        units = simulation.robots[0].robot.units("/s")
+        return {"axis_speed": f"axis speeds {_degrees(given)} {units}, as the station file says"}
+    lent = "; ".join(of_robots(simulation, _speed_lender))
+    return {"axis_speed": lent} if lent else {}
+
+
+def _speed_lender(robot: Robot) -> list[str]:
+    """The arm whose axis speeds a robot uses; empty if they are its own."""
+    if robot.axis_speeds_from is None:
+        return []
+    return [f"axis speeds of {robot.axis_speeds_from}, no source gives those of {robot.name}"]
 
 
 def _acceleration(model: MotionModel, robot: Robot) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 from math import degrees
 
@@ -21,6 +21,13 @@ _MEANING = (
     "? is not known: no source gives it. To run a program on an arm with "
     "unknown axis speeds, give them in rapidsim.toml: [motion] axis_speed = [...] in deg/s, "
     "mm/s for a linear axis."
+)
+
+
+_LENT_MARK = "~"
+_LENT = (
+    f"{_LENT_MARK} marks axis speeds of another arm, the nearest of the same kind, as no source "
+    "gives this arm's; [motion] axis_speed = [...] sets them:"
 )
 
 
@@ -44,11 +51,26 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
                 _payload(robot),
                 _reach(robot),
                 str(len(robot.joints)),
-                _speeds(robot),
+                f"{_LENT_MARK if robot.axis_speeds_from else ''}{_speeds(robot)}",
             )
+    meanings = list(_lenders([robot for robot, _ in robots]))
     if any(_lacks_something(robot) for robot, _ in robots):
-        return Group(table, Padding(Text(_MEANING, "dim"), (1, 0, 0, 0)))
+        meanings.append(_MEANING)
+    if meanings:
+        return Group(table, Padding(Text("\n".join(meanings), "dim"), (1, 0, 0, 0)))
     return table
+
+
+def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
+    """The arms that lend their axis speeds, each with those that use them; empty if none does."""
+    users: dict[str, list[str]] = {}
+    for robot in robots:
+        if robot.axis_speeds_from is not None:
+            users.setdefault(robot.axis_speeds_from, []).append(robot.name)
+    if users:
+        yield _LENT
+    for lender, names in users.items():
+        yield f"those of {lender}: {', '.join(names)}"
 
 
 def workspace_page(found: Workspace | str) -> RenderableType:
@@ -106,7 +128,8 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     axes.add_column("axis", style="bold", no_wrap=True)
     axes.add_column("from", justify="right", no_wrap=True)
     axes.add_column("to", justify="right", no_wrap=True)
-    axes.add_column("speed", justify="right", no_wrap=True)
+    lender = robot.axis_speeds_from
+    axes.add_column(f"speed of {lender}" if lender else "speed", justify="right", no_wrap=True)
     measured = any(joint.max_acceleration is not None for joint in robot.joints)
     if measured:
         axes.add_column("acceleration, measured", justify="right", no_wrap=True)

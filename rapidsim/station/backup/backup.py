@@ -8,11 +8,11 @@ Robots and external axes come from `MOC.cfg`, the RobotWare version from `backin
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from rapidsim.backinfo import listed_products, listed_tasks
+from rapidsim.backinfo import ListedTask, listed_products, listed_tasks
 from rapidsim.language.equipment import Configured
 from rapidsim.language.robotware import RobotWare, read_robotware
 from rapidsim.module_files import Backup
@@ -28,6 +28,7 @@ from rapidsim.station.station import Station
 from rapidsim.station.tasks import StationTask
 
 _DOMAINS = ("EIO", "MMC", "MOC", "PROC", "SIO", "SYS")
+_NUMBERED = re.compile(r"TASK\d+", re.IGNORECASE)
 _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECASE)
 
 
@@ -125,9 +126,9 @@ def _tasks_of(
     system: Configuration,
     robots: Sequence[StationRobot],
 ) -> tuple[StationTask, ...]:
-    """In the order of the folders; none where the backup does not say what its folders are."""
+    """Tasks in the order of the folders; empty if the backup does not name the folders."""
     information = text_in(root, "BACKINFO", "backinfo.txt")
-    listed = listed_tasks(information)
+    listed = listed_tasks(information) or _tasks_by_number(folders, system, robots)
     options = unknown_options(listed_products(information))
     if any(f.name.upper().startswith("TASK") and f.name.lower() not in listed for f in folders):
         return ()
@@ -138,8 +139,9 @@ def _tasks_of(
         known = listed.get(folder.name.lower())
         name = folder.name if known is None else known.name
         settings = configured.get(name.lower())
-        # Without a configuration the task that is first is the one that moves.
-        moves = not tasks and not configured if settings is None else settings.moves
+        # Without a configuration each of the first tasks moves a robot.
+        unconfigured = not configured and len(tasks) < max(len(robots), 1)
+        moves = unconfigured if settings is None else settings.moves
         wanted = [one for one in loaded if is_loaded_into(one, name, moves=moves)]
         modules, unseen = missing_modules(wanted, folder)
         task = StationTask(name, motion=moves) if settings is None else configured_task(settings)
@@ -154,6 +156,40 @@ def _tasks_of(
             )
         )
     return with_robot_numbers(tasks, system, [robot.label for robot in robots])
+
+
+def _tasks_by_number(
+    folders: Sequence[Path], system: Configuration, robots: Sequence[StationRobot]
+) -> Mapping[str, ListedTask]:
+    """The tasks of folders TASK1, TASK2 ... in a backup without `backinfo.txt`.
+
+    A controller numbers the tasks that move first, in the order of their robots, then the others in
+    the order of SYS.cfg. Without SYS.cfg tasks of several robots are T_ROB1, T_ROB2 ...
+    """
+    numbered = [
+        (folder.name.lower(), int(folder.name[4:]))
+        for folder in folders
+        if _NUMBERED.fullmatch(folder.name)
+    ]
+    configured = tuple(configured_tasks(system).values())
+    if not configured and len(robots) > 1:
+        return {folder: ListedTask(f"T_ROB{number}", ()) for folder, number in numbered}
+    if any(number > len(configured) for _, number in numbered):
+        return {}
+    labels = [robot.label for robot in robots]
+    groups = _robots_of_groups(system)
+
+    def order(task: TaskSettings) -> tuple[bool, int]:
+        robot = groups.get(task.group)
+        return not task.moves, labels.index(robot) if task.moves and robot in labels else 0
+
+    ordered = sorted(configured, key=order)
+    return {folder: ListedTask(ordered[number - 1].name, ()) for folder, number in numbered}
+
+
+def _robots_of_groups(system: Configuration) -> Mapping[str | None, str | None]:
+    """The label of the robot of each mechanical unit group."""
+    return {group.get("name"): group.get("robot") for group in system.get(UNIT_GROUP, ())}
 
 
 def configured_task(settings: TaskSettings) -> StationTask:
@@ -175,7 +211,7 @@ def with_robot_numbers(
 
     A unit group names the robot of a task; the others come in the order of MOC.cfg.
     """
-    groups = {one.get("name"): one.get("robot") for one in system.get(UNIT_GROUP, ())}
+    groups = _robots_of_groups(system)
     configured = configured_tasks(system)
     found: list[StationTask] = []
     robots = 0

@@ -14,9 +14,10 @@ from rapidsim.motion.robot.catalogue import robot_names
 from rapidsim.station.backup.cfg_file import Configuration, Instance
 from rapidsim.station.robot import StationRobot
 
-_PREFIX = re.compile(r"ROB\d*_(?:[LR]_)?(?:IRB|CRB)?_?", re.IGNORECASE)
+_PREFIX = re.compile(r"ROB\d*_(?:(?P<side>[LR])_)?(?:IRB|CRB)?_?", re.IGNORECASE)
 _TYPE_LETTER = re.compile(r"_Type\w+$", re.IGNORECASE)
-_NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)")
+_NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)(?:-(left|right))?")
+_SIDES = {"l": "left", "r": "right"}
 _JOINTS = 7
 
 
@@ -35,6 +36,7 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
         world_from_base=base_frame(instance),
         label=instance.get("name"),
         unknown=type_name if name is None else None,
+        axis_count=len(joints) or None,
         bounds=_bounds([arms.get(joint) for joint in joints]),
         carried_by=instance.get("base_frame_coordinated") or None,
     )
@@ -48,12 +50,13 @@ def catalogue_name(type_name: str) -> str | None:
     model, *figures = _TYPE_LETTER.sub("", type_name[prefix.end() :]).lower().split("_")
     if len(figures) not in (1, 2):
         return None
+    side = _SIDES.get((prefix["side"] or "").lower())
     # Palletizers with one reach only, such as ROB1_660_180, are named without it.
     wanted = [_figure(word) for word in figures]
     found: dict[str, str] = {}
     for name in robot_names():
         parts = _NAME.fullmatch(name)
-        if parts is None or parts[2] != model:
+        if parts is None or parts[2] != model or parts[5] != side:
             continue
         payload, reach = float(parts[3]), float(parts[4])
         # Some types have the payload before the reach, as the arms' names do.
