@@ -14,6 +14,7 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from math import radians
 from pathlib import Path
+from string import ascii_lowercase
 from typing import Any
 
 import numpy as np
@@ -127,17 +128,14 @@ def find_entry(name: str) -> CatalogueEntry:
 def sibling_with_speeds(entry: CatalogueEntry) -> CatalogueEntry | None:
     """The ABB arm of the same family whose axis speeds stand in for unknown ones; None if none has.
 
-    It is the one of the nearest reach, then of the nearest payload.
+    It is the one of the nearest reach, then of the nearest payload. A variant such as the IRB 2600ID
+    whose own family has no speeds takes those of the IRB 2600.
     """
     if entry.maker != "ABB":
         return None
-    family = entry.name.partition("-")[0] + "-"
-    named = (name for name in robot_names() if name.startswith(family))
-    known = [
-        other
-        for other in map(find_entry, named)
-        if None not in other.max_speeds and len(other.max_speeds) == len(entry.max_speeds)
-    ]
+    family = entry.name.partition("-")[0]
+    axes = len(entry.max_speeds)
+    known = _with_speeds(family, axes) or _with_speeds(family.rstrip(ascii_lowercase), axes)
 
     def difference(other: CatalogueEntry) -> tuple[float, float]:
         return (
@@ -146,6 +144,16 @@ def sibling_with_speeds(entry: CatalogueEntry) -> CatalogueEntry | None:
         )
 
     return min(known, key=difference, default=None)
+
+
+def _with_speeds(family: str, axes: int) -> list[CatalogueEntry]:
+    """The arms of a family with as many axes whose speeds are all known."""
+    named = (name for name in robot_names() if name.startswith(family + "-"))
+    return [
+        other
+        for other in map(find_entry, named)
+        if None not in other.max_speeds and len(other.max_speeds) == axes
+    ]
 
 
 def read_entry(folder: Path) -> CatalogueEntry:
