@@ -34,7 +34,8 @@ _HINT = re.compile(
     re.IGNORECASE,
 )
 _FIGURE = re.compile(r"\d+(?:\.\d+)?")
-_CALLED = {"yumi": "14000", "gofa": "15000"}
+_CALLED = {"yumi": "14000", "gofa": "15000", "rob_[lr]": "14000"}
+"""Type numbers by a pattern of what names them; ROB_L and ROB_R are the arms of the IRB 14000."""
 _PARTS = re.compile(r"[a-z]+(\d+)\w*-([\d.]+)-([\d.]+)")
 _OTHER_MODEL = 10.0
 _LONGEST_TEXT = 200_000

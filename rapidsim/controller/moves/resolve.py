@@ -123,7 +123,11 @@ class Resolver:
                 )
             return self._resolve(move, place, start, settings, lead, is_first=is_first)
         except NotReachableError as error:
-            raise MoveImpossible(error.violation) from None
+            assumed = self._guesses_frame_of(move.wobj, lead)
+            raise MoveImpossible(error.violation, assumed=assumed) from None
+        except MoveImpossible as impossible:
+            impossible.assumed |= self._guesses_frame_of(move.wobj, lead)
+            raise
 
     def _resolve(
         self,
@@ -358,6 +362,10 @@ class Resolver:
         if wobj.ufprog or wobj.robhold:
             return False
         return not targets.unit_of(wobj, self.robot.external)
+
+    def _guesses_frame_of(self, wobj: WobjData, lead: targets.Lead | None) -> bool:
+        """Whether a unit that the run does not have moves a work object."""
+        return lead is None and self.may_be_held(wobj) and not self.is_held(wobj)
 
     def is_held(self, wobj: WobjData) -> bool:
         """Whether another robot holds a work object."""
