@@ -53,6 +53,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if robot is not None and robot.carried_by and not station.external_axes:
             return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
+        if robot is not None and robot.is_unplaced:
+            return f"MOC.cfg does not say where on its body {robot.label} is"
         if number and robot and robot.name:
             arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:

@@ -79,7 +79,7 @@ class TaskSetup:
     robot_label: str | None = None
     """What the station calls its robot; None where it does not say."""
     is_base_known: bool = True
-    """False if the robot is mounted on a unit whose axes are not known."""
+    """False if the robot is on a unit whose axes are not known, or nobody knows where on a body."""
 
     @property
     def counts(self) -> bool:

@@ -41,6 +41,8 @@ class StationRobot:
     say."""
     carried_by: str | None = None
     """The mechanical unit that moves its base, where what its axes do is not known."""
+    is_unplaced: bool = False
+    """Whether it is fixed to a body, and nothing says where on it and how it is tilted."""
     shapes: Path | None = None
     """The folder of the user's own meshes of its links."""
     shapes_unit_m: float | None = None
@@ -156,6 +158,7 @@ def _read_robot(
         scale=scale,
         start_joints_deg=reader.numbers(robot, path, "start", None),
         world_from_base=base,
+        is_unplaced=known.is_unplaced and "base" not in robot,
         label=reader.text(robot, path, "name") or known.label,
         unknown=None if name else known.unknown,
         bounds=known.bounds if name is None or known.has_bounds_of(name) else (),

@@ -273,3 +273,32 @@ def test_a_task_that_moves_a_unit_alone_is_said_and_its_moves_are_not_checked(
     reasons = [one.reason for one in result.coverage.unchecked]
     assert reasons[-1] == "T_ROB2 moves none of the robots: there are 1"
     assert simulate([folder]).end == "ended"
+
+
+YUMI = """MOC:CFG_1.0:6:0::
+#
+ROBOT:
+
+      -name "ROB_L" -use_robot_type "ROB_L_14000_05_05_TYPEA"\\
+      -use_joint_0 "rob_L_1" -use_joint_1 "rob_L_2" -use_joint_2 "rob_L_3"\\
+      -use_joint_3 "rob_L_4" -use_joint_4 "rob_L_5" -use_joint_5 "rob_L_6"{frame}
+"""
+
+
+def test_the_place_of_an_arm_on_its_body_is_not_guessed(tmp_path: Path) -> None:
+    folder = backup(tmp_path)
+    main = next(folder.rglob("*.mod"))
+    # In front of the foot, not of the body: whether the arm gets there, nobody can say.
+    main.write_text(
+        "MODULE m\n  PROC main()\n"
+        "    MoveJ [[2000,0,0],[1,0,0,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    (folder / "SYSPAR/MOC.cfg").write_text(YUMI.format(frame=""))
+    assert any("where on its body ROB_L is" in remark for remark in said(folder).remarks)
+    assert not [one for one in check([folder]).diagnostics if one.severity == "error"]
+    run = simulate([folder])
+    assert run.end == "error"
+    assert {str(one.severity) for one in run.diagnostics if one.code == "K601"} == {"warning"}
+    (folder / "SYSPAR/MOC.cfg").write_text(YUMI.format(frame=" -base_frame_pos_z 0.4"))
+    assert [one.code for one in check([folder]).diagnostics if one.severity == "error"] == ["K601"]

@@ -107,6 +107,11 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
                 f"{robot.label} is mounted on {robot.carried_by}, whose axes MOC.cfg does not "
                 "describe fully: its moves are not checked, and in a run the unit stands still"
             )
+        if robot.is_unplaced:
+            yield (
+                f"MOC.cfg does not say where on its body {robot.label} is: its moves are not checked, "
+                "and in a run its base is the world; `base` in [robot] says where"
+            )
 
 
 def _without_robot(tasks: Sequence[StationTask], robots: Sequence[StationRobot]) -> Iterator[str]:

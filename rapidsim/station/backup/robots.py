@@ -15,6 +15,7 @@ from rapidsim.station.backup.cfg_file import Configuration, Instance
 from rapidsim.station.robot import StationRobot
 
 _PREFIX = re.compile(r"ROB\d*_(?:[LR]_)?(?:IRB|CRB)?_?", re.IGNORECASE)
+_OF_BODY = re.compile(r"ROB_[LR]_14000_", re.IGNORECASE)
 _TYPE_LETTER = re.compile(r"_Type\w+$", re.IGNORECASE)
 _NAME = re.compile(r"([ic]rb)(\w+)-([\d.]+)-([\d.]+)")
 _JOINTS = 7
@@ -37,7 +38,14 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
         unknown=type_name if name is None else None,
         bounds=_bounds([arms.get(joint) for joint in joints]),
         carried_by=instance.get("base_frame_coordinated") or None,
+        is_unplaced=_is_unplaced(instance),
     )
+
+
+def _is_unplaced(instance: Instance) -> bool:
+    """Whether it is an arm of the IRB 14000 whose base frame stands in files of the controller."""
+    is_of_body = _OF_BODY.match(instance["use_robot_type"]) is not None
+    return is_of_body and not any(key.startswith("base_frame_") for key in instance)
 
 
 def catalogue_name(type_name: str) -> str | None:
