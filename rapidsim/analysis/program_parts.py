@@ -192,7 +192,9 @@ class Facts:
         """Whether all modules of the task seem to be here: main exists, and every call resolves."""
         analysis = self.analysis
         # No module declares a signal.
-        leads_away = analysis.loads_modules or not analysis.unknown.keys() <= analysis.signals.keys()
+        leads_away = (
+            analysis.loads_modules or not analysis.unknown.keys() <= analysis.signals.keys()
+        )
         return self.entry is not None and not leads_away and self.is_read
 
     @property

@@ -157,6 +157,7 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        options.functions_fail,
         options.exact_configuration,
         frozenset(cell.conveyors),
         guesses_frames=options.guesses_frames,

@@ -139,7 +139,7 @@ def test_the_unit_of_a_two_armed_robot_names_its_type(tmp_path: Path) -> None:
     (tmp_path / "Job.mod").write_text(
         "MODULE Job\n  VAR egmident id;\n  PROC main()\n"
         "    MoveAbsJ [[0,-130,30,0,40,0],[135,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
-        "    EGMSetupUC ROB_L,id,\"default\",\"sensor\"\\Joint;\n  ENDPROC\nENDMODULE\n"
+        '    EGMSetupUC ROB_L,id,"default","sensor"\\Joint;\n  ENDPROC\nENDMODULE\n'
     )
     ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
     assert json.loads(ran.out)["robot"] == "irb14000-0.5-0.5"

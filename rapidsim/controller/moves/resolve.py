@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -75,6 +75,8 @@ class Resolver:
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that does not work gives way to the nearest that does."""
+    functions_fail: bool = False
+    """Whether functions that compute with a target fail all the same."""
     exact_configuration: bool = False
     """Whether a stored configuration is not met where an axis is one quarter turn off."""
     conveyors: frozenset[str] = frozenset()
@@ -291,6 +293,8 @@ class Resolver:
         stored = target.robconf
         if monitored:
             arrivals = self._arrivals
+            if self.functions_fail:
+                arrivals = replace(arrivals, takes_nearest=False)
             return arrivals.at_target(base_from_flange, _TARGET, stored, near.joints, place).joints
         working = self._arrivals.working(base_from_flange, _TARGET)
         return stored_or_nearest(working, stored, near.joints).joints

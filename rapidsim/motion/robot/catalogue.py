@@ -128,8 +128,8 @@ def find_entry(name: str) -> CatalogueEntry:
 def sibling_with_speeds(entry: CatalogueEntry) -> CatalogueEntry | None:
     """The ABB arm of the same family whose axis speeds stand in for unknown ones; None if none has.
 
-    It is the one of the nearest reach, then of the nearest payload. A variant such as the IRB 2600ID
-    whose own family has no speeds takes those of the IRB 2600.
+    It is the one of the nearest reach, then of the nearest payload. A variant whose own family has
+    no speeds, such as the IRB 2600ID, takes those of the IRB 2600.
     """
     if entry.maker != "ABB":
         return None

@@ -109,8 +109,8 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
             )
         if robot.is_unplaced:
             yield (
-                f"MOC.cfg does not say where on its body {robot.label} is: its moves are not checked, "
-                "and in a run its base is the world; `base` in [robot] says where"
+                f"MOC.cfg does not say where on its body {robot.label} is: its moves are not "
+                "checked, and in a run its base is the world; `base` in [robot] says where"
             )
 
 
