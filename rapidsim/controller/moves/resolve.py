@@ -416,7 +416,7 @@ class Resolver:
             if not self.guesses_frames:
                 raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
-                f"a work object moved by the mechanical unit `{wobj.ufmec}`",
+                f"a work object moved by the mechanical unit {wobj.ufmec}",
                 "its user frame stands where `uframe` says; no [[external_axis]] carries it",
                 place,
             )
