@@ -5,7 +5,7 @@ MODULE signals_behind_words
 
   PROC main()
     IF EntDI_1=1 passes:=10;              ! warning: I801
-    IF SalidaDO2=0 passes:=passes+1;
+    IF SalidaDO2=0 passes:=passes+1;      ! warning: I801
     TPWrite "passes "\Num:=passes;        ! -> passes 1
   ENDPROC
 ENDMODULE
