@@ -174,9 +174,9 @@ def check(
         programs = [(one,) for path in paths for one in single_programs(path)]
     jobs: list[Job] = []
     unread: list[InputError] = []
-    for one in programs:
+    for program in programs:
         try:
-            jobs.append(asked_job(replace(asked, paths=one), open_robot=open_quietly))
+            jobs.append(asked_job(replace(asked, paths=program), open_robot=open_quietly))
         except InputError as error:
             # One encoded module among hundreds of programs is no reason to check none of them.
             if not each:
