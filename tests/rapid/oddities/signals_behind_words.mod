@@ -1,4 +1,4 @@
-! Field practice: no station declares a signal here. What is spelt like one is one, also behind the
+! Field practice, Signals: no station declares one here. What is spelt like one is one, also behind the
 ! word of another language (entrada, salida); all signals are 0.
 MODULE signals_behind_words
   VAR num passes:=0;
