@@ -13,6 +13,7 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path, PurePosixPath
 from xml.parsers import expat
 
@@ -36,6 +37,11 @@ STANDARD_INPUT = "<stdin>"
 CONFIGURATION_FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 _IN_TASK = ("PROGMOD", "SYSMOD")
 """Folders in the folder of a task that hold its modules."""
+_MOST_NAMED = 5
+_DEEPEST = 5
+"""Levels below a folder without modules that are looked through for some."""
+_MOST_FOLDERS = 200
+"""Folders of a level that are looked into."""
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
 
 
@@ -318,11 +324,25 @@ def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
     modules = _modules_below(folder) or [m for entry in rapid for m in _modules_below(entry)]
     if modules or may_be_empty:
         return modules
-    below = [entry.name for entry in entries_of(folder) if entry.is_dir() and _modules_of(entry)]
+    below = list(islice(_programs_below(folder), _MOST_NAMED))
     raise InputError(
         f"{folder} holds no RAPID file ({', '.join(MODULE_SUFFIXES)})",
-        f"there are some in {', '.join(below[:5])}: name one of these folders" if below else None,
+        f"there are some in {', '.join(below)}: name one of these folders" if below else None,
     )
+
+
+def _programs_below(folder: Path) -> Iterator[str]:
+    """The nearest folders below that a user may name: of modules, or with a folder RAPID."""
+    level = [folder]
+    for _ in range(_DEEPEST):
+        level = [e for one in level for e in entries_of(one) if e.is_dir() and not e.is_symlink()]
+        deeper = []
+        for one in level[:_MOST_FOLDERS]:
+            if _modules_below(one) or (one / "RAPID").is_dir():
+                yield one.relative_to(folder).as_posix()
+            else:
+                deeper.append(one)
+        level = deeper
 
 
 def _modules_below(folder: Path) -> list[Path]:
@@ -418,5 +438,10 @@ def module_names(path: Path, data: bytes) -> list[str]:
     try:
         parser.Parse(data, True)
     except (expat.ExpatError, LookupError, ValueError) as error:
+        if _MODULE_HEADER.search(decode(data)[0]):
+            raise InputError(
+                f"{path} is not a program file, which lists modules, but a module itself",
+                "give it the ending .mod",
+            ) from error
         raise InputError(f"{path} is not a program file: {error}") from error
     return [name.strip() for name in names if name.strip()]

@@ -191,7 +191,10 @@ class Facts:
     def is_whole(self) -> bool:
         """Whether all modules of the task seem to be here: main exists, and every call resolves."""
         analysis = self.analysis
-        leads_away = bool(analysis.unknown) or analysis.loads_modules
+        # No module declares a signal.
+        leads_away = (
+            analysis.loads_modules or not analysis.unknown.keys() <= analysis.signals.keys()
+        )
         return self.entry is not None and not leads_away and self.is_read
 
     @property

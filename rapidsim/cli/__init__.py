@@ -61,9 +61,14 @@ def _leave() -> NoReturn:
 
 
 def _unraisable(what: UnraisableHookArgs) -> None:
-    """Hear Ctrl-C where Python would only complain of it: while an object is taken down."""
-    if isinstance(what.exc_value, KeyboardInterrupt):
+    """Hear Ctrl-C where Python would only complain of it: while an object is taken down.
+
+    What `--max-wall` raises is another class, and comes again.
+    """
+    if type(what.exc_value) is KeyboardInterrupt:
         _leave()
+    if isinstance(what.exc_value, KeyboardInterrupt):
+        return
     sys.__unraisablehook__(what)
 
 

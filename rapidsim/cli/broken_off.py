@@ -9,6 +9,8 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import sleep
+from types import FrameType
+from typing import NoReturn
 
 _ARRIVAL_S = 0.05
 """Time [s] within which an interrupt that has been sent arrives."""
@@ -36,6 +38,10 @@ def told_if_broken_off(so_far: Callable[[], str]) -> Iterator[None]:
 
 class TimeOverError(Exception):
     """The work has taken longer than it may."""
+
+
+class TimeOverInterrupt(KeyboardInterrupt):
+    """What interrupts the work when its time is over; repeated where a callback swallows it."""
 
 
 @contextmanager
@@ -86,7 +92,7 @@ def _interruptible(thread: int) -> Iterator[None]:
     if not _takes_signals(thread):
         yield
         return
-    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    before = signal.signal(signal.SIGALRM, _raise_time_over)
     try:
         yield
     finally:
@@ -98,9 +104,13 @@ def _takes_signals(thread: int) -> bool:
 
 
 def _interrupt(thread: int) -> None:
-    """Raise KeyboardInterrupt in a thread, even in the main thread while it waits for processes."""
+    """Raise `TimeOverInterrupt` in a thread, even in the main thread that waits for processes."""
     if _takes_signals(thread):
         signal.pthread_kill(thread, signal.SIGALRM)
         return
-    exception = ctypes.py_object(KeyboardInterrupt)
+    exception = ctypes.py_object(TimeOverInterrupt)
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), exception)
+
+
+def _raise_time_over(_number: int, _frame: FrameType | None) -> NoReturn:
+    raise TimeOverInterrupt

@@ -1,17 +1,21 @@
 """Answers of a controller to `questions/Questions.mod`, and those of a run here.
 
-The answers file has a line for each, `number;answer`, and three of the controller: version of the
-questions, RobotWare, arm. Nothing else is kept of it, so that it can be sent to anybody.
+The answers file has a line for each, `number;answer`, of which the last counts, and lines for the
+controller: version of the questions, RobotWare, arm, whether it is a real one, in automatic mode,
+and at which speed. Nothing else is kept of it, so that it can be sent to anybody.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from rapidsim.files import InputError, input_bytes
 from rapidsim.jobs.run_files import simulate
+from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
 from rapidsim.simulation.options import RunOptions
 from rapidsim.values import dataclass
@@ -40,7 +44,15 @@ TOPICS: Mapping[int, str] = {
     19: "time of three picking cycles [s]",
     20: "time of three swings of axis 1 and back [s]",
 }
-_VERSION = "1"
+TIMED = frozenset({16, 17, 18, 19, 20})
+"""Questions whose answers are times [s]."""
+_MOVING = frozenset({18, 19, 20})
+_VERSION = "2"
+_FULL_SPEED = "100"
+_SAME_ARM = 0.1
+"""How far reach and payload of a type may be from those of the catalogue: 0.6 m stands for 0.58."""
+_NAMES = {number: name for name, number in NUMBERS.items()}
+_NUMBER = re.compile(r"ERRNO (\d+)")
 _LONGEST = 80
 
 
@@ -52,6 +64,20 @@ class Protocol:
     robot: str
     answers: Mapping[int, str]
     """By number; a question that was not answered is missing."""
+    real: str = "?"
+    """`TRUE` for a real controller, `FALSE` for a virtual one."""
+    automatic: str = "?"
+    """`TRUE` in automatic mode; in manual mode moves are slower."""
+    speed: str = "?"
+    """The speed that the operator has set [%]."""
+
+    def why_not_timed(self, number: int) -> str | None:
+        """Why the time that a question took says nothing; None if it does."""
+        if number not in _MOVING:
+            return None
+        if self.automatic == "FALSE":
+            return "manual mode"
+        return None if self.speed in (_FULL_SPEED, "?") else f"at {self.speed} % speed"
 
     def as_json(self) -> dict[str, object]:
         """The object to send."""
@@ -61,6 +87,9 @@ class Protocol:
             "questions": int(_VERSION),
             "robotware": self.robotware,
             "robot": self.robot,
+            "real": self.real,
+            "automatic": self.automatic,
+            "speed": self.speed,
             "answers": answers,
         }
 
@@ -81,14 +110,33 @@ def read_protocol(file: Path) -> Protocol:
     for line in lines:
         key, mark, value = line.partition(";")
         if mark:
-            fields.setdefault(key.strip(), value.strip()[:_LONGEST])
+            fields[key.strip()] = value.strip()[:_LONGEST]
     if fields.get("questions") != _VERSION:
         raise InputError(
             f"{file} does not hold answers to the questions",
             f"`rapidsim protocol` writes {MODULE}, which writes {ANSWERS} on a controller",
         )
     answers = {number: fields[str(number)] for number in TOPICS if str(number) in fields}
-    return Protocol(fields.get("robotware", "?"), fields.get("robot", "?"), answers)
+    keys = ("real", "automatic", "speed")
+    conditions = {key: fields[key] for key in keys if key in fields}
+    robotware, robot = fields.get("robotware", "?"), fields.get("robot", "?")
+    return Protocol(robotware, robot, answers, **conditions)
+
+
+def arm_of(protocol: Protocol) -> str | None:
+    """The arm of the catalogue that answered; None if its type tells none for certain."""
+    # Without answers to compare no arm is ranked.
+    from rapidsim.motion.robot.catalogue import robot_names
+    from rapidsim.reach.arm_ranking import hints_of
+
+    near = [
+        (hint.deviation(name), name)
+        for hint in hints_of([protocol.robot])
+        if hint.figures
+        for name in robot_names()
+    ]
+    deviation, name = min(near, default=(1.0, ""))
+    return name if deviation <= _SAME_ARM else None
 
 
 def answered_here(robot: str) -> Protocol:
@@ -103,4 +151,9 @@ def answered_here(robot: str) -> Protocol:
     with TemporaryDirectory(prefix="rapidsim-") as folder:
         home = Path(folder)
         simulate([shipped("questions") / MODULE], robot=robot, options=RunOptions(home=home))
-        return read_protocol(home / ANSWERS)
+        answered = read_protocol(home / ANSWERS)
+    answers = {
+        number: _NUMBER.sub(lambda found: f"ERRNO of {_NAMES[float(found[1])]}", text)
+        for number, text in answered.answers.items()
+    }
+    return replace(answered, answers=answers)

@@ -82,6 +82,7 @@ def task_setups(
                 task.written,
                 queue=queue,
                 robot_label=robot.label,
+                is_base_known=not robot.carried_by or bool(station.external_axes),
             )
         )
     return tuple(setups)

@@ -81,7 +81,7 @@ OF_OPTIONS: Final = frozenset(
         *("capdata", "captrackdata", "capweavedata", "caplatrackdata", "capspeeddata", "captestno"),
         *("weavestartdata", "supervtimeouts", "processtimes", "restartblkdata", "flypointdata"),
         *("flystartdata", "advseamdata", "forcedata", "gundata", "simdata", "smeqdata", "smeqtype"),
-        *("spotdata", "equalizedata", "daintdata"),
+        *("spotdata", "equalizedata", "daintdata", "multidata"),
         # Dispensing, picking, force control
         *("beaddata", "equipdata", "itmtgt", "selectiondata", "sortdata"),
         *("fcboxvol", "fccondstatus", "fccylindvol", "fcdamping", "fcforcevector", "fcframe"),

@@ -13,13 +13,17 @@ from functools import cache
 from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
+from threading import RLock
 from types import FunctionType, ModuleType
-from typing import Any
+from typing import Any, Final
 
 from rapidsim.extras import is_installed
 
 WORTH_COMPILING = 20_000
 """Rows of a batch from which on loading compiled code, half a second, is worth while."""
+COMPILING: Final = RLock()
+"""Held while numba is imported, compiles or loads: an exception that another thread raises in the
+middle of it leaves numba broken for the rest of the process. Who raises one takes it first."""
 _SWITCH = "RAPIDSIM_NUMBA"
 
 _loaded = False
@@ -54,7 +58,8 @@ def compiled(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | N
     if not is_installed("numba"):
         return None
     _loaded = True
-    return _functions(module)[name]
+    with COMPILING:
+        return _functions(module)[name]
 
 
 @cache
@@ -76,8 +81,21 @@ def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
         own = FunctionType(function.__code__, space, function.__name__)
         own.__qualname__ = f"{function.__name__}_{digest}"
         try:
-            space[function.__name__] = numba.njit(own, cache=True, no_cfunc_wrapper=True)
+            dispatcher = numba.njit(own, cache=True, no_cfunc_wrapper=True)
         except RuntimeError:
             # No folder that can be written to: then it is compiled anew in each run.
-            space[function.__name__] = numba.njit(own)
+            dispatcher = numba.njit(own)
+        # The first call with arguments of some types compiles, through this method.
+        dispatcher.compile = _uninterrupted(dispatcher.compile)
+        space[function.__name__] = dispatcher
     return {function.__name__: space[function.__name__] for function in functions}
+
+
+def _uninterrupted(compile_for: Callable[..., Any]) -> Callable[..., Any]:
+    """The same function, holding `COMPILING`."""
+
+    def held(*arguments: Any) -> Any:
+        with COMPILING:
+            return compile_for(*arguments)
+
+    return held

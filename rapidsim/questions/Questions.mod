@@ -2,61 +2,138 @@ MODULE Questions
   ! Twenty small questions to a controller, real or virtual. Main asks them all, in two minutes, and
   ! writes the answers to HOME:/rapidsim_answers.txt. `rapidsim protocol FILE` reads that file.
   !
-  ! The last three move the arm: up to 330 mm from [0,0,0,0,30,0], without a load, with tool0.
-  ! The routines stop_1 to stop_5 each stop the program: start them by hand (PP to Routine) and write
-  ! down the number of the event.
+  ! If a question stops the program, that is an answer: write down the number of the event, set the
+  ! program pointer to main and start again. Main goes on with the next question.
+  !
+  ! Questions 18 to 20 move the arm, with tool0 and without a load: first to [0,0,0,0,30,0], from
+  ! wherever it is, then at full speed 150 mm to either side, and axis 1 from 0 to 60 degrees.
+  ! FALSE here leaves them out.
+  LOCAL CONST bool with_moves:=TRUE;
 
-  VAR iodev answers;
-  VAR iodev other;
-  VAR num tries;
-  VAR num zero:=0;
-  VAR clock watch;
-  CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  ! The routines stop_1 to stop_5 each stop the program: start them by hand (PP to Routine) and write
+  ! down the number of the event, and what they write to the operator.
+
+  LOCAL PERS num asked:=0;
+  LOCAL VAR iodev answers;
+  LOCAL VAR iodev other;
+  LOCAL VAR num tries;
+  LOCAL VAR num zero:=0;
+  LOCAL VAR clock watch;
+  LOCAL CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
 
   PROC main()
+    VAR num last:=17;
+    IF with_moves last:=20;
+    IF asked=0 begin_answers;
+    WHILE asked<last DO
+      asked:=asked+1;
+      answer asked,"the program stops";
+      ask asked;
+    ENDWHILE
+    asked:=0;
+    TPWrite "Done: HOME:/rapidsim_answers.txt";
+  ENDPROC
+
+  PROC begin_answers()
     Open "HOME:/rapidsim_answers.txt",answers\Write;
-    Write answers,"questions;1";
+    Write answers,"questions;2";
     Write answers,"robotware;"+GetSysInfo(\SWVersion);
     Write answers,"robot;"+GetSysInfo(\RobotType);
-    quotient;
-    remainder;
-    binary_file;
-    retries;
-    error_number_after_clause;
-    large_number;
-    Write answers,"7;"+ValToStr(0.1+0.2);
-    Write answers,"8;"+ValToStr(Round(2.5))+" "+ValToStr(Round(-2.5))+" "+ValToStr(Round(3.5));
-    long_text;
-    odd_index;
-    missing_dimension;
-    no_number;
-    configuration 13,1,0;
-    configuration 14,2,0;
-    configuration 15,0,1;
-    loops;
-    no_wait;
-    tiny_moves;
-    picking;
-    swing;
+    Write answers,"real;"+ValToStr(RobOS());
+    Write answers,"automatic;"+ValToStr(OpMode()=OP_AUTO);
+    Write answers,"speed;"+ValToStr(CSpeedOverride());
     Close answers;
-    TPWrite "Done: HOME:/rapidsim_answers.txt";
+  ENDPROC
+
+  ! The last answer to a question counts.
+  PROC answer(num question,string text)
+    Open "HOME:/rapidsim_answers.txt",answers\Append;
+    Write answers,ValToStr(question)+";"+text;
+    Close answers;
+  ENDPROC
+
+  FUNC string error_name(errnum code)
+    TEST code
+    CASE ERR_DIVZERO:
+      RETURN "ERR_DIVZERO";
+    CASE ERR_STRTOOLNG:
+      RETURN "ERR_STRTOOLNG";
+    CASE ERR_ILLDIM:
+      RETURN "ERR_ILLDIM";
+    CASE ERR_ROBLIMIT:
+      RETURN "ERR_ROBLIMIT";
+    CASE ERR_EXCRTYMAX:
+      RETURN "ERR_EXCRTYMAX";
+    CASE ERR_ARGVALERR:
+      RETURN "ERR_ARGVALERR";
+    CASE ERR_FILEOPEN:
+      RETURN "ERR_FILEOPEN";
+    CASE ERR_FILEACC:
+      RETURN "ERR_FILEACC";
+    ENDTEST
+    RETURN "ERRNO "+ValToStr(code);
+  ENDFUNC
+
+  PROC ask(num question)
+    TEST question
+    CASE 1:
+      quotient;
+    CASE 2:
+      remainder;
+    CASE 3:
+      binary_file;
+    CASE 4:
+      retries;
+    CASE 5:
+      error_number_after_clause;
+    CASE 6:
+      large_number;
+    CASE 7:
+      answer 7,ValToStr(0.1+0.2);
+    CASE 8:
+      answer 8,ValToStr(Round(2.5))+" "+ValToStr(Round(-2.5))+" "+ValToStr(Round(3.5));
+    CASE 9:
+      long_text;
+    CASE 10:
+      odd_index;
+    CASE 11:
+      missing_dimension;
+    CASE 12:
+      no_number;
+    CASE 13:
+      configuration 13,1,0;
+    CASE 14:
+      configuration 14,2,0;
+    CASE 15:
+      configuration 15,0,1;
+    CASE 16:
+      loops;
+    CASE 17:
+      no_wait;
+    CASE 18:
+      tiny_moves;
+    CASE 19:
+      picking;
+    CASE 20:
+      swing;
+    ENDTEST
   ENDPROC
 
   PROC quotient()
     VAR num n:=7.5;
     n:=n DIV 2;
-    Write answers,"1;"+ValToStr(n);
+    answer 1,ValToStr(n);
   ERROR
-    Write answers,"1;error "+ValToStr(ERRNO);
+    answer 1,error_name(ERRNO);
     RETURN;
   ENDPROC
 
   PROC remainder()
     VAR num n:=7.5;
     n:=n MOD 2;
-    Write answers,"2;"+ValToStr(n);
+    answer 2,ValToStr(n);
   ERROR
-    Write answers,"2;error "+ValToStr(ERRNO);
+    answer 2,error_name(ERRNO);
     RETURN;
   ENDPROC
 
@@ -69,10 +146,10 @@ MODULE Questions
     Open "HOME:/rapidsim_bytes.bin",other\Bin;
     WriteBin other,bytes,2;
     Close other;
-    Write answers,"3;"+ValToStr(FileSize("HOME:/rapidsim_bytes.bin"));
+    answer 3,ValToStr(FileSize("HOME:/rapidsim_bytes.bin"));
     RemoveFile "HOME:/rapidsim_bytes.bin";
   ERROR
-    Write answers,"3;error "+ValToStr(ERRNO);
+    answer 3,error_name(ERRNO);
     RETURN;
   ENDPROC
 
@@ -80,9 +157,9 @@ MODULE Questions
   PROC retries()
     tries:=0;
     fails_always;
-    Write answers,"4;no error";
+    answer 4,"no error";
   ERROR
-    Write answers,"4;"+ValToStr(tries);
+    answer 4,ValToStr(tries);
     RETURN;
   ENDPROC
 
@@ -97,11 +174,15 @@ MODULE Questions
 
   ! What is ERRNO in a clause after it has called a routine with a clause of its own?
   PROC error_number_after_clause()
+    VAR errnum before;
+    VAR errnum after;
     zero:=0;
     zero:=1/zero;
   ERROR
+    before:=ERRNO;
     odd_text;
-    Write answers,"5;"+ValToStr(ERRNO=ERR_DIVZERO)+" "+ValToStr(ERRNO);
+    after:=ERRNO;
+    answer 5,error_name(before)+", then "+error_name(after);
     RETURN;
   ENDPROC
 
@@ -115,33 +196,33 @@ MODULE Questions
   PROC large_number()
     VAR num n:=16777216;
     n:=n+1;
-    Write answers,"6;"+ValToStr(n=16777216)+" "+ValToStr(n);
+    answer 6,ValToStr(n=16777216)+" "+ValToStr(n);
   ENDPROC
 
   PROC long_text()
     VAR string text:="0123456789012345678901234567890123456789";
     text:=text+text+"x";
-    Write answers,"9;"+ValToStr(StrLen(text));
+    answer 9,ValToStr(StrLen(text));
   ERROR
-    Write answers,"9;error "+ValToStr(ERRNO);
+    answer 9,error_name(ERRNO);
     RETURN;
   ENDPROC
 
   PROC odd_index()
     VAR num list{3}:=[1,2,3];
     VAR num index:=1.5;
-    Write answers,"10;"+ValToStr(list{index});
+    answer 10,"element "+ValToStr(list{index});
   ERROR
-    Write answers,"10;error "+ValToStr(ERRNO);
+    answer 10,error_name(ERRNO);
     RETURN;
   ENDPROC
 
   PROC missing_dimension()
     VAR num list{3,2};
     VAR num dimension:=3;
-    Write answers,"11;"+ValToStr(Dim(list,dimension));
+    answer 11,ValToStr(Dim(list,dimension));
   ERROR
-    Write answers,"11;error "+ValToStr(ERRNO);
+    answer 11,error_name(ERRNO);
     RETURN;
   ENDPROC
 
@@ -149,25 +230,37 @@ MODULE Questions
     VAR num n:=5;
     VAR bool ok;
     ok:=StrToVal("twelve",n);
-    Write answers,"12;"+ValToStr(ok)+" "+ValToStr(n);
+    answer 12,ValToStr(ok)+" "+ValToStr(n);
   ERROR
-    Write answers,"12;error "+ValToStr(ERRNO);
+    answer 12,error_name(ERRNO);
     RETURN;
   ENDPROC
 
   ! Is a target reached whose stored configuration is off by quarters of axis 1, or by a branch?
+  ! All axes tell by which configuration.
   PROC configuration(num question,num quarters,num branch)
     VAR robtarget target;
-    VAR jointtarget joints;
+    VAR robjoint axes;
     target:=CalcRobT(home,tool0);
     target.robconf.cf1:=target.robconf.cf1+quarters;
     target.robconf.cfx:=target.robconf.cfx+branch;
-    joints:=CalcJointT(target,tool0);
-    Write answers,ValToStr(question)+";reached "+ValToStr(joints.robax.rax_1);
+    axes:=robax_of(CalcJointT(target,tool0));
+    answer question,whole(axes.rax_1)+" "+whole(axes.rax_2)+" "+whole(axes.rax_3)+" "
+      +whole(axes.rax_4)+" "+whole(axes.rax_5)+" "+whole(axes.rax_6);
   ERROR
-    Write answers,ValToStr(question)+";error "+ValToStr(ERRNO);
+    answer question,error_name(ERRNO);
     RETURN;
   ENDPROC
+
+  FUNC robjoint robax_of(jointtarget joints)
+    RETURN joints.robax;
+  ENDFUNC
+
+  FUNC string whole(num angle)
+    ! Abs, for zero may have a sign.
+    IF Abs(angle)<0.5 RETURN "0";
+    RETURN NumToStr(angle,0);
+  ENDFUNC
 
   PROC loops()
     VAR num count:=0;
@@ -177,7 +270,7 @@ MODULE Questions
       count:=count+1;
     ENDFOR
     ClkStop watch;
-    Write answers,"16;"+NumToStr(ClkRead(watch),3);
+    answer 16,NumToStr(ClkRead(watch),3);
   ENDPROC
 
   PROC no_wait()
@@ -187,27 +280,27 @@ MODULE Questions
       WaitTime 0;
     ENDFOR
     ClkStop watch;
-    Write answers,"17;"+NumToStr(ClkRead(watch),3);
+    answer 17,NumToStr(ClkRead(watch),3);
   ENDPROC
 
   ! What does a stop point cost behind a move of a tenth of a millimetre?
   PROC tiny_moves()
     VAR robtarget start;
     MoveAbsJ home,v200,fine,tool0;
-    start:=CRobT();
+    start:=CRobT(\Tool:=tool0\WObj:=wobj0);
     ClkReset watch;
     ClkStart watch;
     FOR i FROM 1 TO 20 DO
       MoveL Offs(start,0,0,0.1*i),v200,fine,tool0;
     ENDFOR
     ClkStop watch;
-    Write answers,"18;"+NumToStr(ClkRead(watch),3);
+    answer 18,NumToStr(ClkRead(watch),3);
   ENDPROC
 
   PROC picking()
     VAR robtarget start;
     MoveAbsJ home,v200,fine,tool0;
-    start:=CRobT();
+    start:=CRobT(\Tool:=tool0\WObj:=wobj0);
     start:=Offs(start,0,-150,0);
     MoveL start,v200,fine,tool0;
     ClkReset watch;
@@ -221,8 +314,8 @@ MODULE Questions
       MoveL start,vmax,fine,tool0;
     ENDFOR
     ClkStop watch;
-    Write answers,"19;"+NumToStr(ClkRead(watch),3);
     MoveAbsJ home,v200,fine,tool0;
+    answer 19,NumToStr(ClkRead(watch),3);
   ENDPROC
 
   PROC swing()
@@ -237,48 +330,57 @@ MODULE Questions
       MoveAbsJ home,vmax,fine,tool0;
     ENDFOR
     ClkStop watch;
-    Write answers,"20;"+NumToStr(ClkRead(watch),3);
+    answer 20,NumToStr(ClkRead(watch),3);
   ENDPROC
 
-  ! Each of these stops the program. Which event does the log show, and does the clause run?
+  ! Each of these stops the program. Which event does the log show, and what does the operator see?
 
   PROC stop_1()
     MoveAbsJ home,v200,fine,tool0;
-    MoveL Offs(CRobT(),9000,0,0),v200,fine,tool0;
+    MoveL Offs(CRobT(\Tool:=tool0\WObj:=wobj0),9000,0,0),v200,fine,tool0;
+    TPWrite "stop_1: no error";
+    Stop;
   ERROR
-    TPWrite "the clause runs";
-    TRYNEXT;
+    TPWrite "stop_1: the clause runs";
+    Stop;
   ENDPROC
 
   PROC stop_2()
     VAR robtarget target;
     MoveAbsJ home,v200,fine,tool0;
-    target:=CRobT();
+    target:=CRobT(\Tool:=tool0\WObj:=wobj0);
     target.robconf.cf1:=target.robconf.cf1+2;
     MoveJ target,v200,fine,tool0;
-    TPWrite "two quarters off is no error";
+    TPWrite "stop_2: no error";
+    Stop;
   ERROR
-    TPWrite "the clause runs";
-    TRYNEXT;
+    TPWrite "stop_2: the clause runs";
+    Stop;
   ENDPROC
 
   PROC stop_3()
     VAR robtarget target;
     MoveAbsJ home,v200,fine,tool0;
-    target:=CRobT();
+    target:=CRobT(\Tool:=tool0\WObj:=wobj0);
     target.rot:=[0,0,0,0];
     MoveJ target,v200,fine,tool0;
+    TPWrite "stop_3: no error";
+    Stop;
   ERROR
-    TPWrite "the clause runs";
-    TRYNEXT;
+    TPWrite "stop_3: the clause runs";
+    Stop;
   ENDPROC
 
   PROC stop_4()
     zero:=0;
     zero:=1/zero;
+    TPWrite "stop_4: no error";
+    Stop;
   ENDPROC
 
   PROC stop_5()
     %"no_such_routine"%;
+    TPWrite "stop_5: no error";
+    Stop;
   ENDPROC
 ENDMODULE

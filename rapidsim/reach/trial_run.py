@@ -111,7 +111,11 @@ def run_for_moves(
     with TemporaryDirectory(prefix="rapidsim-") as home:
         limited = _limited(options, longest_s, LONGEST_WORK_S)
         asked = replace(
-            limited, home=Path(home), nearest_configuration=True, guesses_frames=_is_all(options)
+            limited,
+            home=Path(home),
+            nearest_configuration=True,
+            functions_fail=not options.nearest_configuration,
+            guesses_frames=_is_all(options),
         )
         try:
             run = simulate(program, robot, options=asked)

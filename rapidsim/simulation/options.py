@@ -29,6 +29,8 @@ class RunOptions:
     nearest_configuration: bool = False
     """Whether a move to a target whose stored configuration cannot be had goes to the nearest one
     and the run on; else it ends there, as on a controller with ConfJ or ConfL on."""
+    functions_fail: bool = False
+    """Whether CalcJointT still fails for such a target, as on a controller, while moves go on."""
     exact_configuration: bool = False
     """Whether a stored configuration is not met where cf1, cf4 or cf6 is one quarter turn off."""
     start_joints_deg: tuple[float, ...] | None = None

@@ -93,7 +93,7 @@ def not_followed_finding(stopped: NotSimulated, place: Place) -> Diagnostic:
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:
     """The move that nothing can make possible, with the call chain as related places."""
     routine, span, callers = _where(rapid_stack(stopped), place)
-    return Diagnostic(stopped.violation, span, callers, routine=routine)
+    return Diagnostic(stopped.violation, span, callers, routine=routine, assumed=stopped.assumed)
 
 
 def endless_wait_finding(

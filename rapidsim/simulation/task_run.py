@@ -78,6 +78,8 @@ class TaskSetup:
     """Its message queue; None where nobody describes it."""
     robot_label: str | None = None
     """What the station calls its robot; None where it does not say."""
+    is_base_known: bool = True
+    """False if the robot is on a unit whose axes are not known, or nobody knows where on a body."""
 
     @property
     def counts(self) -> bool:
@@ -155,6 +157,7 @@ def begun(
         setup.place.inverse(),
         options.model.payload_acceleration,
         options.nearest_configuration,
+        options.functions_fail,
         options.exact_configuration,
         frozenset(cell.conveyors),
         guesses_frames=options.guesses_frames,
@@ -270,6 +273,7 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> Outcome:
             run.journal.error(mark, fatal_answer(error, place))
             return Outcome(End.ERROR, (fatal_finding(error, place),))
         case MoveImpossible():
+            error.assumed |= not run.setup.is_base_known
             return Outcome(End.ERROR, (impossible_move_finding(error, place),))
         case NotDeclared():
             return Outcome(End.ERROR, (not_declared_finding(error, place),))
@@ -284,6 +288,8 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> Outcome:
 def _failed_motion(error: MotionError, run: TaskRun) -> Outcome:
     """A move that turned out not to be possible when its path was planned."""
     finding = motion_finding(error)
+    if not run.setup.is_base_known:
+        finding = replace(finding, assumed=True)
     queued = error.queued
     way = (queued.place, finding.violation, queued.segment, error.fault.fraction, run.queue.robot)
     return Outcome(End.ERROR, (finding,), (failed_on_the_way(*way),))

@@ -137,6 +137,10 @@ def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
             )
     if suggestions.undriven:
         yield (f"Other inputs that nothing sets: {', '.join(suggestions.undriven)}",)
+        if not suggestions.stimuli:
+            # A loop that only looks at them ends no run: one that comes and goes shows how.
+            first = _key(suggestions.undriven[0])
+            yield ("[[stimulus]]", "at = 1.0", "pulse = 0.5", f"set = {{ {first} = 1 }}")
     if suggestions.objects:
         yield _OBJECTS
 

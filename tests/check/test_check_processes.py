@@ -1,5 +1,6 @@
 """Checks in several processes: what they say is what one says, however they end."""
 
+import json
 import os
 import re
 import subprocess
@@ -177,3 +178,15 @@ def test_ctrl_c_ends_all_processes(tmp_path: Path) -> None:
     # Which waits for all that hold these streams, and they would work for long.
     out, err = started.communicate()
     assert (started.returncode, out, err) == (130, "", "interrupted after 0 of 3 programs\n")
+
+
+def test_a_program_that_cannot_be_read_does_not_stop_the_others(tmp_path: Path) -> None:
+    (tmp_path / "one.mod").write_text(ALWAYS)
+    (tmp_path / "encoded.sys").write_bytes(bytes(range(256)) * 20)
+    code, out, *_ = told("--each", "encoded.sys", "one.mod", "--format", "json", cwd=tmp_path)
+    report = json.loads(out)
+    assert code == 2
+    assert [one["code"] for one in report["diagnostics"]] == ["F402"]
+    assert "encoded.sys is encoded" in report["error"]["message"]
+    alone = told("--each", "encoded.sys", cwd=tmp_path)
+    assert alone[0] == 2

@@ -230,3 +230,29 @@ def test_a_track_is_no_seventh_axis(tmp_path: Path) -> None:
         "limits = [0, 3000]\nspeed = 1000\n"
     )
     assert len(load_robot(best(tmp_path)).joints) == 6
+
+
+def test_the_unit_of_a_two_armed_robot_names_its_type(tmp_path: Path) -> None:
+    (tmp_path / "Job.mod").write_text(
+        "MODULE Job\n  VAR egmident id;\n  PROC main()\n"
+        "    MoveAbsJ [[0,-130,30,0,40,0],[135,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+        '    EGMSetupUC ROB_L,id,"default","sensor"\\Joint;\n  ENDPROC\nENDMODULE\n'
+    )
+    ran = call("run", "Job.mod", "--no-record", "--format", "json", cwd=tmp_path)
+    assert json.loads(ran.out)["robot"] == "irb14000-0.5-0.5"
+
+
+def test_a_run_that_ends_where_the_arm_is_a_guess_says_so(tmp_path: Path) -> None:
+    # Joint 1 is past the limit of every arm, so no arm of the catalogue is the right one.
+    (tmp_path / "Job.mod").write_text(
+        "MODULE Job\n  PROC main()\n"
+        "    MoveAbsJ [[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+        "    MoveAbsJ [[9000,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v100,fine,tool0;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    guessed = call("run", "Job.mod", "--no-record", cwd=tmp_path, columns=200)
+    assert guessed.code == 1
+    assert "stopped at Job.mod:4, which the arm or frame assumed here does not allow" in guessed.out
+    named = call("run", "Job.mod", "--no-record", "--robot", "irb120", cwd=tmp_path, columns=200)
+    assert named.code == 1
+    assert "stopped with an error after" in named.out

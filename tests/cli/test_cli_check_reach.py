@@ -194,3 +194,20 @@ def test_a_work_object_that_something_unknown_moves_is_not_judged_by_its_text(
     (folder / "cell.mod").write_text(text)
     done = rapidsim("check", "cell.mod", "--robot", "irb1600", "--no-run", cwd=folder)
     assert "not checked: cell.mod:6: `CNV9` moves its work object" in " ".join(done.out.split())
+
+
+def test_what_an_error_clause_answers_is_no_error(tmp_path: Path) -> None:
+    # Two quarter turns off: CalcJointT refuses it, and the clause takes that for an answer. The
+    # move from where the robot is makes the check run main.
+    (tmp_path / "a.mod").write_text(
+        "MODULE a\n  CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveAbsJ home,v200,fine,tool0;\n    try;\n"
+        "    MoveL Offs(CRobT(),0,0,1),v200,fine,tool0;\n  ENDPROC\n"
+        "  PROC try()\n    VAR robtarget target;\n    VAR jointtarget joints;\n"
+        "    target:=CalcRobT(home,tool0);\n    target.robconf.cf1:=2;\n"
+        "    joints:=CalcJointT(target,tool0);\n"
+        "  ERROR\n    IF ERRNO=ERR_ROBLIMIT RETURN;\n    RAISE;\n  ENDPROC\nENDMODULE\n"
+    )
+    checked = rapidsim("check", "a.mod", "--robot", "irb1600", cwd=tmp_path)
+    assert "K603" not in checked.out
+    assert checked.code == 0, checked.out

@@ -287,3 +287,20 @@ def test_a_file_for_a_service_does_not_lead_out(tmp_path: Path) -> None:
     it = call("init", "cell", "--ci", "github", cwd=top)
     assert (it.code, "leads out of" in it.err.replace("\n", " ")) == (2, True)
     assert not list((tmp_path / "other").iterdir())
+
+
+def test_an_input_that_a_loop_looks_at_gets_an_example(tmp_path: Path) -> None:
+    loop = (
+        "MODULE Loop\n  PROC main()\n    WHILE TRUE DO\n      IF di_start=1 THEN\n"
+        f"        {MOVES}\n        EXIT;\n      ENDIF\n    ENDWHILE\n  ENDPROC\nENDMODULE\n"
+    )
+    written(tmp_path, {"Loop.mod": loop})
+    assert call("run", "Loop.mod", "--no-record", cwd=tmp_path).code == 1
+    assert call("init", "Loop.mod", cwd=tmp_path).code == 0
+    file = tmp_path / "rapidsim.toml"
+    text = file.read_text()
+    example = text[text.index("# [[stimulus]]") :].split("\n\n")[0]
+    file.write_text(text + "\n" + example.replace("# ", ""))
+    assert station(tmp_path)["stimulus"] == [{"at": 1.0, "pulse": 0.5, "set": {"di_start": 1}}]
+    ran = call("run", "Loop.mod", "--no-record", cwd=tmp_path)
+    assert ran.code == 0, ran.out

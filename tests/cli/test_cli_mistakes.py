@@ -47,6 +47,15 @@ def test_a_folder_of_folders_says_where_modules_are(tmp_path: Path) -> None:
     refused(rapidsim("check", "cell", cwd=tmp_path), "station1")
 
 
+def test_folders_far_below_are_named_too(tmp_path: Path) -> None:
+    backup = tmp_path / "work" / "line 2" / "backup"
+    (backup / "RAPID" / "TASK1" / "PROGMOD").mkdir(parents=True)
+    (tmp_path / "work" / "old" / "first").mkdir(parents=True)
+    (tmp_path / "work" / "old" / "first" / "a.mod").write_text(MODULE)
+    ended = rapidsim("check", "work", cwd=tmp_path)
+    refused(ended, "line 2/backup, old/first: name one of these folders")
+
+
 def test_no_path_is_a_usage_mistake() -> None:
     refused(rapidsim("check"), "PATH... is missing", "`rapidsim check .` takes this folder")
 

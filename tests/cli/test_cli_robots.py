@@ -162,6 +162,9 @@ def test_an_arm_of_unknown_speed_has_the_speeds_of_its_family(tmp_path: Path) ->
     lent = rapidsim(*arguments, "irb1300-11-0.9")
     assert lent.code == 0, lent.err
     assert "no source gives the axis speeds of irb1300-11-0.9: those of irb1300-10-1.15" in lent.err
+    variant = rapidsim(*arguments, "irb2600id-8-2.0")
+    assert variant.code == 0, variant.err
+    assert "those of irb2600-12-1.65 are used" in variant.err
     own = rapidsim(*arguments, "irb1300-10-1.15")
     assert own.code == 0, own.err
     assert "axis speeds of" not in own.err

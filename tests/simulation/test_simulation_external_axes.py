@@ -214,7 +214,7 @@ def test_a_unit_that_no_station_declares_is_told() -> None:
     data = target("p", 800, 0, 700, NONE)
     run = ran(program(r"MoveJ p,v500,fine,tool0\WObj:=turntable;", data=data))
     found = run.only("R104")
-    assert "mechanical unit `TABLE`" in found.violation.message
+    assert "mechanical unit TABLE" in found.violation.message
     assert found.span is not None
     assert found.span.text == r"MoveJ p,v500,fine,tool0\WObj:=turntable"
     asked = ran(program(r"c:=CRobT(\Tool:=tool0\WObj:=turntable);", data="  VAR robtarget c;\n"))

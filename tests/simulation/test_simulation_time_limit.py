@@ -1,14 +1,22 @@
 """A run that is cut off says where the program was."""
 
 from dataclasses import replace
+from threading import Thread
+from time import monotonic
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from rapidsim.analysis.passes.checker import check
 from rapidsim.controller import solo_moves
+from rapidsim.controller.cell.watchdog import Watchdog
+from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.diagnostics import Source
+from rapidsim.motion import compiled
+from rapidsim.motion.compiled import COMPILING
 from rapidsim.motion.robot.robot import load_robot
+from rapidsim.motion.timing import two_pass_loops
 from rapidsim.report.run.figures import figures
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
@@ -87,3 +95,40 @@ def test_a_run_cut_off_by_the_computers_clock_is_drawn_to_its_end() -> None:
     margin = figures(cut).joint_margin
     assert margin is not None
     assert margin.time_s < 7.0
+
+
+def test_numba_is_not_interrupted_while_it_compiles() -> None:
+    watchdog = Watchdog(0.02, lambda: 0)
+    begun_s = monotonic()
+    with COMPILING:
+        # Longer than the watchdog's patience, without a look: it would interrupt anything else.
+        while monotonic() < begun_s + 1.3:
+            pass
+
+    def go_on() -> None:
+        while monotonic() < begun_s + 5.0:
+            pass
+
+    with pytest.raises(WallLimitReached):
+        go_on()
+    watchdog.rest()
+
+
+def test_a_function_compiles_under_the_lock(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("numba")
+    held = []
+
+    class Dispatcher:
+        def compile(self, types: object) -> None:
+            # Taken by this thread already: another one does not get it.
+            other = Thread(target=lambda: held.append(COMPILING.acquire(blocking=False)))
+            other.start()
+            other.join()
+
+    dispatcher = Dispatcher()
+    fake = SimpleNamespace(njit=lambda *_, **__: dispatcher)
+    monkeypatch.setattr(compiled, "import_module", lambda name: fake if name == "numba" else motion)
+    motion = two_pass_loops
+    compiled._functions.__wrapped__(two_pass_loops)
+    dispatcher.compile(())
+    assert held == [False]

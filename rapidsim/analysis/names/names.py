@@ -51,6 +51,8 @@ DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 _SIGNAL_NAME = re.compile(
     r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])|(?i:[dag][io])(?=_)"
 )
+_SIGNAL_INSIDE = re.compile(r"(?<=[a-z])(DI|DO|AI|AO|GI|GO)(?=_?\d+$)")
+"""As in `EntDI_1`: what follows the word of another language."""
 _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
@@ -168,7 +170,7 @@ def evident_signal(name: tree.Name, context: Context) -> Type | None:
     """The kind of signal an undeclared name means, from how the cell drives it or its spelling."""
     if name.key in context.analysis.cell.wired:
         return types.SIGNAL_DI
-    match = _SIGNAL_NAME.match(name.text)
+    match = _SIGNAL_NAME.match(name.text) or _SIGNAL_INSIDE.search(name.text)
     return None if match is None else _SIGNAL_OF_KIND[match.group().lower()]
 
 

@@ -27,6 +27,7 @@ from rapidsim.cli.tools.known_findings import alike, judged_with
 from rapidsim.cli.tools.repeated import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
+from rapidsim.files import InputError
 from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_many import together
 from rapidsim.jobs.check_result import CheckResult
@@ -171,7 +172,18 @@ def check(
     programs = [paths]
     if each:
         programs = [(one,) for path in paths for one in single_programs(path)]
-    jobs = [asked_job(replace(asked, paths=one), open_robot=open_quietly) for one in programs]
+    jobs: list[Job] = []
+    unread: list[InputError] = []
+    for program in programs:
+        try:
+            jobs.append(asked_job(replace(asked, paths=program), open_robot=open_quietly))
+        except InputError as error:
+            # One encoded module among hundreds of programs is no reason to check none of them.
+            if not each:
+                raise
+            unread.append(error)
+    if unread and not jobs:
+        raise unread[0]
     known = [Path(baseline) if baseline else job.station.check.baseline for job in jobs]
     if unsafe_fixes and not (fix or diff):
         raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
@@ -226,6 +238,9 @@ def check(
             say(line)
         if any(one.result.strict for one in judged) and result.qualifications:
             say(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
+    if unread:
+        others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
+        raise InputError(f"{unread[0].message}{others}", unread[0].help)
     is_clean = not differences if diff else is_ok
     return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
 

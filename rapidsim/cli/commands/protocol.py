@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
 from rapidsim.files import InputError
-from rapidsim.jobs.protocol import MODULE, answered_here, questions, read_protocol
+from rapidsim.jobs.protocol import MODULE, answered_here, arm_of, questions, read_protocol
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 from rapidsim.report.tables.protocol_table import protocol_table
 
@@ -19,18 +19,16 @@ from rapidsim.report.tables.protocol_table import protocol_table
 @click.option(
     "--robot",
     metavar="NAME",
-    default=DEFAULT_ROBOT,
-    show_default=True,
-    help="The arm that answers here.",
+    help="The arm that answers here.  [default: that of ANSWERS]",
 )
 @table_or_json
 @terminal_options
-def protocol(answers: str | None, robot: str, output_format: str) -> int:
+def protocol(answers: str | None, robot: str | None, output_format: str) -> int:
     """Ask a controller what nobody knows for sure, and compare.
 
     Without ANSWERS it writes Questions.mod into this folder: a program with twenty questions, to be
     run on a controller, real or virtual. ANSWERS is the file that it writes there. --format json
-    prints what to send: RobotWare, arm and answers, and nothing else.
+    prints what to send: RobotWare, arm, operating mode, speed and answers, and nothing else.
     """
     if answers is None:
         if output_format == "json":
@@ -45,5 +43,6 @@ def protocol(answers: str | None, robot: str, output_format: str) -> int:
     if output_format == "json":
         print_json(theirs.as_json())
     else:
-        current_terminal().show(protocol_table(theirs, answered_here(robot)))
+        arm = robot or arm_of(theirs) or DEFAULT_ROBOT
+        current_terminal().show(protocol_table(theirs, answered_here(arm), arm))
     return ExitCode.CLEAN

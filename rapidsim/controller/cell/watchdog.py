@@ -4,7 +4,8 @@ This is the only thing in a run that knows that clock, and it only ends the run.
 reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
 takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. Work that
 cannot look (a module that is loaded passes the parser, the checker and the compiler) is interrupted
-at once, and so is the whole run if nothing has looked for a second. What was noted must be written
+at once, and so is the whole run if nothing has looked for a second; never numba while it compiles
+(`COMPILING`). What was noted must be written
 yet: the more it is, the earlier the time is over.
 """
 
@@ -21,6 +22,7 @@ from typing import ClassVar, Final, Protocol
 
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.controller.pointer_time import NO_TICKS
+from rapidsim.motion.compiled import COMPILING
 
 _AGAIN_S: Final = 0.02
 """How long [s] until it takes the ticks of a task away again, in case more were just granted."""
@@ -145,7 +147,7 @@ class Watchdog:
         while True:
             for task in self._tasks:
                 task.left = NO_TICKS
-            with self._lock:
+            with COMPILING, self._lock:
                 if self._rests.is_set():
                     return
                 if monotonic() > interrupt_s:

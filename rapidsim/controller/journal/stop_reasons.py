@@ -42,7 +42,13 @@ class ZoneReached(Stopped):
 class MoveImpossible(Stopped):
     """A move at which the controller stops without calling an ERROR clause."""
 
-    def __init__(self, violation: Violation) -> None:
-        """Carry the finding along."""
+    def __init__(self, violation: Violation, *, assumed: bool = False) -> None:
+        """Carry the finding along.
+
+        Args:
+            violation: The finding.
+            assumed: Whether it rests on a frame that the run does not know.
+        """
         super().__init__(violation.message)
         self.violation = violation
+        self.assumed = assumed

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -75,6 +75,8 @@ class Resolver:
     """See `MotionModel`."""
     nearest_configuration: bool = False
     """Whether a stored configuration that does not work gives way to the nearest that does."""
+    functions_fail: bool = False
+    """Whether functions that compute with a target fail all the same."""
     exact_configuration: bool = False
     """Whether a stored configuration is not met where an axis is one quarter turn off."""
     conveyors: frozenset[str] = frozenset()
@@ -123,7 +125,11 @@ class Resolver:
                 )
             return self._resolve(move, place, start, settings, lead, is_first=is_first)
         except NotReachableError as error:
-            raise MoveImpossible(error.violation) from None
+            assumed = self._guesses_frame_of(move.wobj, lead)
+            raise MoveImpossible(error.violation, assumed=assumed) from None
+        except MoveImpossible as impossible:
+            impossible.assumed |= self._guesses_frame_of(move.wobj, lead)
+            raise
 
     def _resolve(
         self,
@@ -287,6 +293,8 @@ class Resolver:
         stored = target.robconf
         if monitored:
             arrivals = self._arrivals
+            if self.functions_fail:
+                arrivals = replace(arrivals, takes_nearest=False)
             return arrivals.at_target(base_from_flange, _TARGET, stored, near.joints, place).joints
         working = self._arrivals.working(base_from_flange, _TARGET)
         return stored_or_nearest(working, stored, near.joints).joints
@@ -359,6 +367,10 @@ class Resolver:
             return False
         return not targets.unit_of(wobj, self.robot.external)
 
+    def _guesses_frame_of(self, wobj: WobjData, lead: targets.Lead | None) -> bool:
+        """Whether a unit that the run does not have moves a work object."""
+        return lead is None and self.may_be_held(wobj) and not self.is_held(wobj)
+
     def is_held(self, wobj: WobjData) -> bool:
         """Whether another robot holds a work object."""
         return self._holder(wobj) is not None
@@ -404,7 +416,7 @@ class Resolver:
             if not self.guesses_frames:
                 raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
-                f"a work object moved by the mechanical unit `{wobj.ufmec}`",
+                f"a work object moved by the mechanical unit {wobj.ufmec}",
                 "its user frame stands where `uframe` says; no [[external_axis]] carries it",
                 place,
             )

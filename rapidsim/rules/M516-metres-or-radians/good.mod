@@ -26,6 +26,7 @@ MODULE slow
   CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
   CONST speeddata gentle:=[1,500,5000,1000];
   CONST speeddata turning:=[0,30,0,10];
+  CONST speeddata milling:=[0.5,1,0.5,1];
   PROC main()
     MoveJ p10,gentle,fine,tool0;
     MoveL Offs(p10,50,0,0),v100\V:=1.5,fine,tool0;

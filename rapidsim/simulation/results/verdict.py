@@ -189,8 +189,20 @@ def _failure(simulation: Simulation, *, qualified: bool, assertions_fail: bool) 
     return Failure.ASSERTION if assertions_fail else None
 
 
+def _assumed_stop(simulation: Simulation) -> str | None:
+    """The place of the move that ended a run, if no error did that does not rest on a guess."""
+    if any(found.severity is Severity.ERROR for found in simulation.diagnostics):
+        return None
+    for found in reversed(simulation.diagnostics):
+        if found.assumed and found.span and found.violation.rule.severity is Severity.ERROR:
+            return f"{Path(found.span.file).name}:{found.span.line}"
+    return None
+
+
 def _headline(simulation: Simulation, qualifications: tuple[str, ...]) -> str:
     words = _WORDS[simulation.end]
+    if simulation.end is End.ERROR and (place := _assumed_stop(simulation)):
+        words = f"stopped at {place}, which the arm or frame assumed here does not allow,"
     if qualifications and simulation.end is End.ENDED:
         words = _QUALIFIED_END
     text = f"{words} after {simulation.time_s:.3f} s"

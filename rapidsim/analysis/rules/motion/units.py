@@ -27,6 +27,7 @@ _NEAREST_TARGET_MM = 10.0
 _SHORTEST_TOOL_MM = 1.0
 _SLOWEST_MM_S = 1.0
 """Slower speeds are written by mistake far more often than on purpose."""
+_SLOWEST_TURN_DEG_S = 2.0
 _LARGEST_COORDINATE_MM = 5.0
 _SHORTEST_STEP_MM = 0.02
 _MANY_TARGETS = 20
@@ -227,8 +228,14 @@ def _length(value: object, position: int) -> float | None:
 
 
 def _slow_speed(value: object) -> float | None:
-    """A speed of the TCP [mm/s], or that of speed data, if it is suspiciously slow."""
-    speed = value[0] if isinstance(value, tuple) and value else value
+    """A speed of the TCP [mm/s], or that of speed data, if it is suspiciously slow.
+
+    Where the tool turns as slowly, as in milling, it is slow on purpose.
+    """
+    speed, *others = value if isinstance(value, tuple) and value else (value,)
+    turning = others[0] if others else None
+    if isinstance(turning, float) and turning <= _SLOWEST_TURN_DEG_S:
+        return None
     return speed if isinstance(speed, float) and 0.0 < speed < _SLOWEST_MM_S else None
 
 
