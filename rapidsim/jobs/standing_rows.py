@@ -63,7 +63,11 @@ def _may_be_meant(names: Iterable[str], found: Sequence[Diagnostic]) -> bool:
     unknown = {one.undefined for one in suggestions if isinstance(one, kinds)}
     is_other = any(not isinstance(one, kinds) for one in suggestions)
     # Of so many, not all are compared.
-    return is_other or len(unknown) >= MOST_COMPARED or any(closest(name, names) is not None for name in unknown)
+    return (
+        is_other
+        or len(unknown) >= MOST_COMPARED
+        or any(closest(name, names) is not None for name in unknown)
+    )
 
 
 def _declared(module: tree.Module) -> frozenset[str]:
