@@ -43,8 +43,11 @@ class PathControl(Protocol):
         """Forget the rest of the path of a robot that was stopped."""
         ...
 
-    def store_path(self) -> None:
-        """Keep the rest of the path and begin another."""
+    def store_path(self, *, keep_sync: bool = False) -> None:
+        """Store the rest of the path and begin another.
+
+        In a team, `keep_sync` begins it together with the team; otherwise the robot moves alone.
+        """
         ...
 
     def restore_path(self) -> None:
