@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from rapidsim.language.data import JointTarget, Pos, RobTarget, SpeedData
+from rapidsim.language.data import JointTarget, Pos, Pose, RobTarget, SpeedData
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.language.path_events import ZoneShape
@@ -125,6 +125,16 @@ class Searches(Protocol):
         stop: SearchStop,
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
+        ...
+
+    def part_pose(self, search: str) -> Pose | None:
+        """Pose of the part that a torch searches, in the work object in which it was taught.
+
+        None if the station does not specify it.
+
+        Args:
+            search: Name of the search; empty if it has none.
+        """
         ...
 
 

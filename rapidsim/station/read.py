@@ -22,6 +22,7 @@ from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers
 from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
+from rapidsim.station.searches import read_searches
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
 from rapidsim.station.station import Station
@@ -32,7 +33,7 @@ from rapidsim.station.toml_reader import Reader, Table, read_toml
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
 
-_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor", "gripper")
+_IO_KEYS = ("signals", "cross", "stimulus", "socket", "camera", "conveyor", "gripper", "search")
 NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
 _KEYS = (
@@ -137,4 +138,5 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_cameras(reader, table),
         read_conveyors(reader, table),
         read_grippers(reader, table),
+        read_searches(reader, table),
     )

@@ -12,6 +12,7 @@ from enum import StrEnum
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
 from rapidsim.values import dataclass
 
@@ -162,6 +163,8 @@ class CellIo:
     cameras: tuple[CameraScript, ...] = ()
     conveyors: tuple[ConveyorScript, ...] = ()
     grippers: tuple[Gripper, ...] = ()
+    parts: tuple[PartPose, ...] = ()
+    """Where the parts are that a torch searches; the first that applies counts."""
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both combined; if both declare a signal, the other's declaration counts."""
@@ -176,6 +179,7 @@ class CellIo:
             cameras=(*self.cameras, *other.cameras),
             conveyors=(*self.conveyors, *other.conveyors),
             grippers=(*self.grippers, *other.grippers),
+            parts=(*other.parts, *self.parts),
         )
 
     @property
