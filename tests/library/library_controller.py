@@ -23,6 +23,7 @@ from rapidsim.language.data import (
     JointTarget,
     Orient,
     Pos,
+    Pose,
     RobJoint,
     RobTarget,
     SpeedData,
@@ -162,7 +163,8 @@ class RecordingController(NoSockets, Undisturbed):
     def clear_path(self) -> None:
         self.log.append("clear path")
 
-    def store_path(self) -> None:
+    def store_path(self, *, keep_sync: bool = False) -> None:
+        del keep_sync
         self.path_level += 1.0
 
     def restore_path(self) -> None:
@@ -181,6 +183,10 @@ class RecordingController(NoSockets, Undisturbed):
     ) -> JointTarget:
         self.search(move, found, flank, stop)
         return JOINTS
+
+    def part_pose(self, search: str) -> Pose | None:
+        del search
+        return None
 
     def watch_zone(
         self, shape: ZoneShape, signal: tuple[str, float] | None, *, before: bool = False

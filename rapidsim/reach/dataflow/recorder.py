@@ -25,7 +25,7 @@ class NeedsRunError(Exception):
 class Recorder:
     """Stands in for the controller: keeps settings, accepts moves, knows nothing of a robot."""
 
-    def __init__(self, settings: MotionSettings, *, places_parts: bool = False) -> None:
+    def __init__(self, settings: MotionSettings, places_parts: bool = False) -> None:
         """Begin with the settings where the instruction stands.
 
         Args:

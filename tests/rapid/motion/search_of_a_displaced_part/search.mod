@@ -1,4 +1,4 @@
-! Application manual SmarTac, Search_1D: the result is the difference between the point that the
+! RAPID Instructions, Search_1D: the result is the difference between the point that the
 ! search finds and the search point, as far as the direction of the search goes.
 MODULE search
   CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

@@ -1,4 +1,4 @@
-! Application manual SmarTac, Search_Groove: the centre of a groove is displaced along the search, as
+! RAPID Instructions, Search_Groove: the centre of a groove is displaced along the search, as
 ! far as its part is; depth and width are taken as they were taught.
 MODULE groove
   CONST jointtarget home:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
