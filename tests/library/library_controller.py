@@ -94,6 +94,7 @@ class RecordingController(NoSockets, Undisturbed):
 
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
+        self.part_pose: Callable[[str], Pose | None] = lambda _: None
         self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
@@ -103,13 +104,11 @@ class RecordingController(NoSockets, Undisturbed):
         return row.body(*first, *arguments, **options)
 
     def whole(self) -> Controller:
-        """All concerns in one; mypy holds it against the protocol of each."""
+        """All concerns in one; mypy holds it against the protocol of most."""
         whole = Controller(
             *(self, self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self, self),
-            # Messages go between tasks, and here is one: the book of the language has them.
             cast(Messages, self),
-            # A sensor guides what moves: programs have that.
             cast(Guidance, self),
         )
         for name in ("symbols", "modules"):
@@ -164,7 +163,6 @@ class RecordingController(NoSockets, Undisturbed):
         self.log.append("clear path")
 
     def store_path(self, *, keep_sync: bool = False) -> None:
-        del keep_sync
         self.path_level += 1.0
 
     def restore_path(self) -> None:
@@ -183,10 +181,6 @@ class RecordingController(NoSockets, Undisturbed):
     ) -> JointTarget:
         self.search(move, found, flank, stop)
         return JOINTS
-
-    def part_pose(self, search: str) -> Pose | None:
-        del search
-        return None
 
     def watch_zone(
         self, shape: ZoneShape, signal: tuple[str, float] | None, *, before: bool = False
