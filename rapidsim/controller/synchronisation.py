@@ -135,9 +135,10 @@ class TaskTeam:
         seat = self.unit.seat
         if seat is None:
             if move.sync_id is not None and self.cell.is_shared:
-                raise rapid_error(
-                    ERR_ARGVALERR, f"{move.instruction} \\ID without SyncMoveOn before it"
-                )
+                why = "without SyncMoveOn before it"
+                if self.unit.has_left_team:
+                    why = r"after SyncMoveSuspend, or after StorePath without \KeepSync"
+                raise rapid_error(ERR_ARGVALERR, f"{move.instruction} \\ID {why}")
             self.solo.put(move, before, wait=wait)
             return
         if move.sync_id is None:

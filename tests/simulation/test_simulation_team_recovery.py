@@ -161,6 +161,14 @@ def test_arms_that_are_far_are_not_let_go(keep: str) -> None:
     assert "60.0 mm" in it.only("R101").violation.message
 
 
+@pytest.mark.parametrize("leaves", ["StorePath;", "SyncMoveSuspend;"])
+def test_a_move_in_step_after_leaving_the_team_says_what_left_it(leaves: str) -> None:
+    text = handler("MoveL here\\ID:=111,v200,fine,tool0;").replace("StorePath\\KeepSync;", leaves)
+    texts = (program(side, text) for side in (-1, 1))
+    it = ran(dict(zip(TASKS, texts, strict=True)), max_time_s=60.0)
+    assert "after SyncMoveSuspend, or after StorePath" in it.only("R101").violation.message
+
+
 def test_an_error_clause_of_both_leaves_the_path_and_retries() -> None:
     """Both are told of a fault at a stop point, go aside together and do the move again."""
     texts = {}

@@ -95,6 +95,12 @@ class MechanicalUnit:
             self._changes += 1
             self.seat = None
 
+    @property
+    def has_left_team(self) -> bool:
+        """Whether it moves alone until its team moves together again or its path is restored."""
+        stored = any(level.seat is not None for level in self._levels)
+        return self.seat is None and (stored or bool(self.suspended))
+
     def hold(self) -> None:
         """Note that the robot's own task has stopped it, and with it its team."""
         self.held_by_task = True
