@@ -159,17 +159,26 @@ def _is_task_by_name(folder: Path) -> bool:
 
 def backup_among(paths: Iterable[str]) -> Backup | None:
     """The first controller backup among some paths; None without one."""
+    return next((backup for _, backup in _backups(paths)), None)
+
+
+def backups_among(paths: Iterable[str]) -> tuple[tuple[str, Backup], ...]:
+    """The controller backups among some paths, each with its path."""
+    return tuple(_backups(paths))
+
+
+def _backups(paths: Iterable[str]) -> Iterator[tuple[str, Backup]]:
     for path in paths:
         folder = opened(path)
         if path == "-" or not folder.is_dir():
             continue
         tasks = task_folders(folder)
         if tasks:
-            return Backup(tasks[0].parent.parent, tasks)
+            yield path, Backup(tasks[0].parent.parent, tasks)
+            continue
         below = {entry.name.upper() for entry in entries_of(folder) if entry.is_dir()}
         if below >= {"SYSPAR", "HOME"} and not _in_folder(folder, may_be_empty=True):
-            return Backup(folder, ())
-    return None
+            yield path, Backup(folder, ())
 
 
 def loose_cell_among(paths: Iterable[str]) -> LooseCell | None:

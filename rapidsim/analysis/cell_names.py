@@ -39,6 +39,8 @@ class CellNames:
     assumed to exist: calls are skipped, tools are those of the system."""
     stubs: frozenset[str] = frozenset()
     """Files whose routines stand for libraries that are not here."""
+    places_parts: bool = False
+    """Whether the station says where parts are that a torch searches."""
     has_signals: bool = False
     """Whether it declares its signals: a controller would have no others."""
     unseen: tuple[str, ...] = ()

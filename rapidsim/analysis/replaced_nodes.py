@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import fields, is_dataclass, replace
 from operator import is_
 from typing import Any
@@ -26,3 +26,19 @@ def rebuilt(part: Any, instead: Mapping[int, tree.Node]) -> Any:
     new = {name: rebuilt(value, instead) for name, value in old.items()}
     changed = {name: value for name, value in new.items() if value is not old[name]}
     return replace(part, **changed) if changed else part
+
+
+def without_runs(file: tree.File, replaced: Container[int]) -> tree.File:
+    """A file without the runs represented by statements that are to be replaced.
+
+    Args:
+        file: The file.
+        replaced: Identities of the statements.
+    """
+    modules = tuple(
+        replace(module, runs=tuple(run for run in module.runs if id(run.like) not in replaced))
+        if module.runs
+        else module
+        for module in file.modules
+    )
+    return replace(file, modules=modules) if any(one.runs for one in file.modules) else file

@@ -42,10 +42,13 @@ class TaskPathControl:
         """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
         self.clock.note_line()
         now_s = self.clock.observe()
-        self.unit.held_by_task = True
+        self.unit.hold()
         if not self.unit.queue.is_halted:
             rest_s = self.unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
             self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
+        else:
+            # Another task has stopped it, and it may still brake.
+            self.clock.pass_time(max(now_s, self.unit.queue.trajectory.duration))
 
     def fail(self, error: RapidError) -> None:
         """Stop the robot and raise an error where the program waits for it.
@@ -76,8 +79,8 @@ class TaskPathControl:
                 f"the robot stands {too_far} off where it left its path; move it back before "
                 "RestoPath",
             )
-        self.unit.held_by_task = False
-        if not self.unit.held_by_watcher:
+        is_free = self.unit.release()
+        if is_free and not self.unit.held_by_watcher:
             self.unit.queue.resume(now_s)
         self.clock.tell()
 
@@ -96,8 +99,10 @@ class TaskPathControl:
         self.unit.queue.clear()
         self.marks.clear()
 
-    def store_path(self) -> None:
+    def store_path(self, *, keep_sync: bool = False) -> None:
         """Store the rest of the path and begin a new one.
+
+        In a team, `keep_sync` begins it together with the team; otherwise the robot moves alone.
 
         Raises:
             RapidError: ERR_PATH, while the robot moves.
@@ -106,7 +111,7 @@ class TaskPathControl:
         if self.state.searches and not self.unit.own.stored:
             raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
-        self.unit.queue.store()
+        self.unit.store_path(keep_sync=keep_sync)
 
     def restore_path(self) -> None:
         """Restore the stored path; the robot continues on it after `start_move`.
@@ -118,7 +123,8 @@ class TaskPathControl:
         if self.path_level <= 1.0:
             raise rapid_error(ERR_PATH, "RestoPath without StorePath: no path is kept")
         self.clock.come_to_rest()
-        self.unit.queue.restore()
+        self.unit.restore_path()
+        self.clock.tell()
 
     def _require_standstill(self, instruction: str) -> None:
         now_s = self.clock.observe()

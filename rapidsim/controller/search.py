@@ -17,7 +17,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.solo_moves import PutMove
-from rapidsim.language.data import FINE, JointTarget, RobTarget
+from rapidsim.language.data import FINE, JointTarget, Pose, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
     ERR_SIGSUPSEARCH,
@@ -94,6 +94,12 @@ class TaskSearch:
         """As `search`, but tell where all axes were at the first hit."""
         arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
         return self.resolver.joint_target(arm.joints[0], arm.external[0])
+
+    def part_pose(self, search: str) -> Pose | None:
+        """Pose of the part that a torch searches; see `language.path_control.Searches`."""
+        wobj = self.clock.place.arguments.get("wobj", "wobj0")
+        parts = self.cell.parts
+        return next((one.pose for one in parts if one.applies_to(wobj, search)), None)
 
     def _hit_s(
         self,

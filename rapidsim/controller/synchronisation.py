@@ -54,8 +54,6 @@ class TaskTeam:
     state: MotionState
     solo: SoloMoves
     others: TaskOthers
-    _suspended: tuple[str, ...] = ()
-    """The team that the task is to move with again."""
 
     @property
     def team(self) -> tuple[str, ...]:
@@ -94,7 +92,7 @@ class TaskTeam:
 
     def leave_team(self) -> None:
         """Let all that move together move alone, without waiting for anybody."""
-        self._suspended = ()
+        self.unit.suspended = ()
         team = self.unit.team
         if team is not None:
             self.clock.come_to_rest()
@@ -110,12 +108,12 @@ class TaskTeam:
             self.clock.come_to_rest()
             self.others.come_together("SyncMoveSuspend", "", team.tasks, None)
             self.unit.part()
-            self._suspended = team.tasks
+            self.unit.suspended = team.tasks
 
     def resume_team(self) -> None:
         """Move together again."""
-        if self._suspended:
-            tasks, self._suspended = self._suspended, ()
+        if self.unit.suspended:
+            tasks, self.unit.suspended = self.unit.suspended, ()
             self.clock.note_line()
             self.clock.come_to_rest()
             meeting = self.others.come_together("SyncMoveResume", "", tasks, None)
@@ -137,9 +135,10 @@ class TaskTeam:
         seat = self.unit.seat
         if seat is None:
             if move.sync_id is not None and self.cell.is_shared:
-                raise rapid_error(
-                    ERR_ARGVALERR, f"{move.instruction} \\ID without SyncMoveOn before it"
-                )
+                why = "without SyncMoveOn before it"
+                if self.unit.has_left_team:
+                    why = r"after SyncMoveSuspend, or after StorePath without \KeepSync"
+                raise rapid_error(ERR_ARGVALERR, f"{move.instruction} \\ID {why}")
             self.solo.put(move, before, wait=wait)
             return
         if move.sync_id is None:

@@ -28,7 +28,7 @@ from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import Selection, choose_selection
-from rapidsim.jobs.standing_rows import stand_for_all
+from rapidsim.jobs.standing_rows import findings_of_all
 from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
 from rapidsim.language.error_numbers import ERR_UNKINO, event_of
 from rapidsim.module_files import TaskFiles
@@ -251,8 +251,9 @@ def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> Loaded:
     if frozenset(rules) <= frozenset(detectors_of()):
         loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
         with suppress(RunNotFollowedError):
-            if stand_for_all(loaded.files, loaded.diagnostics, cell):
-                return loaded
+            found = findings_of_all(loaded.files, loaded.diagnostics, cell)
+            if found is not None:
+                return replace(loaded, diagnostics=found)
     return load_task(task, cell, rules)
 
 

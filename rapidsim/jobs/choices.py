@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.files import seen_from_here
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT, RobotChoice
-from rapidsim.module_files import backup_among, loose_cell_among
+from rapidsim.module_files import backups_among, loose_cell_among
 from rapidsim.station.station import Station, find_station
 
 if TYPE_CHECKING:
@@ -35,11 +35,18 @@ def choose_station(paths: Sequence[str], file: str | None) -> Station:
 def configured_station(paths: Sequence[str]) -> Station:
     """The station of a backup, or of configuration files beside modules; else the defaults."""
     # Most of what is named has no configuration, and does not pay for importing NumPy here.
-    backup = backup_among(paths)
-    if backup is not None:
+    backups = backups_among(paths)
+    if backups:
         from rapidsim.station.backup.backup import backup_station
 
-        return backup_station(backup)
+        stations = [(path, backup, backup_station(backup)) for path, backup in backups]
+        if len(stations) > 1:
+            from rapidsim.jobs.controllers import joined_station
+
+            joined = joined_station(stations)
+            if joined is not None:
+                return joined
+        return stations[0][2]
     cell = loose_cell_among(paths)
     if cell is None:
         return Station()

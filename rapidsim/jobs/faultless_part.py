@@ -11,7 +11,7 @@ from bisect import bisect_right
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
-from rapidsim.analysis.replaced_nodes import rebuilt
+from rapidsim.analysis.replaced_nodes import rebuilt, without_runs
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Severity, Span
 from rapidsim.jobs.checked_program import Loaded
@@ -38,10 +38,11 @@ def faultless_part(loaded: Loaded, cell: CellNames) -> FaultlessPart | None:
         found = None if one.span is None else simple[one.span.source].around(one.span)
         if found is None or one.span is None:
             return None
-        faulty[id(found)] = found
-        replaced.append(Span(one.span.source, found.start, found.end))
+        statement, place = found
+        faulty[id(statement)] = statement
+        replaced.append(Span(one.span.source, place.start, place.end))
     instead = {key: _unknown_call(statement) for key, statement in faulty.items()}
-    files = tuple(rebuilt(file, instead) for file in loaded.files)
+    files = tuple(rebuilt(without_runs(file, instead), instead) for file in loaded.files)
     checked = check(files, (), cell=cell)
     if checked.program is None:
         return None
@@ -63,20 +64,38 @@ class _SimpleStatements:
         self._found = sorted(found, key=lambda pair: pair[0].start)
         self._starts = [statement.start for statement, _ in self._found]
         self._own_names: dict[int, frozenset[str]] = {}
+        self._writing: dict[int, bool] = {}
+        self._runs: dict[tree.Node, tree.Run] = {
+            run.like: run for module in file.modules for run in module.runs
+        }
 
-    def around(self, span: Span) -> tree.Statement | None:
-        """The statement that a place is in, if it writes nothing of its routine alone."""
+    def around(self, span: Span) -> tuple[tree.Statement, tree.Node] | None:
+        """The statement that a span begins in, and its place.
+
+        Of a row of a run, the statement that represents it. None if a statement of the routine
+        alone writes its data.
+        """
         position = bisect_right(self._starts, span.start) - 1
         if position < 0:
             return None
         statement, routine = self._found[position]
+        place: tree.Node | None = statement
         if span.start >= statement.end:
+            run = self._runs.get(statement)
+            place = None if run is None else run.row_around(span.start)
+        if place is None or self._writes_own_data(statement, routine):
             return None
-        own = self._own_names.get(id(routine))
-        if own is None:
-            own = self._own_names[id(routine)] = _own_names(routine)
-        named = (node for node in descendants(statement) if isinstance(node, tree.Reference))
-        return None if any(node.name.key in own for node in named) else statement
+        return statement, place
+
+    def _writes_own_data(self, statement: tree.Statement, routine: tree.RoutineNode) -> bool:
+        writes = self._writing.get(id(statement))
+        if writes is None:
+            own = self._own_names.get(id(routine))
+            if own is None:
+                own = self._own_names[id(routine)] = _own_names(routine)
+            named = (node for node in descendants(statement) if isinstance(node, tree.Reference))
+            writes = self._writing[id(statement)] = any(node.name.key in own for node in named)
+        return writes
 
 
 def _own_names(routine: tree.RoutineNode) -> frozenset[str]:

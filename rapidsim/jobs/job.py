@@ -20,7 +20,7 @@ from rapidsim.jobs.given_options import with_given
 from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
-from rapidsim.module_files import TaskFiles
+from rapidsim.module_files import TaskFiles, single_programs
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
 from rapidsim.values import dataclass
@@ -154,6 +154,9 @@ def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
     Raises:
         InputError: If something is missing, unreadable, not RAPID, or contradicts itself.
     """
+    # Each controller of a packed station is a path of its own.
+    paths = tuple(program for path in asked.paths for program in single_programs(path))
+    asked = replace(asked, paths=paths)
     station = choose_station(asked.paths, asked.station)
     if asked.cell is not None:
         station = with_given(station, asked.cell)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
@@ -10,7 +11,7 @@ from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
 from rapidsim.jobs.checked_program import Loaded, load_task
-from rapidsim.jobs.standing_rows import stand_for_all
+from rapidsim.jobs.standing_rows import findings_of_all
 from rapidsim.library.traits import Does
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
@@ -91,16 +92,21 @@ def _in_runs(task: TaskFiles, cell: CellNames) -> Loaded:
     runs = [run for module in modules for run in module.runs]
     if not runs:
         return loaded
-    program = loaded.program
-    if (
-        # A program that runs in part is another than was read.
-        program is not None
-        and list(map(id, program.modules)) == list(map(id, modules))
-        and all(_is_move(run, program) for run in runs)
-        and stand_for_all(loaded.files, loaded.diagnostics, cell)
-    ):
-        return loaded
-    return load_task(task, cell)
+    found = findings_of_all(loaded.files, loaded.diagnostics, cell)
+    if found is None or not _can_execute(loaded.program, modules, runs):
+        return load_task(task, cell)
+    return replace(loaded, diagnostics=found)
+
+
+def _can_execute(
+    program: Program | None, modules: Sequence[tree.Module], runs: Iterable[tree.Run]
+) -> bool:
+    """Whether the program of the modules executes their runs; one with errors executes nothing."""
+    if program is None:
+        return True
+    # A program that runs in part is another than was read.
+    is_whole = list(map(id, program.modules)) == list(map(id, modules))
+    return is_whole and all(_is_move(run, program) for run in runs)
 
 
 def _is_move(run: tree.Run, program: Program) -> bool:

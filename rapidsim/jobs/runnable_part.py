@@ -7,6 +7,7 @@ others have the modules that are missing here.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -18,7 +19,7 @@ from rapidsim.analysis.names.name_violations import (
 )
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
-from rapidsim.analysis.replaced_nodes import rebuilt
+from rapidsim.analysis.replaced_nodes import rebuilt, without_runs
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic, Span, Violation
 from rapidsim.syntax import tree
@@ -41,11 +42,12 @@ def runnable_part(
     """
     instead: dict[int, tree.Node] = {}
     missing: dict[str, str | None] = {}
+    simple: dict[int, _SimpleStatements] = {}
     for one in found:
         lacks, span = _missing(one.violation), one.span
         if lacks is not None and span is not None:
             name, why = lacks
-            node = _failing_at(files, span)
+            node = _failing_at(files, span, simple)
             if node is None:
                 return None
             instead[id(node)] = _call_in_place_of(node, name)
@@ -54,7 +56,8 @@ def runnable_part(
         return None
     # The calls that stand for data are of routines that nothing declares.
     assumed = replace(cell, assumes=True)
-    program = check(tuple(rebuilt(file, instead) for file in files), (), cell=assumed).program
+    parts = tuple(rebuilt(without_runs(file, instead), instead) for file in files)
+    program = check(parts, (), cell=assumed).program
     return program and replace(program, missing_data=missing)
 
 
@@ -72,20 +75,48 @@ def _missing(violation: Violation) -> tuple[str, str | None] | None:
             return None
 
 
-def _failing_at(files: Sequence[tree.File], span: Span) -> tree.Node | None:
-    """The simple statement around a name, else the data that an expression reads with it."""
+class _SimpleStatements:
+    """The simple statements of a routine, by place."""
+
+    def __init__(self, routine: tree.RoutineNode) -> None:
+        """Collect them in order."""
+        simple = (one for one in statements(*clauses(routine)) if isinstance(one, _SIMPLE))
+        self._statements = sorted(simple, key=lambda one: one.start)
+        self._starts = [one.start for one in self._statements]
+
+    def around(self, place: int) -> tree.Node | None:
+        """The statement that contains an offset; None if none does."""
+        position = bisect_right(self._starts, place) - 1
+        if position < 0 or place >= self._statements[position].end:
+            return None
+        return self._statements[position]
+
+
+def _failing_at(
+    files: Sequence[tree.File], span: Span, simple: dict[int, _SimpleStatements]
+) -> tree.Node | None:
+    """The simple statement around a name, else the data that an expression reads with it.
+
+    Args:
+        files: The task's files.
+        span: The place of the name.
+        simple: The simple statements of routines by identity; filled on demand.
+    """
     for file in files:
         for module in file.modules if file.source is span.source else ():
             for routine in module.routines:
                 if routine.start <= span.start < routine.end:
-                    return _in_routine(routine, span.start)
+                    if id(routine) not in simple:
+                        simple[id(routine)] = _SimpleStatements(routine)
+                    around = simple[id(routine)].around(span.start)
+                    return around or _data_at(routine, span.start)
     return None
 
 
-def _in_routine(routine: tree.RoutineNode, place: int) -> tree.Node | None:
+def _data_at(routine: tree.RoutineNode, place: int) -> tree.Node | None:
     around = [one for one in statements(*clauses(routine)) if one.start <= place < one.end]
-    if not around or isinstance(around[-1], _SIMPLE):
-        return around[-1] if around else None
+    if not around:
+        return None
     # The first is the outermost: `missing{1}.trans` is read as a whole.
     paths = (one for one in descendants(around[-1]) if isinstance(one, _PATHS))
     return next((one for one in paths if one.start <= place < one.end), None)

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Sequence
 
 from rapidsim.analysis.cell_names import CellNames
+from rapidsim.analysis.context import MOST_COMPARED
 from rapidsim.analysis.installed import installed_symbol, installed_type
+from rapidsim.analysis.names.name_violations import UndefinedName, UnseenName
 from rapidsim.analysis.program import does
 from rapidsim.analysis.rules.motion.target_data import tells_of_axes
+from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.diagnostics import Diagnostic, Span
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.jobs.row_findings import repeat_findings
 from rapidsim.jobs.text_words import words_of
 from rapidsim.library.traits import Does
 from rapidsim.syntax import tree
@@ -19,31 +22,52 @@ from rapidsim.syntax import tree
 _BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
 
 
-def stand_for_all(files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames) -> bool:
-    """Whether no finding is about a statement that represents others, or about one of these.
+def findings_of_all(
+    files: Sequence[tree.File], found: Sequence[Diagnostic], cell: CellNames
+) -> tuple[Diagnostic, ...] | None:
+    """The findings of a task, with those of the statements that its runs leave out of the tree.
 
-    Such a statement has alike ones on both sides. So a finding that does not apply to it, because
-    of what it is or what is next to it, applies to none of those it represents.
+    A statement that represents others has alike ones on both sides. A finding that does not apply
+    to it, because of what it is or what is next to it, applies to none of those it represents. An
+    undeclared name in it is undeclared in each of these. For any other finding about it, each
+    statement must be examined.
+
+    Args:
+        files: The files of the task.
+        found: The findings about the statements of the tree, in order.
+        cell: What the configuration declares besides the modules.
+
+    Returns:
+        The findings in order; None if the statements of the tree may not represent the others.
     """
-    stretches = {
-        file.source.file: sorted(
-            (run.like.start, run.end) for module in file.modules for run in module.runs
-        )
-        for file in files
-    }
-    if any(_touches(stretches.get(span.file, []), span) for one in found for span in _places(one)):
-        return False
+    repeated = repeat_findings(files, found)
+    if repeated is None:
+        return None
     homes = [module for file in files for module in file.modules if _declared(module)]
     if not homes:
-        return True
+        return repeated
     names = frozenset[str]().union(*map(_declared, homes))
-    # What was meant by a wrong name may be one of them.
-    if any("nearest" in one.violation.facts for one in found) or _asks_by_name(files):
-        return False
+    if _may_be_meant(names, found) or _asks_by_name(files):
+        return None
     if not names.isdisjoint((*cell.symbols, *cell.wired)) or any(map(_is_predefined, names)):
-        return False
+        return None
     said_in = Counter(word for file in files for word in words_of(file.source.text) & names)
-    return max(said_in.values()) == 1 and all(map(_has_alike_axes, homes))
+    is_alone = max(said_in.values()) == 1 and all(map(_has_alike_axes, homes))
+    return repeated if is_alone else None
+
+
+def _may_be_meant(names: Iterable[str], found: Sequence[Diagnostic]) -> bool:
+    """Whether one of the names may be meant by a wrong name of the findings."""
+    suggestions = [one.violation for one in found if "nearest" in one.violation.facts]
+    kinds = UndefinedName | UnseenName
+    unknown = {one.undefined for one in suggestions if isinstance(one, kinds)}
+    is_other = any(not isinstance(one, kinds) for one in suggestions)
+    # Of so many, not all are compared.
+    return (
+        is_other
+        or len(unknown) >= MOST_COMPARED
+        or any(closest(name, names) is not None for name in unknown)
+    )
 
 
 def _declared(module: tree.Module) -> frozenset[str]:
@@ -56,25 +80,6 @@ def _asks_by_name(files: Sequence[tree.File]) -> bool:
     nodes = descendants(*(module for file in files for module in file.modules))
     calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
     return any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls)
-
-
-def _places(one: Diagnostic) -> Iterator[Span]:
-    if one.span is not None:
-        yield one.span
-    for related in one.related:
-        yield related.span
-    for edit in one.fix.edits if one.fix else ():
-        yield edit.span
-
-
-def _touches(stretches: Sequence[tuple[int, int]], span: Span) -> bool:
-    """Whether a place lies in a stretch, or has one of its ends there."""
-    for offset in (span.start, max(span.start, span.end - 1)):
-        at = bisect_right(stretches, (offset, offset)) - 1
-        for start, end in stretches[max(at, 0) : at + 2]:
-            if start <= offset < end:
-                return True
-    return False
 
 
 def _has_alike_axes(module: tree.Module) -> bool:

@@ -119,6 +119,9 @@ def program_name(paths: Sequence[str]) -> str:
     """The base name of files that belong to the run: the first path without its suffix."""
     if paths[0] == "-":
         return "stdin"
+    archive = _archive_of_all(paths)
+    if archive is not None:
+        return archive.stem
     packed = packed_station(paths[0])
     if packed is not None and packed[1]:
         return f"{packed[0].stem}-{packed[1]}"
@@ -129,8 +132,17 @@ def program_title(paths: Sequence[str]) -> str:
     """The displayed name of the run: the file or folder given, the first of several."""
     if paths[0] == "-":
         return "standard input"
+    archive = _archive_of_all(paths)
+    if archive is not None:
+        return archive.name
     more = f" and {len(paths) - 1} more" if len(paths) > 1 else ""
     return Path(os.path.realpath(paths[0])).name + more
+
+
+def _archive_of_all(paths: Sequence[str]) -> Path | None:
+    """The packed station of which the paths are several controllers; None if there is none."""
+    archives = {packed[0] if (packed := packed_station(path)) else None for path in paths}
+    return archives.pop() if len(paths) > 1 and len(archives) == 1 else None
 
 
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from rapidsim.language.data import JointTarget, Pos, RobTarget, SpeedData
+from rapidsim.language.data import JointTarget, Pos, Pose, RobTarget, SpeedData
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.language.path_events import ZoneShape
@@ -43,8 +43,11 @@ class PathControl(Protocol):
         """Forget the rest of the path of a robot that was stopped."""
         ...
 
-    def store_path(self) -> None:
-        """Keep the rest of the path and begin another."""
+    def store_path(self, *, keep_sync: bool = False) -> None:
+        """Store the rest of the path and begin another.
+
+        In a team, `keep_sync` begins it together with the team; otherwise the robot moves alone.
+        """
         ...
 
     def restore_path(self) -> None:
@@ -142,6 +145,16 @@ class Searches(Protocol):
         stop: SearchStop,
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
+        ...
+
+    def part_pose(self, search: str) -> Pose | None:
+        """Pose of the part that a torch searches, in the work object in which it was taught.
+
+        None if the station does not specify it.
+
+        Args:
+            search: Name of the search; empty if it has none.
+        """
         ...
 
 

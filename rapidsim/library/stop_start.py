@@ -26,7 +26,6 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.path_control import PathControl
 from rapidsim.language.tasks import TaskService
-from rapidsim.library.honesty import ignored
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
@@ -117,9 +116,8 @@ def clear_path(controller: Controller) -> None:
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
-    """Store the rest of the path and begin a new one."""
-    ignored(controller.honesty, "StorePath", {r"\KeepSync": keep_sync})
-    _path_of(controller, "StorePath").store_path()
+    r"""Store the rest of the path and begin a new one; \KeepSync together with the team."""
+    _path_of(controller, "StorePath").store_path(keep_sync=keep_sync)
 
 
 def resto_path(controller: Controller) -> None:

@@ -1,31 +1,69 @@
-r"""Searching with the torch: Search_1D goes its way and finds the part where it was taught.
+r"""Searching with the torch: Search_1D and Search_Groove.
 
-Source: Application manual SmarTac, "Search_1D".
+The station file says where a part is. Its surface at a taught search point is a plane across the
+direction of the search, and moves with the part. The torch stops exactly there.
+
+Source: Application manual SmarTac (3HAC024845), "Search_1D": the search continues up to twice the
+distance between its points; Result is the difference between the point found and the search point;
+Speed counts up to the start point, and the search itself is made at 20 mm/s unless the
+configuration says otherwise. No source that we have says what Search_Groove finds of the depth of a
+groove.
 """
 
 from __future__ import annotations
 
 from typing import Unpack
 
+from rapidsim.frames import quaternion
+from rapidsim.frames.vectors import dot, length, minus, plus, scaled
 from rapidsim.language.annotations import InOut, Num, Pers, String, Switch
 from rapidsim.language.controller import Controller
-from rapidsim.language.data import FINE, IDENTITY_POSE, Pose, RobTarget, SpeedData, ToolData
+from rapidsim.language.data import (
+    FINE,
+    IDENTITY_POSE,
+    Pos,
+    Pose,
+    RobTarget,
+    SpeedData,
+    ToolData,
+)
+from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Interpolation
+from rapidsim.library.displacement import in_object, in_program
+from rapidsim.library.honesty import ignored
 from rapidsim.library.motion import MoveOptions, asked
+from rapidsim.library.poses import composed, unit
 from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Does
 
-INSTEAD = "lines to the start point, to the search point and back; the part is where it was taught"
+INSTEAD = (
+    "lines to the start point, to the search point and back; the part is where it was taught, "
+    "unless [[search]] in the station file says where it is"
+)
+_GROOVE_INSTEAD = (
+    "lines to the start point, to the centre and back; the groove is where it was taught, unless "
+    "[[search]] in the station file says where it is; depth and width are as taught"
+)
+_ACROSS = "the displacement along the search; the depth and the width are as taught"
+_KEPT = "the result is kept, as if the operator chose OK"
+_SEARCH_SPEED = 20.0
+"""Speed [mm/s] of the search."""
+_FARTHEST = 2.0
+"""Length of the search, as a multiple of the distance between its points."""
+_LEAST_COSINE = 0.1
+"""A surface that is turned farther away from the direction of the search is not met."""
 
 
 class TactileOptions(MoveOptions, total=False):
     """What a search with the torch may have beside what moves have."""
 
     not_off: Switch
+    wire: Switch
     search_stop: InOut[RobTarget]
     pre_p_disp: Pose
     limit: Num
     search_name: String
+    sch_speed: Num
 
 
 def search_1d(
@@ -37,24 +75,136 @@ def search_1d(
     tool: Pers[ToolData],
     **options: Unpack[TactileOptions],
 ) -> None:
-    """Go to a point and on to another one, and tell how far the part is displaced: not at all."""
-    controller.honesty.not_simulated("Search_1D", INSTEAD)
-    for point in (start_point, search_point, start_point):
-        move = asked(controller, "Search_1D", Interpolation.LINE, point, speed, FINE, tool, options)
+    """Search a surface from one point towards another; the result is how far it is displaced."""
+    part = controller.searches.part_pose(options.get("search_name") or "")
+    if part is None:
+        controller.honesty.not_simulated("Search_1D", INSTEAD)
+    result.value = _search(
+        controller, "Search_1D", part, start_point, search_point, speed, tool, options
+    )
+
+
+def search_groove(
+    controller: Controller,
+    result: InOut[Pose],
+    groove_width: InOut[Num],
+    start_point: RobTarget,
+    cent_point: RobTarget,
+    nom_width: Num,
+    speed: SpeedData,
+    tool: Pers[ToolData],
+    **options: Unpack[TactileOptions],
+) -> None:
+    """Search the centre of a groove; the result is how far it is displaced along the search."""
+    part = controller.searches.part_pose(options.get("search_name") or "")
+    controller.honesty.not_simulated("Search_Groove", _GROOVE_INSTEAD if part is None else _ACROSS)
+    result.value = _search(
+        controller, "Search_Groove", part, start_point, cent_point, speed, tool, options
+    )
+    groove_width.value = nom_width
+
+
+def _search(
+    controller: Controller,
+    name: str,
+    part: Pose | None,
+    start_point: RobTarget,
+    search_point: RobTarget,
+    speed: SpeedData,
+    tool: Pers[ToolData],
+    options: TactileOptions,
+) -> Pose:
+    """Move to the start point, to the place that the search finds, and back; the displacement."""
+    before = options.get("pre_p_disp") or IDENTITY_POSE
+    start, towards = (_moved(before, point) for point in (start_point, search_point))
+    found = towards
+    if part is not None:
+        found = _found(controller, name, part, (start_point, search_point), (start, towards))
+    # Without a station entry the duration is that of the moves as they are written.
+    slow = speed if part is None else speed._replace(v_tcp=_SEARCH_SPEED)
+    for point, pace in ((start, speed), (found, slow), (start, speed)):
+        move = asked(controller, name, Interpolation.LINE, point, pace, FINE, tool, options)
         controller.motion.move(move)
+    ignored(controller.honesty, name, {r"\SchSpeed": options.get("sch_speed")})
     stop = options.get("search_stop")
     if stop is not None:
-        stop.value = search_point
-    result.value = options.get("pre_p_disp") or IDENTITY_POSE
+        stop.value = found
+    turned = quaternion.rotate(unit(before.rot), search_point.trans)
+    displaced = Pose(Pos(*minus(found.trans, turned)), before.rot)
+    limit = options.get("limit")
+    if limit is not None and length(displaced.trans) > limit:
+        controller.honesty.not_simulated(rf"{name} beyond its \Limit", _KEPT)
+    return displaced
 
+
+def _found(
+    controller: Controller,
+    name: str,
+    part: Pose,
+    taught: tuple[RobTarget, RobTarget],
+    searched: tuple[RobTarget, RobTarget],
+) -> RobTarget:
+    """Where a search meets the surface of a part, as the program would write it.
+
+    Args:
+        controller: Of the task.
+        name: The instruction.
+        part: Pose of the part in the work object in which it was taught.
+        taught: Start point and search point as they were taught on the part.
+        searched: The same points, displaced, between which the torch searches.
+
+    Raises:
+        NotAllowed: If the surface is behind the start point or beyond the end of the search.
+    """
+    across = minus(taught[1].trans, taught[0].trans)
+    start, towards = (in_object(controller.motion, point) for point in searched)
+    ahead = minus(towards.trans, start.trans)
+    distance = length(ahead)
+    if not distance or not length(across):
+        raise NotAllowed(f"{name}: the start point is the search point, so there is no direction")
+    direction = scaled(ahead, 1.0 / distance)
+    normal = quaternion.rotate(unit(part.rot), scaled(across, 1.0 / length(across)))
+    surface = composed(part, Pose(taught[1].trans, taught[1].rot)).trans
+    cosine = dot(direction, normal)
+    way = dot(minus(surface, start.trans), normal) / cosine if cosine > _LEAST_COSINE else None
+    if way is None or way > _FARTHEST * distance:
+        told = "" if way is None else f". The part of the station is {way:.1f} mm away"
+        raise NotAllowed(
+            f"{name} finds nothing within {_FARTHEST * distance:.1f} mm, twice the distance "
+            f"between its points; the controller asks the operator{told}"
+        )
+    if way < 0.0:
+        raise NotAllowed(
+            f"{name}: the torch touches the part at the start point, {-way:.1f} mm deep; the "
+            "controller asks the operator. Begin farther away"
+        )
+    place = Pos(*plus(start.trans, scaled(direction, way)))
+    return in_program(controller.motion, towards._replace(trans=place))
+
+
+def _moved(displacement: Pose, point: RobTarget) -> RobTarget:
+    if displacement == IDENTITY_POSE:
+        return point
+    pose = composed(displacement, Pose(point.trans, point.rot))
+    return point._replace(trans=pose.trans, rot=pose.rot)
+
+
+_OPTIONS = r"\WObj \PrePDisp \Limit \SearchName \TLoad \SchSpeed"
 
 TACTILE_SEARCH = table(
     routine(
         "Search_1D",
         search_1d,
-        r"\NotOff Result \SearchStop StartPoint SearchPoint Speed Tool \WObj \PrePDisp \Limit "
-        r"\SearchName \TLoad",
+        rf"\NotOff \Wire Result \SearchStop StartPoint SearchPoint Speed Tool {_OPTIONS}",
         treated_as=INSTEAD,
+        does=Does.MOVE | Does.CARTESIAN | Does.SEARCH_PART,
+    ),
+    routine(
+        "Search_Groove",
+        search_groove,
+        r"\NotOff \Wire Result \SearchStop GrooveWidth StartPoint CentPoint NomWidth Speed Tool "
+        + _OPTIONS,
+        treated_as=_GROOVE_INSTEAD,
         does=Does.MOVE | Does.CARTESIAN,
     ),
 )

@@ -17,6 +17,8 @@ class Does(Flag):
     """The target is made of axis positions: no work object counts."""
     SEARCH = auto()
     """The move ends where a signal changes."""
+    SEARCH_PART = auto()
+    """Finds a part; it is simulated where the station says where parts are."""
     WAIT = auto()
     """May let time pass, in which a fly-by corner before it becomes a stop."""
     GIVE_UP = auto()

@@ -23,4 +23,9 @@ def declared_names(station: Station) -> CellNames:
         [camera.name for camera in station.io.cameras],
         station.io.wired,
     )
-    return replace(names, robotware=station.robotware, has_signals=bool(station.io.signals))
+    return replace(
+        names,
+        robotware=station.robotware,
+        has_signals=bool(station.io.signals),
+        places_parts=bool(station.io.parts),
+    )

@@ -22,6 +22,7 @@ from rapidsim.station.external_axes import read_external_axes
 from rapidsim.station.grippers import read_grippers, read_smart_grippers
 from rapidsim.station.motion import ConfigurationRule, read_configuration_rule, read_motion
 from rapidsim.station.robot import dropped_bounds, read_robots
+from rapidsim.station.searches import read_searches
 from rapidsim.station.signals import read_crosses, read_signals
 from rapidsim.station.sockets import read_sockets
 from rapidsim.station.station import Station
@@ -41,6 +42,7 @@ _IO_KEYS = (
     "conveyor",
     "gripper",
     "smart_gripper",
+    "search",
 )
 NO_BACKUP = Station()
 _GEOMETRY_KEYS = ("object", "attach", "collisions")
@@ -147,4 +149,5 @@ def _io(reader: Reader, table: Table, backup: CellIo = NO_BACKUP.io) -> CellIo:
         read_conveyors(reader, table),
         read_grippers(reader, table),
         read_smart_grippers(reader, table),
+        read_searches(reader, table),
     )

@@ -6,6 +6,7 @@ from functools import cache
 from typing import Any
 from unittest.mock import patch
 
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.files import SourceFile
@@ -22,22 +23,32 @@ FEW = 20
 """Moves beyond which a check of these tests runs no program."""
 
 
-def assert_runs_change_nothing(*texts: str) -> CheckResult:
+def assert_runs_change_nothing(
+    *texts: str,
+    cell: CellNames = NO_CELL,
+    unseen: tuple[str, ...] = (),
+    refers_late: bool = False,
+) -> CheckResult:
     """Check a task in both ways.
+
+    Args:
+        texts: Its modules.
+        cell: What the configuration declares besides the modules.
+        unseen: Modules of the task that cannot be read.
+        refers_late: Whether its controller allows unresolved references.
 
     Returns:
         What was found where moves were looked at as runs.
     """
-    task = TaskFiles(
-        "T_ROB1", tuple(SourceFile(f"m{k}.mod", text, "utf-8") for k, text in enumerate(texts))
-    )
+    files = tuple(SourceFile(f"m{k}.mod", text, "utf-8") for k, text in enumerate(texts))
+    task = TaskFiles("T_ROB1", files, refers_late=refers_late, unseen=unseen)
     with (
         patch.object(trial_run, "MOST_MOVES", FEW),
         patch.object(trial_run, "MOST_MOVES_FOR_ERRORS", FEW),
     ):
-        plain = check_tasks([task], moves=_moves)
+        plain = check_tasks([task], moves=_moves, cell=cell)
         with patch.object(check_files, "MOST_MOVES", FEW):
-            found = check_tasks([task], moves=_moves)
+            found = check_tasks([task], moves=_moves, cell=cell)
     assert list(map(facts, found.diagnostics)) == list(map(facts, plain.diagnostics))
     assert coverage(found) == coverage(plain)
     return found

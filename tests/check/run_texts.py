@@ -47,6 +47,8 @@ def program(dice: random.Random) -> str:
         text = text.replace("    ConfL\\Off;\n", "")
     if dice.random() < 0.2:
         text = text.replace(",700.", ",2700.", dice.randrange(1, 40))
+    if dice.random() < 0.3:
+        text = text.replace(*dice.choice((("tool0", "tMissing"), ("wobj0", "wobj01"))))
     return text
 
 

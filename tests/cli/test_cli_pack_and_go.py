@@ -99,6 +99,99 @@ def test_one_of_several_controllers_is_named(root: str, tmp_path: Path) -> None:
     assert (each.code, json.loads(each.out)["files"]) == (0, 2)
 
 
+SYS = 'SYS:CFG_1.0:6:1::\n#\nCAB_TASKS:\n\n      -Name "{task}" -Type "NORMAL" -MotionTask\n'
+MOC = (
+    'MOC:CFG_1.0:6:1::\n#\nROBOT:\n\n      -name "ROB_1" -use_robot_type "{arm}" \\\n'
+    "      -base_frame_pos_x {x}\n"
+)
+MOVES = """MODULE main_module
+  {data}
+  PROC main()
+    MoveAbsJ [[{axis},0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]],v500,fine,tool0;
+    {statement}
+    TPWrite GetTaskName();
+  ENDPROC
+ENDMODULE
+"""
+
+
+def two_controllers(
+    folder: Path, tasks: tuple[str, str], *, data: str = "", statement: str = ""
+) -> None:
+    """A packed station of the controllers `Left` and `Right`, with one task and one arm each."""
+    arms = (("Left", "ROB1_1600_1.2_6", 10, 0.0), ("Right", "ROB1_120_0.58_3", -40, 1.5))
+    with zipfile.ZipFile(folder / "cell.rspag", "w") as packed:
+        for task, (name, arm, axis, x) in zip(tasks, arms, strict=True):
+            root = f"Backups/{name}"
+            text = MOVES.format(axis=axis, data=data, statement=statement)
+            packed.writestr(f"{root}/RAPID/TASK1/PROGMOD/main_module.mod", text)
+            packed.writestr(f"{root}/SYSPAR/SYS.cfg", SYS.format(task=task))
+            packed.writestr(f"{root}/SYSPAR/MOC.cfg", MOC.format(arm=arm, x=x))
+            packed.writestr(f"{root}/SYSPAR/EIO.cfg", EIO)
+            information = f">>TASK1: ({task},,)\nPROGMOD/main_module.mod @ \n"
+            packed.writestr(f"{root}/BACKINFO/backinfo.txt", information)
+
+
+def test_controllers_whose_tasks_differ_are_one_cell(tmp_path: Path) -> None:
+    two_controllers(tmp_path, ("T_LEFT", "T_RIGHT"))
+    ended = rapidsim("run", "cell.rspag", "--no-record", "--format", "json", cwd=tmp_path)
+    ran = json.loads(ended.out)
+    assert (ended.code, ran["end"]) == (0, "ended")
+    assert {robot["task"]: robot["robot"] for robot in ran["robots"]} == {
+        "T_LEFT": "irb1600-6-1.2",
+        "T_RIGHT": "irb120-3-0.58",
+    }
+    assert {move["task"]: move["joints_deg"][0] for move in ran["moves"]} == {
+        "T_LEFT": 10.0,
+        "T_RIGHT": -40.0,
+    }
+    assert sorted(texts(ended.out)) == ["T_LEFT", "T_RIGHT"]
+    text = rapidsim("run", "cell.rspag", "--no-record", cwd=tmp_path)
+    assert text.out.startswith("cell.rspag on ABB IRB 1600-6/1.2 and ABB IRB 120-3/0.58")
+    assert "Left, Right form one cell" in text.err.replace("\n", " ")
+    checked = rapidsim("check", "cell.rspag", "--output-format", "json", cwd=tmp_path)
+    assert (checked.code, json.loads(checked.out)["coverage"]["checked"]) == (0, 2)
+    # One of them is the same alone.
+    alone = rapidsim("run", "cell.rspag!Right", "--no-record", "--format", "json", cwd=tmp_path)
+    (move,) = json.loads(alone.out)["moves"]
+    (same,) = (one for one in ran["moves"] if one["task"] == "T_RIGHT")
+    assert (move["joints_deg"], move["end_s"]) == (same["joints_deg"], same["end_s"])
+
+
+@pytest.mark.parametrize(
+    ("tasks", "options", "why"),
+    [
+        (("T_ROB1", "T_ROB1"), {}, "Left and Right both have a task T_ROB1"),
+        (
+            ("T_A", "T_B"),
+            {"data": "PERS num nParts{3}:=[1,2,3];\n  TASK PERS num nOwn:=1;"},
+            "Left and Right both declare the persistent nparts, which tasks of one cell share",
+        ),
+        (
+            ("T_A", "T_B"),
+            {"statement": "SetDO doLamp,1;"},
+            "the programs of one use the signal dolamp, which Left and Right both have",
+        ),
+        (
+            ("T_A", "T_B"),
+            {"statement": 'TPWrite "ROB_1";'},
+            "the programs of one use the unit rob_1, which Left and Right both have",
+        ),
+    ],
+    ids=["task", "persistent", "signal", "unit"],
+)
+def test_controllers_that_share_a_name_are_no_cell(
+    tasks: tuple[str, str], options: dict[str, str], why: str, tmp_path: Path
+) -> None:
+    two_controllers(tmp_path, tasks, **options)
+    ended = rapidsim("check", "cell.rspag", cwd=tmp_path)
+    said = ended.err.replace("\n", " ")
+    assert ended.code == 2
+    assert "name one: cell.rspag!Left, cell.rspag!Right; check --each checks all" in said
+    assert why in " ".join(said.split())
+    assert rapidsim("check", "cell.rspag!Left", cwd=tmp_path).code == 0
+
+
 @pytest.mark.parametrize(
     ("systems", "said"),
     [

@@ -24,6 +24,7 @@ from rapidsim.language.data import (
     JointTarget,
     Orient,
     Pos,
+    Pose,
     RobJoint,
     RobTarget,
     SpeedData,
@@ -94,6 +95,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
 
     def __post_init__(self) -> None:
         self.call_procedure: Callable[[str], None] = print
+        self.part_pose: Callable[[str], Pose | None] = lambda _: None
         self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
@@ -103,7 +105,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
         return row.body(*first, *arguments, **options)
 
     def whole(self) -> Controller:
-        """All concerns in one; mypy holds it against the protocol of each."""
+        """All concerns in one; mypy holds it against the protocol of most."""
         whole = Controller(
             *(self, self, self, self, self, self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self),
@@ -162,7 +164,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def clear_path(self) -> None:
         self.log.append("clear path")
 
-    def store_path(self) -> None:
+    def store_path(self, *, keep_sync: bool = False) -> None:
         self.path_level += 1.0
 
     def restore_path(self) -> None:

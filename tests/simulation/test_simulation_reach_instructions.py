@@ -26,6 +26,7 @@ GIVEN = {
     "CirPoint": "[[800,30,620],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]]",
     "SearchPoint": "found",
     "SearchJointPos": "axes",
+    "GrooveWidth": "any",
     "ProcName": '"greet"',
 }
 OF_TYPE = {

@@ -211,3 +211,51 @@ def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
             assert (executed.move, "any") in ways[at]
             assert {(executed.move, last), (executed.move, None)} & ways[at]
         last = executed.move
+
+
+_FILLED = """MODULE m
+  CONST robtarget corner:=[[600,-100,400],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  VAR robtarget place{2,2};
+  PROC main()
+    ConfJ\\Off;
+    fill;
+    take reg1;
+  ENDPROC
+  PROC fill()
+    FOR i FROM 1 TO 2 DO
+      FOR j FROM 1 TO 2 DO
+        place{i,j}:=Offs(corner,0,100*j,50*i);
+      ENDFOR
+    ENDFOR
+  ENDPROC
+  PROC take(num n)
+%s
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.parametrize(
+    "way",
+    [
+        "IF n=1 THEN\nGOTO first;\nELSE\nGOTO first;\nENDIF\nfirst:",
+        "FOR i FROM 1 TO 2 DO\nIF n=i THEN\nGOTO first;\nELSE\nGOTO first;\nENDIF\nENDFOR\nfirst:",
+        "IF n=1 THEN\nRETURN;\nELSE\nEXIT;\nENDIF",
+        "TEST n\nCASE 1:\nRETURN;\nDEFAULT:\nRETURN;\nENDTEST",
+        "last;\nENDPROC\nPROC last()\nTEST n0\nCASE 1:\nEXIT;\nDEFAULT:\nEXIT;\nENDTEST",
+    ],
+    ids=["goto", "goto-in-a-loop", "both-end", "all-cases-end", "another-routine"],
+)
+def test_targets_filled_in_loops_hold_no_zeros_behind_a_way_that_ends(way: str) -> None:
+    text = (
+        _FILLED % f"{way}\nMoveJ place{{1,2}},v500,fine,tool0;\nMoveL place{{2,1}},v100,fine,tool0;"
+    )
+    found = checked(text.replace("n0", "reg1"), run=False)
+    assert found.codes == []
+    assert found.counts == (2, 0, 0)
+
+
+def test_targets_that_nothing_fills_are_found_there() -> None:
+    text = _FILLED % "IF n=1 GOTO first;\nRETURN;\nfirst:\nMoveJ place{1,2},v500,fine,tool0;"
+    found = checked(text.replace("    fill;\n", ""), run=False)
+    assert [code for code, _ in found.codes] == ["M501"]

@@ -70,7 +70,6 @@ def test_clearpath_of_either_forgets_the_way_of_both(side: str) -> None:
 @pytest.mark.parametrize(
     ("instruction", "message"),
     [
-        ("StorePath", "StorePath while robots move together is not simulated; SyncMoveOff first"),
         ("RestoPath", "RestoPath without StorePath: no path is kept"),
     ],
 )

@@ -26,6 +26,16 @@ MOVE = "MoveL {there}\\ID:=10,v200,{zone},tool0;"
 OPERATIONS = {
     "StorePath": "StorePath;",
     "RestoPath": "RestoPath;",
+    "StorePath in step": r"StopMove; StorePath\KeepSync;",
+    "stored in step": "StopMove; StorePath\\KeepSync; MoveL {here}\\ID:=15,v200,fine,tool0; "
+    "MoveL {there}\\ID:=16,v200,z10,tool0; RestoPath; StartMove;",
+    "stored and suspended": "StopMove; StorePath\\KeepSync; SyncMoveSuspend; "
+    "MoveL {here},v200,fine,tool0; RestoPath; StartMove;",
+    "stored and apart": "StopMove; StorePath\\KeepSync; SyncMoveOff off; RestoPath; StartMove;",
+    "stored and undone": "StopMove; StorePath\\KeepSync; SyncMoveUndo; RestoPath; StartMove;",
+    "stored twice": "StopMove; StorePath\\KeepSync; StorePath; StorePath; RestoPath; RestoPath; "
+    "RestoPath; StartMove;",
+    "stored and ended": "StopMove; StorePath\\KeepSync; EXIT;",
     "stored before": "StopMove; StorePath; RestoPath; StartMove;",
     "ClearPath": "StopMove; ClearPath; StartMove;",
     "ClearPath while it moves": "ClearPath;",
@@ -49,6 +59,7 @@ OPERATIONS = {
     "axes": "MoveAbsJ [[0,0,0,0,30,0],{out}]\\ID:=15,v100,fine,tool0;",
     "circle": "MoveC {there},{here}\\ID:=15,v100,fine,tool0;",
     "again": "SyncMoveOn on,both;",
+    "suspended for ever": "SyncMoveSuspend;",
     "suspended": "SyncMoveSuspend; SyncMoveResume;",
     "undone": "SyncMoveUndo;",
     "ended": "EXIT;",

@@ -195,6 +195,7 @@ class Cell:
         """By folded name."""
         self.conveyors = {one.unit.lower(): ConveyorState(one) for one in inputs.io.conveyors}
         """By folded name of the unit."""
+        self.parts = inputs.io.parts
         self.messages = MessageQueues(frozenset(f"RMQ_{task}" for task in inputs.tasks))
         self.parameters = SystemParameters(inputs.configured)
         self.disabled_devices: set[str] = set()

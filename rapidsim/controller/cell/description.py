@@ -12,6 +12,7 @@ from enum import StrEnum
 from rapidsim.controller.cell.camera_scripts import CameraScript
 from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
+from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
 from rapidsim.values import dataclass
 
@@ -177,6 +178,8 @@ class CellIo:
     conveyors: tuple[ConveyorScript, ...] = ()
     grippers: tuple[Gripper, ...] = ()
     smart_grippers: tuple[DescribedFingers, ...] = ()
+    parts: tuple[PartPose, ...] = ()
+    """Where the parts are that a torch searches; the first that applies counts."""
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both combined; if both declare a signal, the other's declaration counts."""
@@ -192,6 +195,7 @@ class CellIo:
             conveyors=(*self.conveyors, *other.conveyors),
             grippers=(*self.grippers, *other.grippers),
             smart_grippers=(*self.smart_grippers, *other.smart_grippers),
+            parts=(*other.parts, *self.parts),
         )
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.controller.moves.queued_move import MotionError
@@ -12,6 +12,18 @@ from rapidsim.controller.queue.motion_queue import MotionQueue
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.controller.queue.team_queue import TeamQueue
+from rapidsim.language.error_numbers import ERR_PATH, rapid_error
+from rapidsim.motion.geometry.segments import Waypoint
+
+
+@dataclass(frozen=True, slots=True)
+class _PathLevel:
+    """Where a robot moved before StorePath."""
+
+    seat: TeamQueue | None
+    """Its place in its team; None if it moved alone."""
+    end: Waypoint
+    """Where its last queued move ends."""
 
 
 @dataclass(slots=True, eq=False)
@@ -28,6 +40,9 @@ class MechanicalUnit:
     """StopMove of its own task holds it, in addition to a task that watches."""
     held_by_watcher: bool = False
     """StopMove of a task without a robot holds it."""
+    suspended: tuple[str, ...] = ()
+    """Tasks of the team that it left by SyncMoveSuspend; empty if none."""
+    _levels: list[_PathLevel] = field(default_factory=list)
     _changes: int = 0
 
     @property
@@ -79,3 +94,82 @@ class MechanicalUnit:
             self.own.continue_from(max(self.seat.team.planner.ready_s, ended_s))
             self._changes += 1
             self.seat = None
+
+    @property
+    def has_left_team(self) -> bool:
+        """Whether it moves alone until its team moves together again or its path is restored."""
+        stored = any(level.seat is not None for level in self._levels)
+        return self.seat is None and (stored or bool(self.suspended))
+
+    def hold(self) -> None:
+        """Note that the robot's own task has stopped it, and with it its team."""
+        self.held_by_task = True
+        if self.seat is not None:
+            self.seat.team.holders.add(self.seat.number)
+
+    def release(self) -> bool:
+        """Note that the robot's own task restarts it; whether no task of its team holds it then.
+
+        A task that has not stopped the team restarts it for all.
+        """
+        self.held_by_task = False
+        if self.seat is None:
+            return True
+        holders, number = self.seat.team.holders, self.seat.number
+        if number not in holders:
+            holders.clear()
+        holders.discard(number)
+        return not holders
+
+    def store_path(self, *, keep_sync: bool) -> None:
+        """Store the path of a robot at rest, and begin another one.
+
+        Args:
+            keep_sync: Whether a robot in a team begins it together with the team, or alone.
+        """
+        seat = self.seat
+        self._levels.append(_PathLevel(seat, self.own.end))
+        if seat is not None:
+            seat.team.store(seat.number)
+            self.part()
+        self.own.store()
+        if seat is not None and keep_sync:
+            self._changes += 1
+            self.seat = TeamQueue(self.own, seat.team.next_level(), seat.number)
+
+    def restore_path(self) -> None:
+        """Restore the path that was stored last, and with it the team that it is a path of.
+
+        Raises:
+            RapidError: ERR_PATH, if the robot joined a team after it had stored a path of its own.
+        """
+        level = self._levels[-1]
+        if level.seat is None and self.seat is not None:
+            raise rapid_error(ERR_PATH, _STORED_ALONE)
+        del self._levels[-1]
+        self.suspended = ()
+        self.part()
+        self.own.restore()
+        if level.seat is not None:
+            self._changes += 1
+            self.seat = level.seat
+            if level.seat.is_open:
+                self.own.end = level.end
+            level.seat.team.restore(level.seat.number)
+
+    def drop_paths(self) -> None:
+        """Forget all paths that are stored, of the robot alone and of its teams."""
+        for level in self._levels:
+            if level.seat is not None:
+                level.seat.team.restore(level.seat.number)
+        self._levels.clear()
+        self.suspended = ()
+        while self.own.stored:
+            self.own.clear()
+            self.own.restore()
+
+
+_STORED_ALONE = (
+    "RestoPath while robots move together is not simulated for a path that was stored before they "
+    "did; SyncMoveOff first"
+)

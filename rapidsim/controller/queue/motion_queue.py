@@ -114,22 +114,6 @@ class MotionQueue(Protocol):
         """Forget what is left of the path of a robot that stands."""
         ...
 
-    def store(self) -> None:
-        """Keep the path of a robot that stands, and begin another.
-
-        Raises:
-            RapidError: ERR_PATH, where robots move together.
-        """
-        ...
-
-    def restore(self) -> None:
-        """Take up the path that was kept last, where it was left.
-
-        Raises:
-            RapidError: ERR_PATH, where robots move together.
-        """
-        ...
-
     def too_far_off(self) -> str:
         """How far the arm stands from where it left the path it is to take up, in words.
 

@@ -18,7 +18,7 @@ from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.repeats import Repeats
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.segments import Waypoint
+from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import build_path
@@ -151,7 +151,7 @@ class SoloQueue:
 
     def take(self, queued: QueuedMove) -> None:
         """Note a move that the robot makes in a team, which plans it."""
-        queued.number = len(self.moves)
+        queued.number, queued.level = len(self.moves), self.stored
         self.moves.append(queued)
         self.end = queued.segment.end
 
@@ -266,7 +266,11 @@ class SoloQueue:
         block, left_at = self.planner.block, self._left_at
         if left_at is None or not block.is_open:
             return ""
-        tool = block.moves[block.commit.move].segment.tcp_from_flange.inverse()
+        return self.distance_from(left_at, block.moves[block.commit.move].segment)
+
+    def distance_from(self, left_at: Waypoint, segment: Segment) -> str:
+        """Distance of the arm from where it left a segment, in words; empty if it can return."""
+        tool = segment.tcp_from_flange.inverse()
         stands = self.standing()
         here, there = (one.base_from_tcp @ tool for one in (stands, left_at))
         way = float(np.linalg.norm(there.translation - here.translation))

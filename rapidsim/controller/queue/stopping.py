@@ -12,11 +12,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from rapidsim.controller.moves.queued_move import MotionError
+from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.queue.block import BlockPlan, Commit
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.geometry.segments import Geometry, Waypoint
+from rapidsim.motion.geometry.segments import Geometry, Segment, Waypoint
 from rapidsim.motion.timing.braking import stop_at
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
@@ -100,11 +100,22 @@ def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: fl
     Returns:
         Command time [s] at which it is there; `now_s` if it is there already.
     """
-    if np.max(np.abs(stands.joints - left_at.joints)) < _SAME_JOINTS:
+    if is_same_place(stands, left_at):
         return now_s
-    moves, index = planner.block.moves, planner.block.commit.move
-    segment = replace(
-        moves[index].segment,
+    move = planner.block.moves[planner.block.commit.move]
+    back = replace(move, segment=segment_back(move.segment, stands, left_at))
+    return go_back(planner, back, now_s)
+
+
+def is_same_place(stands: Waypoint, left_at: Waypoint) -> bool:
+    """Whether an arm is where it left its path."""
+    return bool(np.max(np.abs(stands.joints - left_at.joints)) < _SAME_JOINTS)
+
+
+def segment_back(segment: Segment, stands: Waypoint, left_at: Waypoint) -> Segment:
+    """The segment from where an arm is to where it left one; all axes move together."""
+    return replace(
+        segment,
         geometry=Geometry.JOINT,
         start=stands,
         end=left_at,
@@ -115,10 +126,14 @@ def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: fl
         carrier=None,
         wrist_in_joints=False,
     )
-    path = planner.build([replace(moves[index], segment=segment)], None)
+
+
+def go_back(planner: BlockPlanner, move: QueuedMove, now_s: float) -> float:
+    """Add a move back to the path to the motion; the command time [s] at which it has ended."""
+    path = planner.build([move], None)
     timing = plan(path, planner.limits, look=planner.look)
     start_s = max(now_s, planner.ready_s)
-    planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length, moves[index].number))
+    planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length, move.number))
     return start_s + timing.duration + planner.model.dwell_after(timing.braking_s)
 
 

@@ -6,7 +6,7 @@ said its own; planning, stopping and starting are those of one robot, on the joi
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -16,6 +16,7 @@ from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
+from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath
 from rapidsim.motion.path.team_building import TeamFault, build_team
@@ -106,8 +107,19 @@ class TeamPlanner:
         )
         self.waiting: dict[int, int] = {}
         """Robots whose next move depends on another's, by number, with the number of that other."""
+        self.holders: set[int] = set()
+        """Numbers of the robots whose tasks have stopped the team and not restarted it."""
         self._offsets = tuple(robot.trajectory.length for robot in robots)
         """Where the joint path begins on that of each robot's whole run [m]."""
+        self._start_offsets: dict[int, tuple[float, ...]] = {}
+        """The offsets of moves, by number, that began before the path was stored."""
+        self._end_offsets: dict[int, tuple[float, ...]] = {}
+        """The same of moves that had ended before."""
+        self._stored_by: set[int] = set()
+        """Numbers of the robots whose tasks have stored the path."""
+        self._left_at: dict[int, Waypoint] = {}
+        """Where these robots left the path, until it is taken up again."""
+        self._next_level: TeamPlanner | None = None
 
     def said(self, number: int) -> QueuedMove | None:
         """A robot's part of the next move; None before its task has given it."""
@@ -183,6 +195,81 @@ class TeamPlanner:
             part.command_start_s = move.command_start_s
         return move
 
+    def store(self, number: int) -> None:
+        """Store the path for one robot, which is at rest; it stays halted until all restore it."""
+        self.planner.version += 1
+        self._stored_by.add(number)
+        self._left_at.setdefault(number, self.robots[number].standing())
+
+    def restore(self, number: int) -> None:
+        """Restore the path for one robot, which is at rest; see `store`."""
+        planner, robot = self.planner, self.robots[number]
+        planner.version += 1
+        planner.ready_s = max(planner.ready_s, robot.planner.ready_s)
+        self._stored_by.discard(number)
+        if not self._stored_by:
+            self._next_level = None
+            self._renew_offsets()
+
+    def next_level(self) -> TeamPlanner:
+        """The planner of the moves that the robots make together while this path is stored."""
+        if self._next_level is None:
+            level = self._next_level = TeamPlanner(self.tasks, self.robots)
+            ends_s = (robot.trajectory.command_end for robot in self.robots)
+            level.planner.ready_s = max(level.planner.ready_s, self.planner.ready_s, *ends_s)
+        return self._next_level
+
+    def resume(self, now_s: float) -> None:
+        """Continue from where the robots were stopped; they return there if they have moved since.
+
+        While the path is stored for one of them, all stay halted.
+        """
+        if self._stored_by:
+            return
+        left_at, self._left_at = self._left_at, {}
+        if left_at and self.planner.is_open:
+            now_s = self._regain(left_at, now_s)
+        stopping.resume(self.planner, now_s)
+
+    def too_far_off(self) -> str:
+        """Distance of a robot from where it left the path, in words; empty if all can return."""
+        block = self.planner.block
+        if not block.is_open:
+            return ""
+        move = block.moves[block.commit.move]
+        assert isinstance(move, TeamMove)
+        for number, left_at in self._left_at.items():
+            too_far = self.robots[number].distance_from(left_at, move.parts[number].segment)
+            if too_far:
+                return too_far
+        return ""
+
+    def _regain(self, left_at: Mapping[int, Waypoint], now_s: float) -> float:
+        """Return to where the robots left the path, together; see `stopping.regain`."""
+        stands = [robot.standing() for robot in self.robots]
+        goals = [left_at.get(number, here) for number, here in enumerate(stands)]
+        if all(map(stopping.is_same_place, stands, goals)):
+            return now_s
+        move = self.planner.block.moves[self.planner.block.commit.move]
+        assert isinstance(move, TeamMove)
+        back = zip(move.parts, stands, goals, strict=True)
+        parts = tuple(
+            replace(part, segment=stopping.segment_back(part.segment, here, there))
+            for part, here, there in back
+        )
+        return stopping.go_back(self.planner, replace(move, parts=parts), now_s)
+
+    def _renew_offsets(self) -> None:
+        """Let the joint path continue where each robot is now on the path of its whole run."""
+        block = self.planner.block
+        for move in block.moves[: block.commit.move + 1]:
+            if move.started.time is not None:
+                self._start_offsets.setdefault(move.number, self._offsets)
+        for move in block.moves[: block.commit.move]:
+            self._end_offsets.setdefault(move.number, self._offsets)
+        travelled_m = self._trajectory.length
+        self._offsets = tuple(robot.trajectory.length - travelled_m for robot in self.robots)
+
     def clear(self) -> None:
         """Forget what is left of the path of robots that stand."""
         stopping.clear(self.planner)
@@ -207,10 +294,10 @@ class TeamPlanner:
         """Where a robot's move of the current block starts and ends [m] on its preview."""
         move = self._whole(number, part)
         places = None if move is None else self.planner.places_of(move)
-        if places is None:
+        if move is None or places is None:
             return None
-        offset = self._offsets[number]
-        return offset + places[0], offset + places[1]
+        starts, ends = self._offsets_of(move)
+        return starts[number] + places[0], ends[number] + places[1]
 
     def stretch_of(self, number: int, part: QueuedMove) -> float:
         """How far [m] the common parameter advances per metre of a robot's own path on its move."""
@@ -225,6 +312,11 @@ class TeamPlanner:
                 assert isinstance(plan.path, TeamPath)
                 length_m = float(plan.path.courses[number].path.lengths[index])
         return (places[1] - places[0]) / length_m if length_m > _NO_WAY_M else 1.0
+
+    def _offsets_of(self, move: TeamMove) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Where the joint path begins on that of each robot, for the start and end of a move."""
+        starts = self._start_offsets.get(move.number, self._offsets)
+        return starts, self._end_offsets.get(move.number, self._offsets)
 
     def _whole(self, number: int, part: QueuedMove) -> TeamMove | None:
         """The team's move that a part belongs to, in the current block."""
@@ -258,13 +350,14 @@ class TeamPlanner:
         """Pass on to the parts of a move what became of the whole."""
         for k, move in enumerate(moves):
             assert isinstance(move, TeamMove)
+            starts, ends = self._offsets_of(move)
             for number, part in enumerate(move.parts):
                 if isinstance(path, TeamPath):
                     own = path.courses[number].path
                     part.length_m, corner = float(own.lengths[k]), own.corners[k]
                     part.zone_m, part.corner_reason = corner.radius, corner.reason
-                part.start_place_m = self._offsets[number] + move.start_place_m
-                part.end_place_m = self._offsets[number] + move.end_place_m
+                part.start_place_m = starts[number] + move.start_place_m
+                part.end_place_m = ends[number] + move.end_place_m
                 part.ended_s = move.ended_s
                 part.command_start_s = move.command_start_s
                 part.corner = move.corner

@@ -9,7 +9,6 @@ from rapidsim.controller.queue.given_moves import GivenMoves
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.frames.transform import Array
-from rapidsim.language.error_numbers import ERR_PATH, rapid_error
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.values import dataclass
@@ -107,7 +106,7 @@ class TeamQueue:
 
     def resume(self, now_s: float) -> None:
         """Let all robots of the team go on."""
-        stopping.resume(self.team.planner, now_s)
+        self.team.resume(now_s)
 
     def leave(self) -> None:
         """Leave all robots of the team on their way."""
@@ -117,25 +116,6 @@ class TeamQueue:
         """Forget what is left of the path of the team."""
         self.team.clear()
 
-    def store(self) -> None:
-        """Not modelled: whose path would be kept?
-
-        Raises:
-            RapidError: ERR_PATH.
-        """
-        raise rapid_error(ERR_PATH, _NOT_TOGETHER.format("StorePath"))
-
-    def restore(self) -> None:
-        """Not modelled: a path that was kept is that of the robot alone.
-
-        Raises:
-            RapidError: ERR_PATH.
-        """
-        raise rapid_error(ERR_PATH, _NOT_TOGETHER.format("RestoPath"))
-
     def too_far_off(self) -> str:
-        """A team never takes up a stored path."""
-        return ""
-
-
-_NOT_TOGETHER = "{} while robots move together is not simulated; SyncMoveOff first"
+        """Distance of a robot of the team from where it left the path; see `MotionQueue`."""
+        return self.team.too_far_off()

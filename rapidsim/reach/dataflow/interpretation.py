@@ -429,7 +429,7 @@ class Walker:
 
     def _instruction(self, call: tree.Call, routine: LibraryRoutine) -> None:
         moving, fields = Does.MOVE in routine.does, routine.sets
-        recorder = Recorder(self.state.settings.settings)
+        recorder = Recorder(self.state.settings.settings, self.program.cell.places_parts)
         signature = routine.signature
         done: Performed | str = "only a run can tell"
         if moving or fields or not signature.takes_controller:

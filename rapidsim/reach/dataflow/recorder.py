@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.language.data import Pose
 from rapidsim.language.error_numbers import IN_NO_HANDLER
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.language.path_events import Trigger
@@ -24,9 +25,15 @@ class NeedsRunError(Exception):
 class Recorder:
     """Stands in for the controller: keeps settings, accepts moves, knows nothing of a robot."""
 
-    def __init__(self, settings: MotionSettings) -> None:
-        """Begin with the settings where the instruction stands."""
+    def __init__(self, settings: MotionSettings, places_parts: bool = False) -> None:
+        """Begin with the settings where the instruction stands.
+
+        Args:
+            settings: These settings.
+            places_parts: Whether the station says where parts are that a torch searches.
+        """
         self.settings = settings
+        self._places_parts = places_parts
         self.moves: list[Move] = []
         self.left = 0
         self.place = _NOWHERE
@@ -42,6 +49,13 @@ class Recorder:
         """Ignore corrections by a sensor, which are not known; the programmed move is checked."""
         del identity, move
         put()
+
+    def part_pose(self, search: str) -> Pose | None:
+        """None, for a part that is where it was taught; a run knows where others are."""
+        del search
+        if self._places_parts:
+            raise NeedsRunError("part_pose")
+        return None
 
     def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         """Nothing; the run that executes it reports it."""

@@ -43,11 +43,13 @@ class State:
 
 
 def joined(ways: Iterable[State]) -> State:
-    """What is known where several paths join; unreachable ones are ignored."""
-    possible = [way for way in ways if way.alive]
-    if not possible:
-        return State(alive=False)
-    first, *others = possible
+    """What is known where several paths join; those that end before are ignored.
+
+    If all of them end before, the data keep what they held at the ends: the statements that follow
+    are examined, too, and a label may be reached by GOTO.
+    """
+    every = list(ways)
+    first, *others = [way for way in every if way.alive] or every
     result = first.copy()
     for other in others:
         for symbol in {**result.values, **other.values}:

@@ -198,9 +198,7 @@ class LiveTask:
         with suppress(MotionError):
             if queue.is_open and not queue.is_halted:
                 queue.halt(now_s)
-        while queue.stored:
-            queue.clear()
-            queue.restore()
+        self.unit.drop_paths()
         queue.clear()
         queue.resume(now_s)
 

@@ -50,6 +50,13 @@ class Run(Node):
             return None
         return next(self.rows(slice(row, row + 1)))
 
+    def row_around(self, offset: int) -> RunRow | None:
+        """The call that contains an offset; None if none does."""
+        row = int(self.starts.searchsorted(offset, "right")) - 1
+        if row < 0 or offset >= self.ends[row] or not isinstance(self.like, Call):
+            return None
+        return next(self.rows(slice(row, row + 1)))
+
     def rows(self, which: slice = slice(None)) -> Iterator[RunRow]:
         """Its calls, or some of them, as places that know what they are like."""
         assert isinstance(self.like, Call)

@@ -8,6 +8,7 @@ from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.controller import ACCEPTED
+from rapidsim.library.traits import Does
 
 
 class UnsupportedConstruct(Violation, code="E105"):
@@ -22,10 +23,13 @@ class UnsupportedConstruct(Violation, code="E105"):
 
 def find_unsupported(facts: Facts) -> Iterator[Diagnostic]:
     """Calls of installed routines that are not simulated."""
+    places_parts = facts.analysis.cell.places_parts
     for part in facts.parts:
         for call in part.calls:
             symbol = facts.symbol(call)
             if isinstance(symbol, LibrarySymbol) and symbol.routine.treated_as is not None:
+                if places_parts and Does.SEARCH_PART in symbol.routine.does:
+                    continue
                 instead = symbol.routine.treated_as
                 violation = UnsupportedConstruct(symbol.name, instead)
                 yield part.finding(violation, call.name)
