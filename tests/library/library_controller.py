@@ -109,13 +109,11 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
         whole = Controller(
             *(self, self, self, self, self, self, self, self, self, self, self, self),
             *(self, self, self, self, self, self, self, self, self, self, self, self),
-            # Programs of the book of the language have messages and sensors.
             cast(Messages, self),
             cast(Guidance, self),
         )
-        for name in ("symbols", "modules"):
-            if hasattr(self, name):
-                setattr(whole, name, getattr(self, name))
+        for name in (one for one in ("symbols", "modules") if hasattr(self, one)):
+            setattr(whole, name, getattr(self, name))
         return whole
 
     def now(self) -> float:
