@@ -28,10 +28,10 @@ from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimens
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised
 from rapidsim.interpreter.runtime.references import ComponentReference, Element
 from rapidsim.interpreter.runtime.values import literal
-from rapidsim.language.controller import one_for_all
-from rapidsim.language.initial import initial_value
+from rapidsim.language.controller import uniform_controller
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import ArrayOf, Record, resolved
 from rapidsim.syntax import tree
 
@@ -39,7 +39,7 @@ Frame = list[Any]
 Closure = Callable[[Frame], Any]
 
 RETRY, TRYNEXT, END = ("retry",), ("try next",), ("end",)
-PATHS = (tree.Reference, tree.Index, tree.Component)
+PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,
     "-": operator.sub,
@@ -269,7 +269,7 @@ class Interpreter:
                 return lambda frame: not truth(frame)
             case tree.FunctionCall():
                 return self.call(node)
-            case tree.Reference() | tree.Index() | tree.Component():
+            case tree.DataReference() | tree.Index() | tree.ComponentAccess():
                 return self.load(node)
             case _:
                 constant = literal(node, self.program.type_of[node])
@@ -283,7 +283,7 @@ class Interpreter:
             case tree.Index(array=array, indices=indices):
                 holder, index = self.element(array, indices)
                 return lambda frame: holder(frame)[index(frame)]
-            case tree.Component(record=record, name=name):
+            case tree.ComponentAccess(record=record, name=name):
                 whole, position = self.load(record), self.position(node, name)
                 return lambda frame: whole(frame)[position]
         symbol = self.program.symbol_of[node]
@@ -308,7 +308,7 @@ class Interpreter:
                     holder(frame)[index(frame)] = new
 
                 return set_element
-            case tree.Component(record=record, name=name):
+            case tree.ComponentAccess(record=record, name=name):
                 old, position = self.load(record), self.position(node, name)
 
                 def changed(frame: Frame) -> Any:
@@ -335,7 +335,7 @@ class Interpreter:
             case tree.Index(array=array, indices=indices):
                 holder, index = self.element(array, indices)
                 return lambda frame: Element(holder(frame), index(frame))
-            case tree.Component(record=record, name=name):
+            case tree.ComponentAccess(record=record, name=name):
                 whole, position = self.refer(record), self.position(node, name)
                 return lambda frame: ComponentReference(whole(frame), (position,))
         symbol = self.program.symbol_of[node]
@@ -366,7 +366,7 @@ class Interpreter:
     def call(self, node: tree.Call | tree.FunctionCall) -> Closure:
         """A call, whose arguments all loops give by position."""
         symbol = self.program.symbol_of[node]
-        given = [a.value for a in node.arguments if isinstance(a, tree.Required)]
+        given = [a.value for a in node.arguments if isinstance(a, tree.RequiredArgument)]
         if isinstance(symbol, RoutineSymbol):
             parts = [
                 self.refer(bare(value))  # type: ignore[arg-type]
@@ -387,7 +387,7 @@ class Interpreter:
             for parameter, value in zip(signature.parameters, given, strict=False)
         ]
         if signature.takes_controller:
-            asked = signature.asked_of(one_for_all(self.controller))
+            asked = signature.asked_of(uniform_controller(self.controller))
             parts.insert(0, lambda frame: asked)
         return lambda frame: function(*[part(frame) for part in parts])
 
@@ -420,10 +420,10 @@ class Interpreter:
         is_array = isinstance(resolved(getattr(symbol, "type", None)), ArrayOf)  # type: ignore[arg-type]
         return isinstance(symbol, ParameterSymbol) and by_reference(symbol.mode) and not is_array
 
-    def position(self, node: tree.Component, name: tree.Name) -> int:
+    def position(self, node: tree.ComponentAccess, name: tree.Name) -> int:
         """Where a component stands in its record."""
         record = node.record
-        assert isinstance(record, tree.Reference)
+        assert isinstance(record, tree.DataReference)
         of = resolved(self.program.symbol_of[record].type)  # type: ignore[union-attr]
         assert isinstance(of, Record)
         return [part.name.lower() for part in of.components].index(name.key)

@@ -25,16 +25,16 @@ from rapidsim.collisions import shape
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.body_distance import Bodies
 from rapidsim.collisions.contact import BodyName
-from rapidsim.collisions.convex import Parts
+from rapidsim.collisions.convex import ConvexParts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.link_shapes import link_shapes
 from rapidsim.collisions.overlap import TOUCH_M
-from rapidsim.collisions.scene import WORLD, Arm, Body, Carried, Frame, Pair, Scene
+from rapidsim.collisions.scene import WORLD, Arm, AttachedBody, Body, Pair, Scene, SceneFrame
 from rapidsim.collisions.self_pairs import judged_pairs, link_frame, random_postures
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Postures
+from rapidsim.motion.trajectory.trajectory import JointSamples
 
 TEN_ARMS = (
     "irb120-3-0.58", "irb140-6-0.81", "irb1200-7-0.7", "irb1600-6-1.2", "irb2600-12-1.85",
@@ -73,9 +73,9 @@ def pairs_apart(
         [_made(kind, size, r) for size, r in zip(sizes[k], radius[k], strict=True)]
         for k, kind in enumerate(kinds)
     ]
-    parts = Parts([one.parts[0] for some in made for one in some])
+    parts = ConvexParts([one.parts[0] for some in made for one in some])
     row = np.arange(count)
-    found = distances(parts, row, row + count, where).found
+    found = distances(parts, row, row + count, where).distances_found
     round_off = sum(np.where(kind == "box", 0.0, radius[k]) for k, kind in enumerate(kinds))
     bones = [_bones(kind, sizes[k]) for k, kind in enumerate(kinds)]
     bones[0] = where.apply(bones[0].swapaxes(0, 1)).swapaxes(0, 1)
@@ -221,22 +221,22 @@ def arm_touches(robot: Robot, count: int, seed: int) -> Tally:
                 one = np.array([a]), np.array([b])
                 return float(bodies.depths(*one, seen[[k]], exact=True)[0])
 
-            gap = float(gaps.found[k])
+            gap = float(gaps.distances_found[k])
             tally.count(gap if np.isfinite(gap) or gap < 0.0 else 1.0, deep, met)
     return tally
 
 
-def swing(robot: Robot, start: Array, end: Array) -> tuple[Callable[[Array], Postures], float]:
+def swing(robot: Robot, start: Array, end: Array) -> tuple[Callable[[Array], JointSamples], float]:
     """A motion as fast as the axes can, from rest to rest, and how long [s] it lasts."""
     way = end - start
     speed = np.array([joint.max_speed for joint in robot.joints], dtype=np.float64)
     lasts = max(float((_SPEED * np.abs(way) / speed).max()), 0.2)
 
-    def at(times: Array) -> Postures:
+    def at(times: Array) -> JointSamples:
         share = np.clip(times / lasts, 0.0, 1.0)
         joints = start + (10.0 * share**3 - 15.0 * share**4 + 6.0 * share**5)[:, None] * way
         count = len(times)
-        return Postures(np.zeros(count, dtype=np.int64), joints, np.zeros((count, 0)))
+        return JointSamples(np.zeros(count, dtype=np.int64), joints, np.zeros((count, 0)))
 
     return at, lasts
 
@@ -261,13 +261,15 @@ def sheet_error(robot: Robot, rng: np.random.Generator) -> float:
     x = np.cross(z, np.eye(3)[np.abs(z).argmin()])
     x /= np.linalg.norm(x)
     place = Transform(np.column_stack([x, np.cross(z, x), z]), here)
-    flange = Frame(0, len(robot.joints) + 1)
+    flange = SceneFrame(0, len(robot.joints) + 1)
     sheet = shape.box(np.array([0.06, 0.06, 5e-4]))
     bodies = (
         Body(
-            BodyName("tip", 0), shape.sphere(0.002), (Carried(0.0, flange, Transform.identity()),)
+            BodyName("tip", 0),
+            shape.sphere(0.002),
+            (AttachedBody(0.0, flange, Transform.identity()),),
         ),
-        Body(BodyName("sheet"), sheet, (Carried(0.0, WORLD, place),)),
+        Body(BodyName("sheet"), sheet, (AttachedBody(0.0, WORLD, place),)),
     )
     arm = Arm(robot, Transform.identity(), at, ((0.0, lasts),))
     found = search(Scene((arm,), bodies, (Pair(0, 1, 0, touch_only=False),)), lasts)

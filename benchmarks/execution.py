@@ -24,7 +24,7 @@ from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import DataSymbol, Program, Scope
 from rapidsim.diagnostics import Source
 from rapidsim.interpreter.linking.loader import Task, load
-from rapidsim.language.controller import one_for_all
+from rapidsim.language.controller import uniform_controller
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
@@ -110,7 +110,7 @@ def main() -> None:
 def loop_times(rounds: int) -> dict[str, list[float]]:
     """Seconds of processor of each loop: as generated code, in Python, in closures."""
     program = _program()
-    task = load(program, one_for_all(Ticking()))
+    task = load(program, uniform_controller(Ticking()))
     closures = Interpreter(program, Ticking())
     task.run("prepare")
     closures.run("prepare")

@@ -56,7 +56,7 @@ from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, problem_of
 from rapidsim.motion.timing.stages import stages_of
-from rapidsim.motion.timing.time_optimal import Division, Drive, drive
+from rapidsim.motion.timing.time_optimal import Division, StageMotion, drive
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate
 
@@ -323,7 +323,7 @@ def _random_block(robot: Robot, random: np.random.Generator) -> list[Segment]:
     ]
 
 
-def drive_on_cells(problem: Problem) -> Drive:
+def drive_on_cells(problem: Problem) -> StageMotion:
     """The fastest drive from rest with the ends of the cells as its only nodes."""
     stages = stages_of(problem.cells, problem.accelerations, 1)
     held = np.zeros(len(stages.cell), dtype=bool)

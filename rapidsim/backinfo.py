@@ -13,13 +13,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TASK = re.compile(r">>(TASK\d+):\s*\(\s*([^,)\s]+)", re.IGNORECASE)
 _MODULE = re.compile(r"([^@]+?)\s*@.*")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ListedTask:
     """A task of a backup."""
 

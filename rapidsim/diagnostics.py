@@ -16,7 +16,7 @@ from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, dataclass_transform
 
 from rapidsim.shipped import shipped
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -36,7 +36,7 @@ class Severity(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@value_class(frozen=True, eq=False, repr=False)
 class Source:
     """The text of one file. Positions in it are character offsets; lines are found on demand."""
 
@@ -65,7 +65,7 @@ class Source:
         return self.text[starts[number - 1] : end].rstrip("\r\n")
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class Span:
     """A stretch of a source text, `end` exclusive."""
 
@@ -112,7 +112,7 @@ class Span:
         return f"{self.file[-60:]}:{self.line}:{self.column}"
 
 
-@dataclass(frozen=True)
+@value_class(frozen=True)
 class Rule:
     """What is written of a rule: its folder `CODE-name` in `rapidsim/rules`, read when asked for.
 
@@ -210,13 +210,13 @@ class Violation:
         return False
 
     @property
-    def is_told_once(self) -> bool:
+    def is_reported_once(self) -> bool:
         """Whether all of them, in all files, are one finding where findings are merged."""
         return False
 
-    def with_others(self, others: Sequence[Violation]) -> Violation:
+    def with_others(self, merged: Sequence[Violation]) -> Violation:
         """One violation that says this and others of its rule; for those that are told once."""
-        del others
+        del merged
         return self
 
     facts: ClassVar[tuple[str, ...]] = ()
@@ -300,7 +300,7 @@ class Violation:
         return self.rule.help.format_map(vars(self)) or None
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Related:
     """Another place that explains a finding, such as the declaration a use disagrees with."""
 
@@ -308,7 +308,7 @@ class Related:
     message: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Edit:
     """Replace a span by a text."""
 
@@ -316,7 +316,7 @@ class Edit:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Fix:
     """Edits that cure a finding."""
 
@@ -325,7 +325,7 @@ class Fix:
     safe: bool = True
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class Diagnostic:
     """A violation at a place; `span` is None only for what has no place, such as a whole folder."""
 

@@ -34,15 +34,15 @@ def pip_install(package: str) -> str:
     return f'pip install "rapidsim[{EXTRAS[package]}]"'
 
 
-def require(package: str, what: str) -> None:
+def require(package: str, subject: str) -> None:
     """Refuse what needs a package that is not installed.
 
     Args:
         package: As it is imported.
-        what: Needs it.
+        subject: Needs it.
 
     Raises:
         InputError: If it is not installed; the help is the command that brings it.
     """
     if not is_installed(package):
-        raise InputError(f"{what} needs {package}, which is not installed", pip_install(package))
+        raise InputError(f"{subject} needs {package}, which is not installed", pip_install(package))

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import BinaryIO
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _STEERING = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a\x1b"))
 """What no text holds."""
@@ -73,7 +73,7 @@ class Suggestion(str):
         return line
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SourceFile:
     """The text of one file."""
 
@@ -161,9 +161,9 @@ def decode(data: bytes) -> tuple[str, str]:
     return data.decode(_LAST_RESORT), _LAST_RESORT
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> Suggestion | None:
+def did_you_mean(name: str, candidates: Iterable[str]) -> Suggestion | None:
     """The help line for a name that is not known, if something known is near."""
-    folded = {candidate.lower(): candidate for candidate in known}
+    folded = {candidate.lower(): candidate for candidate in candidates}
     near = difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.6)
     if not near:
         return None
@@ -227,7 +227,7 @@ def _near_file(path: Path) -> Suggestion | None:
     return near and Suggestion([alike[stem] for stem in near.names])
 
 
-def seen_from_here(path: Path) -> Path:
+def relative_to_cwd(path: Path) -> Path:
     """A path below the working directory as the user would write it; others unchanged."""
     here = Path.cwd().resolve()
     return path.relative_to(here) if path.is_relative_to(here) else path

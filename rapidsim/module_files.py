@@ -29,7 +29,7 @@ from rapidsim.files import (
     require_inside,
     standard_input,
 )
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MODULE_SUFFIXES = (".mod", ".modx", ".sys", ".sysx", ".prg")
 _PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECASE | re.DOTALL)
@@ -45,7 +45,7 @@ _MOST_FOLDERS = 200
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Backup:
     """A controller backup, or what is laid out like one."""
 
@@ -54,7 +54,7 @@ class Backup:
     """The folders of its tasks; none where SYS.cfg loads every module from HOME."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LooseCell:
     """A folder of modules with the configuration files of their controller beside them."""
 
@@ -64,7 +64,7 @@ class LooseCell:
     modules: tuple[Path, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskFiles:
     """The modules of one task, in a fixed order."""
 
@@ -269,7 +269,7 @@ def named_file(path: str) -> Path:
     return Path(path) if packed is None else packed[0]
 
 
-def _shown(module: Path) -> str:
+def _display_name(module: Path) -> str:
     """The name of a module, that of its place in the archive if it comes from one."""
     unpacking = sys.modules.get("rapidsim.pack_and_go")
     return str(module) if unpacking is None else str(unpacking.shown_name(module))
@@ -296,7 +296,7 @@ def _read(modules: Iterable[str | Path]) -> TaskFiles:
         if key in read or key in encoded:
             continue
         data = standard_input() if isinstance(module, str) else input_bytes(module)
-        name = STANDARD_INPUT if isinstance(module, str) else _shown(module)
+        name = STANDARD_INPUT if isinstance(module, str) else _display_name(module)
         if is_encoded(data):
             encoded[key] = name
         else:

@@ -233,13 +233,13 @@ class RapidTest(pytest.Item):
 
         from rapidsim.api.cell import load
 
-        paths = [self.path, *_beside(self.path), *self.config.getini("rapid_modules")]
+        paths = [self.path, *_sibling_modules(self.path), *self.config.getini("rapid_modules")]
         with TemporaryDirectory(prefix="rapidsim-") as home:
             robot = self.config.getini("rapid_robot") or None
             return load(paths, robot=robot, home=home).run(proc=self.name)
 
 
-def _beside(file: Path) -> list[Path]:
+def _sibling_modules(file: Path) -> list[Path]:
     """The modules of its folder that are no tests."""
     from rapidsim.module_files import MODULE_SUFFIXES
 

@@ -12,12 +12,14 @@ from operator import attrgetter
 from reprlib import recursive_repr
 from typing import TYPE_CHECKING, Any
 
+__all__ = ["value_class"]
+
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from dataclasses import dataclass as dataclass
+    from dataclasses import dataclass as value_class
 else:
 
-    def dataclass(*, frozen=False, slots=False, eq=True, repr=True, **others):
+    def value_class(*, frozen=False, slots=False, eq=True, repr=True, **others):
         """As `dataclasses.dataclass`; classes that are frozen and have slots are made quickly."""
         if others or not (frozen and slots):
             return dataclasses.dataclass(frozen=frozen, slots=slots, eq=eq, repr=repr, **others)
@@ -57,12 +59,12 @@ class _Made:
 _MADE = _Made()
 
 
-def _constructor(made: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
+def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
     """The `__init__`: it stores through the slots themselves, which refuse nothing."""
     known: dict[str, Any] = {"_MADE": _MADE}
     parameters, body = ["self"], []
     for number, field in enumerate(fields):
-        known[f"_store{number}"] = vars(_definer(made, field.name))[field.name].__set__
+        known[f"_store{number}"] = vars(_definer(cls, field.name))[field.name].__set__
         value = field.name
         if field.default_factory is not dataclasses.MISSING:
             known[f"_make{number}"] = field.default_factory
@@ -81,33 +83,33 @@ def _constructor(made: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Calla
             known[f"_default{number}"] = default
             value = f"_default{number}"
         body.append(f" _store{number}(self, {value})")
-    if hasattr(made, "__post_init__"):
+    if hasattr(cls, "__post_init__"):
         body.append(" self.__post_init__()")
     text = f"def __init__({', '.join(parameters)}):\n" + "\n".join(body or [" pass"])
     exec(text, known)
     constructor: Callable[..., None] = known["__init__"]
-    constructor.__qualname__ = f"{made.__qualname__}.__init__"
-    constructor.__module__ = made.__module__
+    constructor.__qualname__ = f"{cls.__qualname__}.__init__"
+    constructor.__module__ = cls.__module__
     types = {field.name: field.type for field in fields if field.init}
     constructor.__annotations__ = {**types, "return": None}
     return constructor
 
 
-def _definer(made: type[Any], name: str) -> type[Any]:
+def _definer(cls: type[Any], name: str) -> type[Any]:
     """The class that has the slot of a field."""
-    return next(one for one in made.__mro__ if name in vars(one))
+    return next(one for one in cls.__mro__ if name in vars(one))
 
 
-def _refusals(made: type[Any], names: frozenset[str]) -> dict[str, Callable[..., None]]:
+def _refusals(cls: type[Any], names: frozenset[str]) -> dict[str, Callable[..., None]]:
     def __setattr__(self: object, name: str, value: object) -> None:  # noqa: N807
-        if type(self) is made or name in names:
+        if type(self) is cls or name in names:
             raise dataclasses.FrozenInstanceError(f"cannot assign to field {name!r}")
-        super(made, self).__setattr__(name, value)
+        super(cls, self).__setattr__(name, value)
 
     def __delattr__(self: object, name: str) -> None:  # noqa: N807
-        if type(self) is made or name in names:
+        if type(self) is cls or name in names:
             raise dataclasses.FrozenInstanceError(f"cannot delete field {name!r}")
-        super(made, self).__delattr__(name)
+        super(cls, self).__delattr__(name)
 
     return {"__setattr__": __setattr__, "__delattr__": __delattr__}
 

@@ -31,10 +31,10 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Place
 from rapidsim.motion.configurations.pose_solutions import solve_pose
 from rapidsim.motion.configurations.postures import Postures
-from rapidsim.plots.drawn import drawn
 from rapidsim.plots.frames_picture import frames_picture
-from rapidsim.plots.look import LIGHT, dressed, mark_start, new_figure
 from rapidsim.plots.posture_pictures import pose_picture
+from rapidsim.plots.sampled_run import sample_run
+from rapidsim.plots.theme import LIGHT, mark_start, new_figure, themed
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -182,7 +182,7 @@ def work_objects() -> Figure:
 def frames() -> Figure:
     """The tree of frames of the same program, as `--plots` draws it."""
     run = run_of_page("work_objects.md").simulation
-    return frames_picture(drawn(run, run.only), LIGHT)
+    return frames_picture(sample_run(run, run.only), LIGHT)
 
 
 def configurations() -> Figure:
@@ -208,7 +208,7 @@ PICTURES: Mapping[str, Callable[[], Figure]] = {
 
 def figure_of(name: str) -> Figure:
     """A picture by its name, not drawn yet."""
-    with dressed(LIGHT):
+    with themed(LIGHT):
         return PICTURES[name]()
 
 
@@ -251,7 +251,7 @@ def path_of(name: str) -> Path:
 def main() -> None:
     """Write all pictures."""
     for name in PICTURES:
-        with dressed(LIGHT):
+        with themed(LIGHT):
             figure = PICTURES[name]()
             drawn_png = io.BytesIO()
             figure.savefig(drawn_png, format="png")

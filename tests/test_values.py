@@ -58,7 +58,7 @@ def _classes(dataclass: Callable[..., Any]) -> tuple[type[Any], ...]:
     return Base, Derived, Plain, Nothing, Own
 
 
-QUICK = _classes(values.dataclass)
+QUICK = _classes(values.value_class)
 STANDARD = _classes(dataclasses.dataclass)
 VALUES: tuple[tuple[int, tuple[Any, ...], dict[str, Any]], ...] = (
     (0, (1,), {}),
@@ -114,7 +114,7 @@ def test_a_quick_class_is_a_frozen_dataclass(
     assert repr(_told(QUICK, which, given, named)) == repr(expected)
 
 
-@values.dataclass(frozen=True, slots=True)
+@values.value_class(frozen=True, slots=True)
 class Kept:
     """Found by its name, as what goes to another process must be."""
 

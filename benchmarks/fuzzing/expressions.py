@@ -11,7 +11,7 @@ from fuzzing.dice import Dice
 from fuzzing.scope import READABLE, WRITABLE, Scope, UserRoutine
 from fuzzing.values import INFINITE, NOT_A_NUMBER, TOO_LARGE, literal
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import ArrayOf, Atomic, Kind, Record, Type, resolved, same
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA, TYPES
@@ -138,20 +138,20 @@ class Expressions:
         if of == types.ANYTYPE:
             signal = "signal" in parameter.name.lower()
             of = self.dice.of(types.SIGNALS) if signal else TYPES[self.dice.of(PLAIN_TYPES)]
-            if parameter.mode is Mode.IN:
+            if parameter.mode is ParameterMode.IN:
                 return self._read(of, depth)
         if self.dice.chance(self.dice.oddness * WRONG):
             return self._of_wrong_kind()
         match parameter.mode:
-            case Mode.VAR:
+            case ParameterMode.VAR:
                 return self.place(of, ("VAR",))
-            case Mode.INOUT:
+            case ParameterMode.INOUT:
                 return self.place(of, WRITABLE)
-            case Mode.PERS:
+            case ParameterMode.PERS:
                 return self.place(of, ("PERS",))
-            case Mode.REF:
+            case ParameterMode.REF:
                 return self.place(of, READABLE)
-            case Mode.IN:
+            case ParameterMode.IN:
                 plain = of in (types.NUM, types.STRING)
                 usual = () if plain else _predefined(of.name, "CONST")
                 if usual and not self.dice.odd() and self.dice.chance(0.7):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rapidsim.analysis.program import LibrarySymbol, Program
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.language.types import STRING, resolved
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 FAILING = (
@@ -29,7 +29,7 @@ def _can_fail(node: tree.Node, program: Program) -> bool:
     match node:
         case tree.Call() | tree.FunctionCall():
             symbol = program.symbol_of.get(node)
-            return not (isinstance(symbol, LibrarySymbol) and Does.TELL in symbol.routine.does)
+            return not (isinstance(symbol, LibrarySymbol) and Trait.TELL in symbol.routine.traits)
         case tree.Binary(operator=operator):
             of = program.type_of.get(node)
             return operator in FAILING_OPERATORS or of is None or resolved(of) == STRING

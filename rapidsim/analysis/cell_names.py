@@ -12,10 +12,10 @@ from dataclasses import field
 from rapidsim.language.robotware import RobotWare
 from rapidsim.language.types import Type
 from rapidsim.library.predefined import TYPES
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class ConfiguredSymbol:
     """A signal, mechanical unit or task that the configuration of the cell declares."""
 
@@ -23,7 +23,7 @@ class ConfiguredSymbol:
     type: Type
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CellNames:
     """The configured names of a cell."""
 

@@ -11,19 +11,19 @@ from dataclasses import field, replace
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
-from rapidsim.analysis.parameters import Callee, Wanted
+from rapidsim.analysis.parameters import Callee, ExpectedType
 from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
 from rapidsim.analysis.suggestions import closest
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MOST_COMPARED = 200
 """Wrong names for which the nearest known one is looked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SymbolTable:
     """Names of one scope, by folded name, nested inside enclosing scopes."""
 
@@ -52,7 +52,7 @@ class SymbolTable:
             scope = scope.outer
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class Analysis:
     """The results of one check so far."""
 
@@ -80,28 +80,28 @@ class Analysis:
     """The context of each module, outside its routines."""
     callees: dict[Symbol, Callee] = field(default_factory=dict)
     """The user's routines as calls see them, made when first called."""
-    undeclared: list[tuple[tree.Reference, Context]] = field(default_factory=list)
+    undeclared: list[tuple[tree.DataReference, Context]] = field(default_factory=list)
     """Uses of undeclared names that are signals or may turn out to be, in the order of the text."""
-    wanted_of_undeclared: dict[tree.Reference, Wanted] = field(default_factory=dict)
+    wanted_of_undeclared: dict[tree.DataReference, ExpectedType] = field(default_factory=dict)
     """What such a use must have, where it is known: not all signals are named like one."""
 
     nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
     """By what was looked for, the nearest known name."""
 
-    def find_nearest(self, name: tree.Name, where: object, known: Iterable[str]) -> str | None:
+    def find_nearest(self, name: tree.Name, scope: object, candidates: Iterable[str]) -> str | None:
         """Return the known name nearest to an unknown one, compared once, not at each use.
 
         Args:
             name: The unknown name.
-            where: Identifies the known names, such as the module whose names they are.
-            known: Produces the known names. Beyond `MOST_COMPARED` unknown ones that would take too
-                long, and none is returned.
+            scope: Identifies the known names, such as the module whose names they are.
+            candidates: Produces them. Beyond `MOST_COMPARED` unknown names that would take too long, and
+                none is returned.
         """
-        key = (name.key, where)
+        key = (name.key, scope)
         if key not in self.nearest:
             if len(self.nearest) >= MOST_COMPARED:
                 return None
-            self.nearest[key] = closest(name.text, known)
+            self.nearest[key] = closest(name.text, candidates)
         return self.nearest[key]
 
     def may_be_unread(self, key: str) -> bool:
@@ -115,7 +115,7 @@ class Analysis:
         return self.unknown.setdefault(name.lower(), UnknownSymbol(name))
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Context:
     """A scope in the program: its visible names, and where findings go."""
 
@@ -163,7 +163,7 @@ class Context:
         return (Related(module.span(shown), f"`{symbol.name}` is declared here"),)
 
 
-TypeOf: TypeAlias = Callable[[tree.Expression, Context, Wanted | None], Type | None]
+TypeOf: TypeAlias = Callable[[tree.Expression, Context, ExpectedType | None], Type | None]
 """Types an expression and everything in it.
 
 The wanted type guides literals and aggregates; it is not compared with the answer. The answer is

@@ -12,19 +12,19 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from rapidsim.analysis.tree_walk import blocks, descendants
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ERRNO = "errno"
 CHOICES = (tree.If, tree.CompactIf, tree.Test)
-_NOTHING = (tree.Empty, tree.Label, tree.Data, tree.Placeholder, tree.Broken)
+_NOTHING = (tree.Empty, tree.Label, tree.Data, tree.Placeholder, tree.InvalidStatement)
 
-Effects = Callable[[tree.Node], Does]
+Effects = Callable[[tree.Node], Trait]
 """What a call of an installed routine does."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Answers:
     """The statements of an ERROR clause that answer an error."""
 
@@ -56,7 +56,7 @@ def depends_on_error(choice: tree.Node) -> bool:
         case _:
             return False
     return any(
-        isinstance(node, tree.Reference) and node.name.key == ERRNO
+        isinstance(node, tree.DataReference) and node.name.key == ERRNO
         for node in descendants(*conditions)
     )
 
@@ -73,7 +73,7 @@ def _answering(body: tree.Body, effects: Effects, *, is_last: bool = True) -> It
                 yield from _answering(block, effects, is_last=counts)
         elif isinstance(statement, _NOTHING):
             continue
-        elif isinstance(statement, tree.Call) and Does.TELL in effects(statement):
+        elif isinstance(statement, tree.Call) and Trait.TELL in effects(statement):
             if is_last and number > last:
                 yield statement
         else:

@@ -7,13 +7,13 @@ from itertools import groupby
 
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode, Only
+from rapidsim.language.annotations import Only, ParameterMode
 from rapidsim.language.types import Atomic, Kind, Type, resolved
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
+@value_class(frozen=True, slots=True)
+class ExpectedType:
     """The type an expression must have, and what requires it."""
 
     type: Type
@@ -22,7 +22,7 @@ class Wanted:
     declared: tuple[Related, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Formal:
     """One parameter as seen by a call."""
 
@@ -31,12 +31,12 @@ class Formal:
     """The folded name."""
     types: tuple[Type, ...]
     """The types it takes, at least one."""
-    mode: Mode
+    mode: ParameterMode
     optional: bool
     is_switch: bool
     group: int
     """Optional parameters with the same number exclude each other; 0 excludes nothing."""
-    wanted: Wanted
+    wanted: ExpectedType
     """The first type, with the words of messages."""
     only: Only | None = None
     """What it takes, where its type is anytype and that is too much."""
@@ -62,16 +62,20 @@ class Formal:
                 return of
         # Routines that take signals of every kind, such as AliasIO, declare no kind; of those that
         # no run simulates, only names tell.
-        by_name = types.ANYTYPE in self.types and self.mode is not Mode.IN and "signal" in self.key
-        return types.SIGNAL_DI if self.takes_all_signals or by_name else None
+        by_name = (
+            types.ANYTYPE in self.types
+            and self.mode is not ParameterMode.IN
+            and "signal" in self.key
+        )
+        return types.SIGNAL_DI if self.accepts_any_signal or by_name else None
 
     @property
-    def takes_all_signals(self) -> bool:
+    def accepts_any_signal(self) -> bool:
         """Whether it takes signals of every kind."""
         return self.only is not None and types.SIGNAL_DI in self.only.types
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Callee:
     """The target of a call."""
 

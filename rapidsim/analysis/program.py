@@ -12,12 +12,12 @@ from enum import Enum
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames, ConfiguredSymbol
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import Type
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import NOTHING, Does
+from rapidsim.library.traits import NO_TRAITS, Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Storage(Enum):
@@ -43,7 +43,7 @@ class Scope(Enum):
     """One routine, loop or parameter list."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class DataSymbol:
     """Declared data; predefined data such as `v100` have `value` set and no `node`."""
 
@@ -56,21 +56,21 @@ class DataSymbol:
     value: object = None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class ParameterSymbol:
     """A parameter of a user routine."""
 
     name: str
     type: Type
-    mode: Mode
+    mode: ParameterMode
     optional: bool
     is_switch: bool
-    node: tree.Parameter
+    node: tree.ParameterDeclaration
     group: int
     """Parameters with the same number exclude each other; required ones have their own."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class CounterSymbol:
     """The counter of a FOR loop."""
 
@@ -78,7 +78,7 @@ class CounterSymbol:
     node: tree.For
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class RoutineSymbol:
     """A user routine with its signature; `result` is None unless it is a function."""
 
@@ -90,7 +90,7 @@ class RoutineSymbol:
     result: Type | None
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class LibrarySymbol:
     """An installed routine."""
 
@@ -98,7 +98,7 @@ class LibrarySymbol:
     routine: LibraryRoutine
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class TypeSymbol:
     """A user-defined record or alias."""
 
@@ -108,7 +108,7 @@ class TypeSymbol:
     module: tree.Module
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class UnknownSymbol:
     """An undeclared name, reported as a warning and skipped at run time.
 
@@ -131,19 +131,19 @@ Symbol: TypeAlias = (
 )
 
 
-def does(symbol: Symbol | None) -> Does:
+def does(symbol: Symbol | None) -> Trait:
     """The effects of a call of an installed routine; those of others follow from their text."""
-    return symbol.routine.does if isinstance(symbol, LibrarySymbol) else NOTHING
+    return symbol.routine.traits if isinstance(symbol, LibrarySymbol) else NO_TRAITS
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class Program:
     """A task's modules with all names and types resolved."""
 
     modules: tuple[tree.Module, ...]
     symbol_of: Mapping[tree.Node, Symbol]
-    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap), `Conditional` (the
-    parameter passed on) and each declaration; a `For` declares its counter."""
+    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap), `ConditionalArgument`
+    (the parameter passed on) and each declaration; a `For` declares its counter."""
     type_of: Mapping[tree.Node, Type]
     """For each expression, with aggregates typed by their context.
 

@@ -17,7 +17,7 @@ from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 N = TypeVar("N", bound=tree.Node)
@@ -25,7 +25,7 @@ ENTRY = "main"
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class ProgramPart:
     """One routine, or the declarations of a module; `routine` is None for the latter."""
 
     module: tree.Module
@@ -68,9 +68,9 @@ class Part:
         return frozenset(self._names())
 
     def _names(self) -> Iterator[str]:
-        for node in (*self.all(tree.Reference), *self.calls):
+        for node in (*self.all(tree.DataReference), *self.calls):
             yield node.name.key
-        for passed_on in self.all(tree.Conditional):
+        for passed_on in self.all(tree.ConditionalArgument):
             yield passed_on.present.key
         for connect in self.all(tree.Connect):
             if isinstance(connect.trap, tree.Name):
@@ -85,7 +85,7 @@ class Facts:
     analysis: Analysis
 
     @cached_property
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[ProgramPart, ...]:
         """All parts, module by module: the declarations, then the routines."""
         return tuple(
             part
@@ -94,26 +94,26 @@ class Facts:
             for part in self._parts_of(module)
         )
 
-    def _parts_of(self, module: tree.Module) -> Iterator[Part]:
+    def _parts_of(self, module: tree.Module) -> Iterator[ProgramPart]:
         outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
-        yield Part(module, None, _by_kind(outside))
+        yield ProgramPart(module, None, _by_kind(outside))
         for routine in module.routines:
-            yield Part(module, routine, _by_kind([routine]))
+            yield ProgramPart(module, routine, _by_kind([routine]))
 
     @cached_property
-    def routine_parts(self) -> tuple[Part, ...]:
+    def routine_parts(self) -> tuple[ProgramPart, ...]:
         """The parts that are routines."""
         return tuple(part for part in self.parts if part.routine is not None)
 
     @cached_property
-    def part_of(self) -> Mapping[tree.Node, Part]:
+    def part_of(self) -> Mapping[tree.Node, ProgramPart]:
         """The part of each routine node."""
         return {part.routine: part for part in self.routine_parts if part.routine is not None}
 
     @cached_property
-    def called_by(self) -> Mapping[Part, tuple[Part, ...]]:
+    def call_graph(self) -> Mapping[ProgramPart, tuple[ProgramPart, ...]]:
         """The routines that each routine calls, each once."""
-        found: dict[Part, tuple[Part, ...]] = {}
+        found: dict[ProgramPart, tuple[ProgramPart, ...]] = {}
         for part in self.routine_parts:
             called = (self.routine_called(call) for call in part.calls)
             known = (self.part_of[one] for one in called if one is not None and one in self.part_of)
@@ -121,10 +121,10 @@ class Facts:
         return found
 
     @cached_property
-    def callees_first(self) -> tuple[Part, ...]:
+    def callees_first(self) -> tuple[ProgramPart, ...]:
         """The routines in bottom-up call order, as far as there is one."""
-        ordered: dict[Part, None] = {}
-        seen: set[Part] = set()
+        ordered: dict[ProgramPart, None] = {}
+        seen: set[ProgramPart] = set()
         for first in self.routine_parts:
             stack = [(first, False)]
             while stack:
@@ -134,16 +134,16 @@ class Facts:
                 elif part not in seen:
                     seen.add(part)
                     stack.append((part, True))
-                    stack += [(callee, False) for callee in self.called_by[part]]
+                    stack += [(callee, False) for callee in self.call_graph[part]]
         return tuple(ordered)
 
     @cached_property
-    def bit_of(self) -> Mapping[Part, int]:
+    def bit_of(self) -> Mapping[ProgramPart, int]:
         """A bit for each routine: sets of routines are integers, which are quick to join."""
         return {part: 1 << number for number, part in enumerate(self.callees_first)}
 
     @cached_property
-    def reached_from(self) -> Mapping[Part, int]:
+    def reached_from(self) -> Mapping[ProgramPart, int]:
         """The bits of all routines that each routine may cause to run, itself included."""
         reached = dict(self.bit_of)
         changed = True
@@ -151,7 +151,7 @@ class Facts:
             changed = False
             for part in self.callees_first:
                 joined = reached[part]
-                for callee in self.called_by[part]:
+                for callee in self.call_graph[part]:
                     joined |= reached[callee]
                 if joined != reached[part]:
                     reached[part], changed = joined, True
@@ -162,7 +162,7 @@ class Facts:
         """The bits of the routines with a move instruction."""
         bits = 0
         for part, bit in self.bit_of.items():
-            if any(Does.MOVE in self.does(call) for call in part.all(tree.Call)):
+            if any(Trait.MOVE in self.does(call) for call in part.all(tree.Call)):
                 bits |= bit
         return bits
 
@@ -175,11 +175,11 @@ class Facts:
     def strings(self) -> frozenset[str]:
         """Folded texts of all strings: routines and data can be accessed by a name in a string."""
         return frozenset(
-            node.value.lower() for part in self.parts for node in part.all(tree.String)
+            node.value.lower() for part in self.parts for node in part.all(tree.StringLiteral)
         )
 
     @cached_property
-    def entry(self) -> Part | None:
+    def entry(self) -> ProgramPart | None:
         """The routine `main`; without one, rules about the whole task do not apply."""
         for part in self.routine_parts:
             routine = part.routine
@@ -211,7 +211,7 @@ class Facts:
         symbol = self.symbol(call)
         return symbol.routine if isinstance(symbol, LibrarySymbol) else None
 
-    def does(self, call: tree.Node) -> Does:
+    def does(self, call: tree.Node) -> Trait:
         """The effects of a call of an installed routine."""
         return does(self.symbol(call))
 

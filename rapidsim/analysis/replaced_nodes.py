@@ -10,20 +10,20 @@ from typing import Any
 from rapidsim.syntax import tree
 
 
-def rebuilt(part: Any, instead: Mapping[int, tree.Node]) -> Any:
+def rebuilt(part: Any, replacements: Mapping[int, tree.Node]) -> Any:
     """A subtree with some of its nodes replaced, matched by identity.
 
     Subtrees that contain none of them remain the same objects.
     """
     if isinstance(part, tuple):
-        parts = tuple(rebuilt(one, instead) for one in part)
+        parts = tuple(rebuilt(one, replacements) for one in part)
         return part if all(map(is_, part, parts)) else parts
     if not is_dataclass(part) or isinstance(part, type):
         return part
-    if id(part) in instead:
-        return instead[id(part)]
+    if id(part) in replacements:
+        return replacements[id(part)]
     old = {one.name: getattr(part, one.name) for one in fields(part) if one.init}
-    new = {name: rebuilt(value, instead) for name, value in old.items()}
+    new = {name: rebuilt(value, replacements) for name, value in old.items()}
     changed = {name: value for name, value in new.items() if value is not old[name]}
     return replace(part, **changed) if changed else part
 

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Source, Span, Violation
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _COMMENT = re.compile(
     r"!+\s*rapidsim:\s*(?P<what>ignore-file|ignore)\b\s*(?:\[(?P<codes>[^\]]*)\])?", re.IGNORECASE
@@ -23,7 +23,7 @@ class UnusedSuppression(Violation, code="E160"):
     codes: str
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class Suppression:
     """One such comment."""
 

@@ -7,7 +7,7 @@ from rapidsim.diagnostics import Violation
 
 class LateDataDeclaration(Violation, code="E104"):
     data: str
-    where: str
+    location: str
 
 
 class EqualsForAssignment(Violation, code="E140"):

@@ -24,7 +24,7 @@ _DECLARATIONS = frozenset({"TDN", "DDN", "RDN", "PAR", "ALT", "DIM"})
 _MARKED = frozenset(
     {
         *(tree.Assignment, tree.Data, tree.Call, tree.Branch, tree.While, tree.Case, tree.Unary),
-        *(tree.LateFunctionCall, tree.Field, tree.RecordType, tree.Proc, tree.Func),
+        *(tree.LateFunctionCall, tree.ComponentDeclaration, tree.RecordType, tree.Proc, tree.Func),
         tree.Placeholder,
     }
 )
@@ -55,7 +55,7 @@ def check_lenient_marks(context: Context) -> None:
                 context.report(LateBoundFunction(), node)
             case tree.Unary(operator="+" | "-", not_after_operator=True):
                 context.report(SignInside(node.operator), node)
-            case tree.Field(dimensions=(_, *_)):
+            case tree.ComponentDeclaration(dimensions=(_, *_)):
                 context.report(ArrayComponent(node.name.text), node)
             case tree.RecordType(components=()):
                 context.report(EmptyRecord(node.name.text), node.name)

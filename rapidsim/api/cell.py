@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.jobs.answers import answers_in_order, answers_of_file
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job, with_best_arm_of_files
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import job
+from rapidsim.jobs.run_request import RunRequest
 
 if TYPE_CHECKING:
     from rapidsim.api.run import Run
@@ -51,7 +51,7 @@ def load(
         InputError: If something is missing, unreadable, or not RAPID.
     """
     named = (paths,) if isinstance(paths, str | PathLike) else tuple(paths)
-    asked = Asked(
+    asked = RunRequest(
         paths=tuple(fspath(path) for path in named),
         robot=robot,
         station=None if station is None else fspath(station),
@@ -66,14 +66,14 @@ def load(
 class Cell:
     """A program with its station. Each call reads the files again, so edits take effect."""
 
-    def __init__(self, asked: Asked) -> None:
+    def __init__(self, request: RunRequest) -> None:
         """Find the files and the station; `load` makes one of paths.
 
         Raises:
             InputError: See `load`.
         """
-        self._asked = asked
-        found = job(asked)
+        self._asked = request
+        found = job(request)
         self._files = tuple(file.name for file in found.files)
         self._robot = found.robot.name if found.is_arm_named else None
 
@@ -191,7 +191,9 @@ class Cell:
         values = (back.result, *back.outputs) if back.is_function else back.outputs
         return values[0] if len(values) == 1 else values or None
 
-    def _with(self, max_time_s: float, max_wall_s: float | None, home: PathLike_ | None) -> Asked:
+    def _with(
+        self, max_time_s: float, max_wall_s: float | None, home: PathLike_ | None
+    ) -> RunRequest:
         return replace(
             self._asked,
             max_time_s=max_time_s,
@@ -199,7 +201,7 @@ class Cell:
             home=self._asked.home if home is None else fspath(home),
         )
 
-    def __reduce__(self) -> tuple[Callable[[Asked], Cell], tuple[Asked]]:
+    def __reduce__(self) -> tuple[Callable[[RunRequest], Cell], tuple[RunRequest]]:
         """What it was asked for: whoever gets it reads the files."""
         return Cell, (self._asked,)
 
@@ -209,9 +211,9 @@ class Cell:
         return f"<cell {name}, files: {len(self._files)}, robot: {self.robot[:30]}>"
 
 
-def _answers(given: PathLike_ | Sequence[str] | Callable[[str], str | None]) -> Answers:
-    if callable(given):
-        return given
-    if isinstance(given, str | PathLike):
-        return answers_of_file(fspath(given))
-    return answers_in_order(given)
+def _answers(answers: PathLike_ | Sequence[str] | Callable[[str], str | None]) -> Answers:
+    if callable(answers):
+        return answers
+    if isinstance(answers, str | PathLike):
+        return answers_of_file(fspath(answers))
+    return answers_in_order(answers)

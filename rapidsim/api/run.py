@@ -33,7 +33,7 @@ from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import run_json
 from rapidsim.report.run.records import MoveRecord, WaitRecord, move_records, wait_records
-from rapidsim.simulation.collected import FinishedRun
+from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.verdict import run_verdict
 

@@ -14,7 +14,7 @@ from rapidsim.interpreter.runtime.values import Value
 from rapidsim.motion.trajectory.command import Index
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 T = TypeVar("T")
 
@@ -27,7 +27,7 @@ class Edge(NamedTuple):
     new: float
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class SignalHistory:
     """A signal over the whole run."""
 
@@ -61,7 +61,7 @@ class SignalHistory:
         return f"<signal {self.name[:60]}: {len(self.edges)} edges, {self.values[-1]:g} at the end>"
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class ArmState:
     """The arm at an instant, or at k of them: then every array has k rows."""
 
@@ -85,7 +85,7 @@ class ArmState:
         return f"<arm at {self.time_s:.3f} s: TCP {x:.1f}, {y:.1f}, {z:.1f} mm>"
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class ArmMotion:
     """What one robot did, at any time."""
 
@@ -119,7 +119,7 @@ class ArmMotion:
         return f"<motion of {one.robot.name[:40]} in {one.task[:40]}, {self.duration_s:.3f} s>"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Datum:
     """Data that a module declares, with the value at the end of the run."""
 
@@ -135,15 +135,15 @@ class Datum:
 class Named(Mapping[str, T], Generic[T]):
     """A mapping whose names compare without case."""
 
-    def __init__(self, what: str, items: Mapping[str, T], more: Mapping[str, T] | None = None):
+    def __init__(self, subject: str, items: Mapping[str, T], more: Mapping[str, T] | None = None):
         """Keep items under the names as they are written.
 
         Args:
-            what: They are, for messages.
+            subject: They are, for messages.
             items: By name.
             more: Names that mean something, too, and are not listed.
         """
-        self._what = what
+        self._what = subject
         self._items = dict(items)
         self._by_key = {name.lower(): item for name, item in {**(more or {}), **items}.items()}
 
@@ -191,8 +191,8 @@ def data_by_name(data: Sequence[Datum]) -> Named[Value]:
     return Named("value", shortest, others)
 
 
-def _names(one: Datum) -> tuple[str, ...]:
-    return one.name, f"{one.module}/{one.name}", f"{one.task}/{one.module}/{one.name}"
+def _names(datum: Datum) -> tuple[str, ...]:
+    return datum.name, f"{datum.module}/{datum.name}", f"{datum.task}/{datum.module}/{datum.name}"
 
 
 def _all_same(values: Sequence[Value]) -> bool:

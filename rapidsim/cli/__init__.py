@@ -60,16 +60,16 @@ def _leave() -> NoReturn:
     os._exit(_INTERRUPTED)
 
 
-def _unraisable(what: UnraisableHookArgs) -> None:
+def _unraisable(unraisable: UnraisableHookArgs) -> None:
     """Hear Ctrl-C where Python would only complain of it: while an object is taken down.
 
     What `--max-wall` raises is another class, and comes again.
     """
-    if type(what.exc_value) is KeyboardInterrupt:
+    if type(unraisable.exc_value) is KeyboardInterrupt:
         _leave()
-    if isinstance(what.exc_value, KeyboardInterrupt):
+    if isinstance(unraisable.exc_value, KeyboardInterrupt):
         return
-    sys.__unraisablehook__(what)
+    sys.__unraisablehook__(unraisable)
 
 
 TYPE_CHECKING = False  # Importing typing takes longer than all the above.

@@ -15,21 +15,21 @@ from typing import TYPE_CHECKING, NoReturn
 import click
 
 from rapidsim import __version__
-from rapidsim.cli.broken_off import Terminated, TimeOverError
 from rapidsim.cli.completion import COMPLETE, complete
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.group import commands
+from rapidsim.cli.interrupted import Terminated, TimeOverError
 from rapidsim.cli.machine_output import (
     SCHEMA,
     error_record,
-    output_aside,
+    is_json_requested,
+    output_to_stderr,
     print_object,
-    wants_json,
 )
-from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, say
+from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, echo
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.syntax.collection import seldom_collected
-from rapidsim.values import dataclass
+from rapidsim.syntax.garbage_collection import gc_rarely
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.jobs.processes import DefectError
@@ -68,7 +68,7 @@ def run_commands(arguments: Sequence[str]) -> int:
         return ExitCode.TERMINATED
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Failure:
     """Why a command did not do what it was for."""
 
@@ -84,7 +84,7 @@ def _code_of(arguments: Sequence[str]) -> int:
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors=PLAIN_CHARACTERS)
     terminal = Terminal()
-    if wants_json(arguments):
+    if is_json_requested(arguments):
         return _printing_an_object(arguments, terminal)
     ended = _invoked(arguments, terminal)
     if terminal.report is not None:
@@ -95,7 +95,7 @@ def _code_of(arguments: Sequence[str]) -> int:
 def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
     """Run a command and print one object, be it that of an error."""
     ended: _Failure | int
-    with output_aside() as aside:
+    with output_to_stderr() as aside:
         try:
             ended = _invoked(arguments, terminal)
         except (KeyboardInterrupt, click.Abort) as broken_off:
@@ -115,7 +115,7 @@ def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
     """Run a command; what is wrong is said on standard error."""
     try:
         with (
-            seldom_collected(),
+            gc_rarely(),
             commands.make_context("rapidsim", list(arguments), obj=terminal) as context,
         ):
             code = commands.invoke(context)
@@ -139,9 +139,9 @@ def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
             failure = _Failure(ExitCode.USAGE, f"the output cannot be written: {error.strerror}")
         else:
             return _defect(error, terminal)
-    say("error: " + _shortened(failure.message), err=True)
+    echo("error: " + _shortened(failure.message), err=True)
     if failure.help:
-        say(f" help: {failure.help}", err=True)
+        echo(f" help: {failure.help}", err=True)
     return failure
 
 
@@ -150,16 +150,16 @@ def _defect(error: BaseException, terminal: Terminal) -> _Failure:
 
     defect = defect_of(error)
     if terminal.verbose:
-        say(defect.told, err=True)
-    message = _told(defect)
-    say(f"error: {message}", err=True)
+        echo(defect.report, err=True)
+    message = _defect_line(defect)
+    echo(f"error: {message}", err=True)
     return _Failure(ExitCode.DEFECT, message)
 
 
 def _broken_off(word: str, exception: BaseException) -> str:
     """Say that a command was broken off, and how far it was."""
     message = word + "".join(map(str, exception.args))
-    _say_last(message)
+    _echo_last(message)
     return message
 
 
@@ -199,9 +199,9 @@ def _give_up_output() -> None:
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
-def _say_last(word: str) -> None:
+def _echo_last(word: str) -> None:
     with suppress(BrokenPipeError):
-        say(word, err=True)
+        echo(word, err=True)
 
 
 def _shortened(message: str) -> str:
@@ -232,7 +232,7 @@ def _usage_error(error: click.ClickException) -> _Failure:
             return _Failure(ExitCode.USAGE, message[:1].lower() + message[1:], shown)
 
 
-def _told(defect: DefectError) -> str:
+def _defect_line(defect: DefectError) -> str:
     """One line that says what failed, where, and how to report it."""
     return (
         f"rapidsim {__version__} has a defect ({defect.what}, at {defect.place}); please "

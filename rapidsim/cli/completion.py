@@ -23,10 +23,12 @@ _ROBOT = re.compile(r"^NAME\|FILE\.urdf$")
 
 def complete(instruction: str) -> int:
     """Answer a shell; returns the exit code."""
-    return shell_complete(_Told("rapidsim", commands), {}, "rapidsim", COMPLETE, instruction)
+    return shell_complete(
+        _CompletingGroup("rapidsim", commands), {}, "rapidsim", COMPLETE, instruction
+    )
 
 
-class _Told(click.Group):
+class _CompletingGroup(click.Group):
     """A group whose commands know what their parameters take."""
 
     def __init__(self, name: str | None, group: click.Group) -> None:
@@ -39,24 +41,24 @@ class _Told(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         command = self._group.get_command(ctx, cmd_name)
         if isinstance(command, click.Group):
-            return _Told(cmd_name, command)
+            return _CompletingGroup(cmd_name, command)
         if command is not None:
             command = copy(command)
-            command.params = [_told(param, cmd_name) for param in command.params]
+            command.params = [_with_completion(param, cmd_name) for param in command.params]
         return command
 
 
-def _told(param: click.Parameter, command: str) -> click.Parameter:
+def _with_completion(param: click.Parameter, command: str) -> click.Parameter:
     metavar = param.metavar or (isinstance(param, click.Argument) and (param.name or "").upper())
     if not metavar or isinstance(param.type, click.Choice):
         return param
     param = copy(param)
     is_robot = _ROBOT.search(metavar) or (command, metavar) == ("robots", "NAME")
-    param.type = _Named(metavar, bool(is_robot))
+    param.type = _MetavarType(metavar, bool(is_robot))
     return param
 
 
-class _Named(click.types.StringParamType):
+class _MetavarType(click.types.StringParamType):
     """A word whose metavar says what it may be."""
 
     def __init__(self, metavar: str, is_robot: bool) -> None:

@@ -10,9 +10,9 @@ from typing import cast
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import say, terminal_options
+from rapidsim.cli.terminal import echo, terminal_options
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.syntax.collection import uncollected
+from rapidsim.syntax.garbage_collection import gc_paused
 
 # In the order of the help page, which is written from here: it must not import every command.
 # `rapidsim.cli.commands.<name>` holds the command of that name.
@@ -44,7 +44,7 @@ class _Commands(click.Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name not in _COMMANDS:
             return None
-        with uncollected():
+        with gc_paused():
             module = import_module(f"rapidsim.cli.commands.{cmd_name}")
         return cast(click.Command, getattr(module, cmd_name))
 
@@ -68,6 +68,6 @@ class _Commands(click.Group):
 def commands(context: click.Context) -> int | None:
     """Run and check RAPID programs of ABB robots, without a robot."""
     if context.invoked_subcommand is None:
-        say(context.get_help())
+        echo(context.get_help())
         return ExitCode.USAGE
     return None

@@ -9,14 +9,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from itertools import zip_longest
 
-from rapidsim.cli.terminal import say
+from rapidsim.cli.terminal import echo
 
 SCHEMA = 1
 _OPTIONS = ("--format", "--output-format")
 _FORMAT = "json"
 
 
-def wants_json(arguments: Sequence[str]) -> bool:
+def is_json_requested(arguments: Sequence[str]) -> bool:
     """Whether a command line asks for JSON; read from its words, for it may be unusable."""
     wants = False
     for word, following in zip_longest(arguments, arguments[1:], fillvalue=""):
@@ -35,7 +35,7 @@ def error_record(message: str, help: str | None, similar: Sequence[str]) -> dict
 
 def print_object(value: dict[str, object]) -> None:
     """Print one object on standard output."""
-    say(json.dumps(value, indent=2, allow_nan=False))
+    echo(json.dumps(value, indent=2, allow_nan=False))
 
 
 class _Aside(io.StringIO):
@@ -50,7 +50,7 @@ class _Aside(io.StringIO):
 
 
 @contextmanager
-def output_aside() -> Iterator[io.StringIO]:
+def output_to_stderr() -> Iterator[io.StringIO]:
     """Let everything that is printed in here go to standard error; yields what was printed."""
     aside = _Aside()
     with redirect_stdout(aside):

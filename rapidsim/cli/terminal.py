@@ -113,7 +113,7 @@ class Terminal:
         sys.stdout.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
 
 
-def say(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = False) -> None:
+def echo(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = False) -> None:
     """Print; the one way, beside `Terminal.show`, in which text reaches a terminal.
 
     Names of files and texts of programs may hold what moves its cursor, changes its colours or its
@@ -125,7 +125,7 @@ def say(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = Fal
         nl: Whether its last line is ended.
         err: Whether it goes to standard error.
     """
-    click.echo(palette.outside(printable_lines, text), nl=nl, err=err)
+    click.echo(palette.map_plain_text(printable_lines, text), nl=nl, err=err)
 
 
 def print_json(report: dict[str, object]) -> None:
@@ -157,9 +157,9 @@ def current_terminal() -> Terminal:
 def _setting(name: str) -> dict[str, Any]:
     """A flag that is noted in the terminal wherever it stands on the command line."""
 
-    def note(context: click.Context, _: click.Parameter, given: bool) -> None:
+    def note(context: click.Context, _: click.Parameter, is_set: bool) -> None:
         terminal = context.find_object(Terminal)
-        if given and terminal is not None:
+        if is_set and terminal is not None:
             setattr(terminal, name, True)
 
     return {"is_flag": True, "expose_value": False, "callback": note}

@@ -14,15 +14,15 @@ from dataclasses import replace
 import numpy as np
 
 from rapidsim.collisions.body_distance import Bodies
-from rapidsim.collisions.contact import FARTHEST_M, Clearance, Contact, Found
+from rapidsim.collisions.contact import FARTHEST_M, Clearance, CollisionReport, Contact
 from rapidsim.collisions.convex import Index
+from rapidsim.collisions.intervals import Mask, PairIntervals, unseen
 from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.collisions.scene import SHORTEST_S, STEP_S, Scene
 from rapidsim.collisions.shape import is_inside
-from rapidsim.collisions.stretches import Mask, Stretches, unseen
 from rapidsim.collisions.travel import LONGEST, Travel, straight
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _NEARER_M = 5e-4
 _NEARER = 0.02
@@ -41,7 +41,7 @@ _MOST_DEPTHS = 500
 """How many contacts, the first of the run, have their depth measured."""
 
 
-def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Found:
+def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> CollisionReport:
     """Check the whole motion.
 
     Args:
@@ -50,15 +50,15 @@ def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Found:
         bodies: The bodies of the scene, to share them between several motions.
     """
     if not scene.pairs:
-        return Found((), ())
+        return CollisionReport((), ())
     found = _Search(scene, bodies or scene.shapes())
-    for times in _looks(scene, end_s):
-        found.look(times)
-    found.look_inside()
+    for times in _sample_times(scene, end_s):
+        found.check_block(times)
+    found.check_enclosed()
     return found.result()
 
 
-def _looks(scene: Scene, end_s: float) -> list[Array]:
+def _sample_times(scene: Scene, end_s: float) -> list[Array]:
     """Instants (k,) of each block; a block begins where the last one ends.
 
     Where all arms stand still a block is one long step. Each brief move has an instant of its own.
@@ -98,7 +98,7 @@ def _stepped(begin: float, between: Array, end: float) -> Array:
     return np.append(np.repeat(edges[:-1], steps) + number * np.repeat(wide / steps, steps), end)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Best:
     """The nearest of one move."""
 
@@ -113,7 +113,7 @@ class _Best:
         return self.gap - max(_NEARER_M, _NEARER * self.gap)
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class _Touch:
     """The first contact of a pair in one move."""
 
@@ -140,7 +140,7 @@ class _Search:
         self._touch: dict[_Key, _Touch] = {}
         self._decided = True
 
-    def look(self, times: Array) -> None:
+    def check_block(self, times: Array) -> None:
         """Check one block of instants (k,)."""
         self._poses = self._scene.poses(times)
         self._steps = len(times)
@@ -150,7 +150,7 @@ class _Search:
             self._wanted = np.pad(self._wanted, wider, constant_values=FARTHEST_M)
             self._nearest = np.pad(self._nearest, wider, constant_values=FARTHEST_M)
         self._travel = Travel(self._scene, self._bodies.bounds, self._poses)
-        open_ones, looks = self._first_look(), 0
+        open_ones, looks = self._initial_intervals(), 0
         while True:
             least = self._least(open_ones)
             touches, nearer = self._matters(open_ones, least)
@@ -169,7 +169,7 @@ class _Search:
                 *self._halves(open_ones.rows(now & halved), least[now & halved]),
             )
 
-    def look_inside(self) -> None:
+    def check_enclosed(self) -> None:
         """Find bodies that start inside a hollow one, whose surface they need not touch."""
         poses, centre = self._scene.poses(np.zeros(1)), self._bodies.bounds.centre
         for number, pair in enumerate(self._scene.pairs):
@@ -182,7 +182,7 @@ class _Search:
                     world = poses.of(one).apply(centre[one])[0]
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
-    def _first_look(self) -> Stretches:
+    def _initial_intervals(self) -> PairIntervals:
         """The longest stretches of a block in which bounds of the bodies leave questions."""
         pairs = len(self._first)
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
@@ -214,7 +214,7 @@ class _Search:
         """second_from_first of pairs (k,) at instants (k,)."""
         return self._poses.seen(self._first[pair], self._second[pair], at)
 
-    def _least(self, some: Stretches) -> Array:
+    def _least(self, some: PairIntervals) -> Array:
         """How near (k,) [m] bodies come at most."""
         way, slack = np.empty((2, len(some.pair)))
         whole = (some.start < self._steps) & (some.end < self._steps)
@@ -227,24 +227,24 @@ class _Search:
         least: Array = 0.5 * (some.gap_start + some.gap_end - way) - slack
         return least
 
-    def _lasts(self, some: Stretches) -> Array:
+    def _lasts(self, some: PairIntervals) -> Array:
         times = self._poses.times
         lasts: Array = times[some.end] - times[some.start]
         return lasts
 
-    def _moves(self, some: Stretches) -> tuple[Index, Index, Index]:
+    def _moves(self, some: PairIntervals) -> tuple[Index, Index, Index]:
         """Whose stretches (k,) are, and the moves at their starts and ends."""
         owner, moves = self._owner[some.pair], self._poses.moves
         return owner, moves[some.start, owner], moves[some.end, owner]
 
-    def _many_moves(self, some: Stretches) -> Mask:
+    def _many_moves(self, some: PairIntervals) -> Mask:
         """Which stretches are of several steps and moves."""
         _, before, after = self._moves(some)
         several = (some.start < self._steps) & (some.end < self._steps)
         several &= (some.end - some.start > 1) & (before != after)
         return several
 
-    def _matters(self, some: Stretches, least: Array) -> tuple[Mask, Mask]:
+    def _matters(self, some: PairIntervals, least: Array) -> tuple[Mask, Mask]:
         """Which stretches may hold a contact that is not known, and which the nearest of a move."""
         owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
@@ -268,7 +268,7 @@ class _Search:
         known = keys[order][at] == pair * width + move
         return np.where(known, times[at], np.inf)
 
-    def _nearest_of_moves(self, some: Stretches, least: Array) -> Mask:
+    def _nearest_of_moves(self, some: PairIntervals, least: Array) -> Mask:
         """The stretches of each move that most likely hold its nearest place."""
         owner, _, move = self._moves(some)
         order = np.lexsort((least, move, owner))
@@ -280,7 +280,7 @@ class _Search:
         chosen[order[rank < np.clip(_ROUND // max(1, len(starts)), 1, _BEST)]] = True
         return chosen
 
-    def _measured(self, some: Stretches) -> Stretches:
+    def _measured(self, some: PairIntervals) -> PairIntervals:
         """Stretches with their ends measured, as far as they matter."""
         if not len(some.pair):
             return some
@@ -303,9 +303,9 @@ class _Search:
         gaps = self._bodies.gaps(
             self._first[pair], self._second[pair], self._seen(pair, at), widest
         )
-        self._note(pair, at, gaps.found, gaps.point)
-        touching = np.isfinite(gaps.found) & (gaps.found <= 0.0)
-        known = np.where(touching, gaps.found, gaps.least)
+        self._note(pair, at, gaps.distances_found, gaps.point)
+        touching = np.isfinite(gaps.distances_found) & (gaps.distances_found <= 0.0)
+        known = np.where(touching, gaps.distances_found, gaps.least)
         values = np.concatenate([some.gap_start, some.gap_end])
         values[todo] = known[back]
         begin, end = np.split(values, 2)
@@ -330,7 +330,7 @@ class _Search:
             self._nearest[owner[k], move[k]] = gap[k]
             self._wanted[owner[k], move[k]] = best.wanted
 
-    def _halves(self, some: Stretches, least: Array) -> tuple[Stretches, ...]:
+    def _halves(self, some: PairIntervals, least: Array) -> tuple[PairIntervals, ...]:
         """The two halves of stretches, whose gap in the middle is no nearer than `least`."""
         if not len(some.pair):
             return ()
@@ -352,7 +352,7 @@ class _Search:
             replace(some, start=middle, gap_start=near, seen_start=no, bend=bend),
         )
 
-    def result(self) -> Found:
+    def result(self) -> CollisionReport:
         """All contacts and clearances."""
         bodies, pairs = self._scene.bodies, self._scene.pairs
         touched = sorted(self._touch.items(), key=lambda one: (one[1].time_s, one[0]))
@@ -384,7 +384,7 @@ class _Search:
             )
             for (owner, move), best in sorted(self._best.items())
         )
-        return Found(contacts, clearances, self._decided)
+        return CollisionReport(contacts, clearances, self._decided)
 
     def _places(self, touched: Sequence[tuple[_Key, _Touch]]) -> dict[_Key, Array]:
         """Where (3,) pairs are nearest to each other just before they touch.
@@ -403,7 +403,7 @@ class _Search:
         gaps = self._bodies.gaps(first, second, seen, np.full(len(pair), _NEARER_M))
         places = Transform(poses.rotation[at, second], poses.translation[at, second])
         world = np.einsum("kij,kj->ki", places.rotation, gaps.point) + places.translation
-        apart = np.isfinite(gaps.found)
+        apart = np.isfinite(gaps.distances_found)
         return {key: world[k] for k, (key, _) in enumerate(touched) if apart[k]}
 
     def _depths(self, touched: Sequence[_Key]) -> dict[_Key, float]:

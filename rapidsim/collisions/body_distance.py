@@ -12,11 +12,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from rapidsim.collisions.bounds import Bounds
-from rapidsim.collisions.convex import ConvexPart, Index, Parts
+from rapidsim.collisions.convex import ConvexPart, ConvexParts, Index
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import TOUCH_M, depths, flat_overlaps, shortest
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _GROUPED = 64
 """A body of more parts has them in groups."""
@@ -30,13 +30,13 @@ _EXACT_M, _EXACT = 2.0 * _CLOSE_M, 2.0 * _CLOSE
 """What is known no better than this is not known."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Gaps:
     """Gaps between pairs of bodies (k,)."""
 
     least: Array
     """[m]: the bodies are at least this far apart."""
-    found: Array
+    distances_found: Array
     """[m]: of two points that were found; inf where nothing nearer than asked for is, -inf where
     the bodies overlap by more than they may."""
     point: Array
@@ -56,7 +56,7 @@ class Bodies:
                 groups.append(len(parts))
                 parts += group
             ends.append(len(groups))
-        self._parts = Parts(parts)
+        self._parts = ConvexParts(parts)
         self._group_ends = _from_to([*groups, len(parts)])
         self._groups_of = _from_to([0, *ends])
         self._part_bounds = Bounds(self._parts.low, self._parts.high, self._parts.bound)
@@ -106,8 +106,8 @@ class Bodies:
         near = self._part_bounds.gaps(*pairs, second_from_first[row]) < 0.0
         part_a, part_b, row = pairs[0][near], pairs[1][near], row[near]
         got = distances(self._parts, part_a, part_b, second_from_first[row], 0.0, _CLOSE_M)
-        hulls = np.isneginf(got.found)
-        np.maximum.at(found, row[~hulls], -got.found[~hulls])
+        hulls = np.isneginf(got.distances_found)
+        np.maximum.at(found, row[~hulls], -got.distances_found[~hulls])
         part_a, part_b, row = part_a[hulls], part_b[hulls], row[hulls]
         deep, _ = depths(self._parts, part_a, part_b, second_from_first[row])
         if exact:
@@ -144,12 +144,12 @@ class Bodies:
             # The nearest pair of bounds first: what is found there makes most others needless.
             best = np.lexsort((near, item))[starts]
             self._narrow(gaps, some, best[nearest < bound], bound, table, second_from_first)
-            bound = np.minimum(bound, gaps.found[some])
+            bound = np.minimum(bound, gaps.distances_found[some])
             more = near < bound[item]
             more[best] = False
         self._narrow(gaps, some, np.flatnonzero(more), bound, table, second_from_first)
         # All that was not looked at, or not to its end, is no nearer than was asked for.
-        found = gaps.found[some] - _slack(gaps.found[some])
+        found = gaps.distances_found[some] - _slack(gaps.distances_found[some])
         gaps.least[some] = np.maximum(nearest, np.minimum(bound, found))
 
     def _narrow(
@@ -176,7 +176,7 @@ class Bodies:
         got = distances(
             self._parts, part_a, part_b, second_from_first[row], bound[row], _CLOSE_M, _CLOSE
         )
-        value, point = got.found.copy(), got.second.copy()
+        value, point = got.distances_found.copy(), got.second.copy()
         over = np.flatnonzero(np.isneginf(value))
         while len(over):
             # One part of each pair of bodies first: where that is deep in, others say no more.
@@ -192,16 +192,18 @@ class Bodies:
             value[over[known]] = np.inf
             over = over[~known]
         # Where the search stopped early, what it found is not the gap.
-        overlap = np.isneginf(got.found)
-        exact = overlap | (got.found - np.where(overlap, 0.0, got.least) < _slack(got.found))
+        overlap = np.isneginf(got.distances_found)
+        exact = overlap | (
+            got.distances_found - np.where(overlap, 0.0, got.least) < _slack(got.distances_found)
+        )
         value = np.where(exact, value, np.maximum(got.least, bound[row]))
         order = np.lexsort((value, row))
         firsts = order[np.flatnonzero(np.diff(row[order], prepend=-1))]
         at = row[firsts] + some.start
-        better = value[firsts] < gaps.found[at]
+        better = value[firsts] < gaps.distances_found[at]
         at, firsts = at[better], firsts[better]
         is_gap = exact[firsts]
-        gaps.found[at[is_gap]] = value[firsts[is_gap]]
+        gaps.distances_found[at[is_gap]] = value[firsts[is_gap]]
         gaps.point[at] = point[firsts]
 
 

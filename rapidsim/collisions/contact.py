@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FARTHEST_M = 0.5
 """Bodies farther apart have no clearance worth a number."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class BodyName:
     """The name of a body in messages."""
 
@@ -18,7 +18,7 @@ class BodyName:
     """Which of the robots it is a link or the tool of; None for an object."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Contact:
     """Two bodies touch."""
 
@@ -38,7 +38,7 @@ class Contact:
     """Whether they touched at the end of the move before already."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Clearance:
     """The closest that two bodies came during one move."""
 
@@ -52,8 +52,8 @@ class Clearance:
     """Where (3,) [m] in the world: on the second body."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
+@value_class(frozen=True, slots=True, eq=False)
+class CollisionReport:
     """All results along a motion."""
 
     contacts: tuple[Contact, ...]

@@ -15,14 +15,14 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 _FEW = 8
 """Points of parts that are looked at in one array; those with more are looked at one by one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ConvexPart:
     """A convex body [m] in the frame of the body it belongs to."""
 
@@ -48,7 +48,7 @@ class ConvexPart:
         return float(np.hypot(far, self.disc)) + self.radius
 
 
-class Parts:
+class ConvexParts:
     """Many parts, queried together for their farthest points."""
 
     def __init__(self, parts: Sequence[ConvexPart]) -> None:

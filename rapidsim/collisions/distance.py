@@ -16,10 +16,10 @@ from dataclasses import fields
 import numpy as np
 import numpy.typing as npt
 
-from rapidsim.collisions.convex import Index, Parts
+from rapidsim.collisions.convex import ConvexParts, Index
 from rapidsim.frames.rotation_vectors import cross
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 CLOSE_M = 1e-10
 """Between what is known to be possible and what was found."""
@@ -33,13 +33,13 @@ _ONE, _OTHER = np.array([0, 0, 1]), np.array([1, 2, 2])
 """Which two of the three edges from the newest point span each side."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Distances:
     """Distances of pairs (k,)."""
 
     least: Array
     """[m]: the bodies are no nearer; -inf where their hulls overlap."""
-    found: Array
+    distances_found: Array
     """[m]: between two points that were found; equal to `least` but where the search stopped early.
     Below 0 where the bodies overlap by no more than their radii; -inf where their hulls do."""
     direction: Array
@@ -52,7 +52,7 @@ class Distances:
 
 
 def distances(
-    parts: Parts,
+    parts: ConvexParts,
     first: Index,
     second: Index,
     second_from_first: Transform,
@@ -86,7 +86,7 @@ def distances(
     # What is still open, row by row. The newest point of a simplex stands first, as a point of the
     # first body and one of the second; points that are not there are copies of it.
     rows: Index = np.arange(count)
-    some = _Open(
+    some = _UndecidedPairs(
         first,
         second,
         rotation,
@@ -146,15 +146,15 @@ def distances(
     unit = way / np.where(overlap, 1.0, np.linalg.norm(way, axis=1))[:, None]
     return Distances(
         least=np.where(overlap, -np.inf, least - round_off),
-        found=np.where(overlap, -np.inf, found - round_off),
+        distances_found=np.where(overlap, -np.inf, found - round_off),
         direction=unit,
         first=ends[:, 0] - parts.radius[first][:, None] * unit,
         second=ends[:, 1] + parts.radius[second][:, None] * unit,
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Open:
+@value_class(frozen=True, slots=True, eq=False)
+class _UndecidedPairs:
     """Pairs (k,) whose distance is not known yet."""
 
     first: Index
@@ -171,20 +171,20 @@ class _Open:
     size: Index
     """How many of its corners are there."""
 
-    def rows(self, at: npt.NDArray[np.bool_]) -> _Open:
+    def rows(self, at: npt.NDArray[np.bool_]) -> _UndecidedPairs:
         """A subset."""
-        return _Open(*(getattr(self, name)[at] for name in _NAMES))
+        return _UndecidedPairs(*(getattr(self, name)[at] for name in _NAMES))
 
 
-_NAMES = tuple(one.name for one in fields(_Open))
+_NAMES = tuple(one.name for one in fields(_UndecidedPairs))
 
 
-def _nearest_of_simplices(corners: Array, others: Index) -> Array:
+def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
     """The shares (k, 4) of corners (k, 4, 3) in the point of each simplex nearest to the origin.
 
     Args:
         corners: The newest one first.
-        others: How many stand behind it (k,), up to three; what is behind these does not count.
+        other_rows: How many stand behind it (k,), up to three; what is behind these does not count.
 
     Returns:
         Exact zeros for corners without a share. The newest has one: the point before it was the
@@ -193,7 +193,7 @@ def _nearest_of_simplices(corners: Array, others: Index) -> Array:
     count = len(corners)
     newest = corners[:, 0]
     edges = corners[:, 1:] - newest[:, None]
-    there = np.arange(3) < others[:, None]
+    there = np.arange(3) < other_rows[:, None]
     gram = edges @ np.swapaxes(edges, 1, 2)
     toward = -np.einsum("kij,kj->ki", edges, newest)
     # In order: the newest alone, with one edge, with two, with all three.

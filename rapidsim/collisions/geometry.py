@@ -9,7 +9,7 @@ from enum import StrEnum
 
 from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Colour = tuple[int, int, int]
 GREY: Colour = (150, 156, 168)
@@ -25,7 +25,7 @@ class ParentKind(StrEnum):
     UNIT = "unit"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Parent:
     """A frame of the cell to which objects are fixed."""
 
@@ -38,7 +38,7 @@ class Parent:
     """The task or the label of the robot; None for the first."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class CellObject:
     """A body of the cell."""
 
@@ -55,7 +55,7 @@ class CellObject:
         return f"#{red:02x}{green:02x}{blue:02x}"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Attachment:
     """While a condition on signals holds, a robot carries an object on its flange."""
 
@@ -65,7 +65,7 @@ class Attachment:
     robot: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class IgnoredPair:
     """Two bodies that may touch."""
 
@@ -74,7 +74,7 @@ class IgnoredPair:
     reason: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class CellGeometry:
     """Everything a station says about bodies."""
 

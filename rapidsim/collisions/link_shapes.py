@@ -24,7 +24,7 @@ from rapidsim.frames.euler import Convention, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import LinkMeshes, Robot
 from rapidsim.motion.robot.urdf_text import plain_urdf
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 BASE = 0
 """The number of the link that does not move."""
@@ -32,7 +32,7 @@ _MOST_M = 100.0
 _LEAST_LINK_M, _MOST_LINK_M = 0.005, 10.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class LinkShape:
     """A shape fixed to one link."""
 
@@ -42,7 +42,7 @@ class LinkShape:
     """In the frame of the link."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class LinkShapes:
     """The bodies of an arm."""
 
@@ -87,7 +87,7 @@ def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
             if own is not None:
                 by_number.setdefault(number, []).append(own.moved(frame @ _origin(body)))
     links = tuple(
-        LinkShape(number, shape.together(found)) for number, found in sorted(by_number.items())
+        LinkShape(number, shape.union(found)) for number, found in sorted(by_number.items())
     )
     return LinkShapes(links, tuple(remarks))
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rapidsim.collisions.convex import Index, Parts
+from rapidsim.collisions.convex import ConvexParts, Index
 from rapidsim.frames.transform import Array, Transform
 
 TOUCH_M = 1e-5
@@ -33,7 +33,7 @@ _AROUND = _around()
 
 
 def flat_overlaps(
-    parts: Parts, first: Index, second: Index, second_from_first: Transform
+    parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
     """Overlaps [m] of parts along the normals of faces they lie flat on, and directions (k, 3).
 
@@ -56,7 +56,7 @@ def flat_overlaps(
 
 
 def depths(
-    parts: Parts, first: Index, second: Index, second_from_first: Transform
+    parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
     """How far [m] at most the first parts must move to leave the second, and directions (k, 3).
 
@@ -80,7 +80,9 @@ def depths(
     )
 
 
-def shortest(parts: Parts, first: Index, second: Index, second_from_first: Transform) -> Array:
+def shortest(
+    parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
+) -> Array:
     """The same, with directions (k, 3) refined until the distances stop shrinking."""
     least, best = depths(parts, first, second, second_from_first)
     width = np.full(len(first), 0.35)
@@ -95,24 +97,24 @@ def shortest(parts: Parts, first: Index, second: Index, second_from_first: Trans
 
 
 def _best(
-    parts: Parts,
+    parts: ConvexParts,
     first: Index,
     second: Index,
     second_from_first: Transform,
-    ways: Array,
-    there: Array | None = None,
+    offsets: Array,
+    offset: Array | None = None,
 ) -> tuple[Array, Array]:
     """The least overlap of pairs (k,) in directions (k, n, 3), of those that are there."""
-    count, number, _ = ways.shape
+    count, number, _ = offsets.shape
     every = np.repeat(np.arange(count), number)
-    turned = np.einsum("kji,knj->kni", second_from_first.rotation, ways)
+    turned = np.einsum("kji,knj->kni", second_from_first.rotation, offsets)
     a = parts.farthest(first[every], -turned.reshape(-1, 3)).reshape(count, number, 3)
-    b = parts.farthest(second[every], ways.reshape(-1, 3)).reshape(count, number, 3)
-    overlap = np.einsum("kni,kni->kn", b, ways) - np.einsum("kni,kni->kn", a, turned)
-    overlap -= np.einsum("ki,kni->kn", second_from_first.translation, ways)
+    b = parts.farthest(second[every], offsets.reshape(-1, 3)).reshape(count, number, 3)
+    overlap = np.einsum("kni,kni->kn", b, offsets) - np.einsum("kni,kni->kn", a, turned)
+    overlap -= np.einsum("ki,kni->kn", second_from_first.translation, offsets)
     overlap += (parts.radius[first] + parts.radius[second])[:, None]
-    if there is not None:
-        overlap = np.where(there, overlap, np.inf)
+    if offset is not None:
+        overlap = np.where(offset, overlap, np.inf)
     best = overlap.argmin(axis=1)
     row = np.arange(count)
-    return overlap[row, best], ways[row, best]
+    return overlap[row, best], offsets[row, best]

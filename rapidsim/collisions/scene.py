@@ -15,8 +15,8 @@ from rapidsim.collisions.shape import Shape
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.targets import world_from_base_at, world_from_unit_at
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Postures
-from rapidsim.values import dataclass
+from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.values import value_class
 
 STEP_S = 0.016
 """How often a motion is sampled where nothing is near."""
@@ -27,8 +27,8 @@ Bodily = int | Index
 _ALL = slice(None)
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+@value_class(frozen=True, slots=True)
+class SceneFrame:
     """A frame that moves with a robot, or the world frame."""
 
     robot: int | None = None
@@ -39,34 +39,34 @@ class Frame:
     """Of what a positioner carries the external axes of the robot that move it, outermost first."""
 
 
-WORLD = Frame()
+WORLD = SceneFrame()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Carried:
+@value_class(frozen=True, slots=True, eq=False)
+class AttachedBody:
     """From an instant on, a body is fixed to a frame."""
 
     from_s: float
-    frame: Frame
+    frame: SceneFrame
     frame_from_body: Transform
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Body:
     """One body of the cell."""
 
     label: BodyName
     shape: Shape
-    carried: tuple[Carried, ...]
+    carried: tuple[AttachedBody, ...]
     """In order of time, the first from the start on."""
 
     @property
-    def stands(self) -> bool:
+    def is_static(self) -> bool:
         """Whether it never moves."""
         return len(self.carried) == 1 and self.carried[0].frame.robot is None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Pair:
     """Two bodies that must not touch; if one of them is stationary, it is the second."""
 
@@ -79,14 +79,14 @@ class Pair:
     on."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Arm:
     """A robot with its motion."""
 
     robot: Robot
     world_from_base: Transform
     """With all external axes at zero."""
-    at: Callable[[Array], Postures]
+    at: Callable[[Array], JointSamples]
     """Its axes at some instants (k,) [s]."""
     busy: tuple[tuple[float, float], ...]
     """From when to when [s] it may move."""
@@ -94,7 +94,7 @@ class Arm:
     """The middles of moves that are over within a step."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Poses:
     """The poses of all bodies at some instants."""
 
@@ -127,7 +127,7 @@ class Poses:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Scene:
     """Arms and bodies."""
 
@@ -145,7 +145,7 @@ class Scene:
         rotation = np.empty((count, len(self.bodies), 3, 3))
         translation = np.empty((count, len(self.bodies), 3))
         moves = np.zeros((count, len(self.arms)), dtype=np.int64)
-        frames: dict[Frame, Transform] = {}
+        frames: dict[SceneFrame, Transform] = {}
         used = {one.frame for body in self.bodies for one in body.carried}
         for number, arm in enumerate(self.arms):
             postures = arm.at(times)
@@ -167,8 +167,8 @@ class Scene:
 
 
 def arm_frames(
-    number: int, arm: Arm, postures: Postures, used: Iterable[Frame]
-) -> Mapping[Frame, Transform]:
+    number: int, arm: Arm, postures: JointSamples, used: Iterable[SceneFrame]
+) -> Mapping[SceneFrame, Transform]:
     """world_from_link (k,) of the base, each link and the flange of an arm, and its positioners.
 
     Only those that are used.
@@ -183,15 +183,17 @@ def arm_frames(
         np.broadcast_to(world_from_base.rotation, (count, 3, 3)),
         np.broadcast_to(world_from_base.translation, (count, 3)),
     )
-    frames = {Frame(number, 0): base}
+    frames = {SceneFrame(number, 0): base}
     for link in range(joints.shape[1]):
-        frames[Frame(number, link + 1)] = base @ base_from_link[:, link]
+        frames[SceneFrame(number, link + 1)] = base @ base_from_link[:, link]
     for frame in used:
         if frame.robot == number and frame.axes:
             external = postures.external
             frames[frame] = world_from_unit_at(arm.robot.external, frame.axes, external)
     flange = last_link_from_flange(arm.robot)
-    frames[Frame(number, joints.shape[1] + 1)] = frames[Frame(number, joints.shape[1])] @ flange
+    frames[SceneFrame(number, joints.shape[1] + 1)] = (
+        frames[SceneFrame(number, joints.shape[1])] @ flange
+    )
     return frames
 
 

@@ -23,7 +23,7 @@ from rapidsim.collisions.overlap import TOUCH_M
 from rapidsim.files import input_text
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FILE_NAME = "self_pairs.toml"
 SEED = 21
@@ -40,7 +40,7 @@ _SHOWN_M = 0.002
 _SEEN_RAD = 0.1
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SelfPair:
     """Two links that are not adjacent, by their numbers."""
 
@@ -50,7 +50,7 @@ class SelfPair:
     """Share of the postures in which they touch."""
     nearest_m: float
     """The least distance of the other postures."""
-    shown_apart: bool = False
+    proven_separate: bool = False
     """Whether no posture within limits lets them touch."""
 
     @property
@@ -60,7 +60,7 @@ class SelfPair:
             return "their shapes overlap"
         if not self.touching and self.nearest_m > _NEVER_M:
             return "they never come near each other"
-        if self.shown_apart:
+        if self.proven_separate:
             return "no posture lets them touch"
         return None
 
@@ -80,7 +80,7 @@ def _by_postures(robot: Robot, links: tuple[LinkShape, ...]) -> tuple[tuple[int,
 
 
 def self_pairs(
-    robot: Robot, links: Sequence[LinkShape], postures: int, looks: int = _LOOKS
+    robot: Robot, links: Sequence[LinkShape], postures: int, sample_count: int = _LOOKS
 ) -> tuple[SelfPair, ...]:
     """How often and how closely non-adjacent links meet in random postures within limits.
 
@@ -88,7 +88,7 @@ def self_pairs(
         robot: The arm.
         links: Its bodies.
         postures: How many postures to sample.
-        looks: How many further ones to sample before it stays undecided whether a pair may touch.
+        sample_count: Further postures to sample before a pair stays undecided.
     """
     bodies = Bodies([link.shape.parts for link in links])
     joints = random_postures(robot, postures)
@@ -103,7 +103,10 @@ def self_pairs(
         if pair.touching < _ALWAYS and postures > _POSTURES:
             pair = _seen_often(bodies, (a, b), (first, second), seen)
         if not pair.touching and pair.left_out is None:
-            pair = replace(pair, shown_apart=_are_apart(robot, links, bodies, (a, b), looks))
+            pair = replace(
+                pair,
+                proven_separate=_is_proven_separate(robot, links, bodies, (a, b), sample_count),
+            )
         found.append(pair)
     return tuple(found)
 
@@ -117,17 +120,17 @@ def _seen_often(
     near = np.flatnonzero(apart < _NEVER_M)
     row, enough = row[near], np.full(len(near), 2.0 * _NEVER_M)
     gaps = bodies.gaps(row + pair[0], row + pair[1], seen[near], enough)
-    touching = gaps.found < -TOUCH_M
+    touching = gaps.distances_found < -TOUCH_M
     apart[near] = np.where(touching, np.inf, np.maximum(gaps.least, 0.0))
     return SelfPair(*numbers, float(touching.sum() / len(seen)), float(apart.min()))
 
 
-def _are_apart(
+def _is_proven_separate(
     robot: Robot,
     links: Sequence[LinkShape],
     bodies: Bodies,
     pair: tuple[int, int],
-    looks: int,
+    sample_count: int,
 ) -> bool:
     """Whether it can be shown that two links touch in no posture within limits.
 
@@ -156,8 +159,8 @@ def _are_apart(
     lower, upper = np.where(whole, -_HALF_TURN, lower), np.where(whole, _HALF_TURN, upper)
     middle, half = 0.5 * (lower + upper)[None], 0.5 * (upper - lower)[None]
     while len(middle):
-        looks -= len(middle)
-        if looks < 0:
+        sample_count -= len(middle)
+        if sample_count < 0:
             return False
         joints = np.tile(zero, (len(middle), 1))
         joints[:, turning] = middle
@@ -165,7 +168,7 @@ def _are_apart(
         row = np.zeros(len(middle), dtype=np.int64)
         seen = _seen(robot.kinematics.link_frames(joints), first, second)
         gaps = bodies.gaps(row + a, row + b, seen, room)
-        if gaps.found.min() < _SHOWN_M:
+        if gaps.distances_found.min() < _SHOWN_M:
             return False
         open_ones = gaps.least < room
         middle, half = middle[open_ones], half[open_ones]

@@ -15,7 +15,7 @@ import numpy as np
 from rapidsim.collisions.convex import ConvexPart
 from rapidsim.collisions.meshes.triangles import Faces, Triangles, components, hollowness
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _CONVEX_M = 1e-4
 """A piece that protrudes beyond none of its faces by more than this is convex."""
@@ -55,7 +55,7 @@ class Filling(StrEnum):
     """The hull of all corners."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Shape:
     """A body [m] in its own frame."""
 
@@ -87,7 +87,7 @@ class Shape:
         )
 
 
-def together(shapes: Sequence[Shape]) -> Shape:
+def union(shapes: Sequence[Shape]) -> Shape:
     """Several bodies as one."""
     starts = np.cumsum([0, *(len(one.vertices) for one in shapes)])
     return Shape(

@@ -31,7 +31,7 @@ class Travel:
         columns: dict[tuple[int, int], int] = {}
         of_pair = []
         for pair in scene.pairs:
-            other = -1 if scene.bodies[pair.second].stands else pair.second
+            other = -1 if scene.bodies[pair.second].is_static else pair.second
             of_pair.append(columns.setdefault((pair.first, other), len(columns)))
         self._column: Index = np.array(of_pair)
         count = len(poses.times)
@@ -77,9 +77,9 @@ class Travel:
         return found
 
 
-def turned(one: Array, other: Array) -> Array:
+def turned(first: Array, other: Array) -> Array:
     """How far at most a point at distance 1 moves between two rotations (...)."""
-    apart = one - other
+    apart = first - other
     moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
     return moved
 

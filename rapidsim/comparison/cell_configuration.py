@@ -8,17 +8,17 @@ from pathlib import Path
 
 from rapidsim.backinfo import listed_products
 from rapidsim.files import decode, input_bytes
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.language.equipment import Configured
 from rapidsim.module_files import configuration_below, opened
 from rapidsim.station.backup.backup import configured_in
 from rapidsim.station.backup.cfg_file import read_configuration, text_in
 from rapidsim.station.station import find_station
 from rapidsim.station.toml_reader import Table, read_toml
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CellConfiguration:
     """What is configured around a program."""
 
@@ -40,16 +40,16 @@ def is_configuration_file(path: str) -> bool:
     return Path(path).suffix.lower() in (".toml", ".cfg")
 
 
-def cell_configuration(asked: Asked) -> CellConfiguration:
+def cell_configuration(request: RunRequest) -> CellConfiguration:
     """The configuration near the path of a request.
 
     Raises:
         InputError: If a file cannot be read.
     """
-    path = asked.paths[0]
+    path = request.paths[0]
     if path.lower().endswith(".toml"):
         return CellConfiguration(station=read_toml(Path(path)))
-    file = Path(asked.station) if asked.station is not None else find_station(asked.paths)
+    file = Path(request.station) if request.station is not None else find_station(request.paths)
     station: Mapping[str, object] = {} if file is None else read_toml(file)
     if path.lower().endswith(".cfg"):
         parameters = read_configuration(decode(input_bytes(Path(path)))[0])

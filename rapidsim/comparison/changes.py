@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class At:
+@value_class(frozen=True, slots=True)
+class SourcePosition:
     """A position in a file."""
 
     file: str
@@ -18,7 +18,7 @@ class At:
 Literal: TypeAlias = bool | float | str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ComponentChange:
     """A component of a value that differs."""
 
@@ -31,8 +31,8 @@ class ComponentChange:
     unit: str = ""
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
+@value_class(frozen=True, slots=True)
+class ProgramChange:
     """One change of the program, as a robot programmer sees it."""
 
     kind: str
@@ -43,15 +43,15 @@ class Change:
     message: str
     routine: str | None = None
     """Where it is used, if it is a statement."""
-    old: At | None = None
+    old: SourcePosition | None = None
     """None where it is new."""
-    new: At | None = None
+    new: SourcePosition | None = None
     """None where it is gone."""
     values: tuple[ComponentChange, ...] = ()
     """The values before and after."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ConfigurationChange:
     """One change of system parameters, options or a station file."""
 
@@ -72,7 +72,7 @@ class ConfigurationChange:
     """The distance between both, where the values do not show it."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TimeChange:
     """A line or routine whose time changed."""
 
@@ -91,7 +91,7 @@ class TimeChange:
         return (self.after_s or 0.0) - (self.before_s or 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class OutputChange:
     """A change in when or how a signal is set."""
 
@@ -99,7 +99,7 @@ class OutputChange:
     message: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FindingChange:
     """A finding that is new or gone."""
 
@@ -108,10 +108,10 @@ class FindingChange:
     severity: str
     message: str
     routine: str | None
-    at: At | None
+    at: SourcePosition | None
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RunChange:
     """The differences between two runs."""
 
@@ -147,16 +147,16 @@ class RunChange:
         )
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Comparison:
     """All differences between two sides."""
 
     names: tuple[str, str]
-    changes: tuple[Change, ...]
+    changes: tuple[ProgramChange, ...]
     findings: tuple[FindingChange, ...]
     run: RunChange | None
     """None where one side does not run, or nobody asked."""
-    why_no_run: str | None = None
+    no_run_reason: str | None = None
     paths: tuple[tuple[tuple[float, ...], ...], tuple[tuple[float, ...], ...]] = ((), ())
     """The TCP of both sides over time [mm], for a picture; empty where nothing ran."""
     configuration: tuple[ConfigurationChange, ...] = ()

@@ -17,41 +17,41 @@ from rapidsim.comparison.cell_configuration import (
     cell_configuration,
     is_configuration_file,
 )
-from rapidsim.comparison.changes import At, Comparison, FindingChange, RunChange
+from rapidsim.comparison.changes import Comparison, FindingChange, RunChange, SourcePosition
 from rapidsim.comparison.configuration_changes import configuration_changes
 from rapidsim.comparison.program_changes import program_changes
-from rapidsim.comparison.program_parts import Parts, parts_of
-from rapidsim.comparison.run_changes import RanProgram, run_changes
+from rapidsim.comparison.program_parts import ProgramParts, parts_of
+from rapidsim.comparison.run_changes import ProgramRun, run_changes
 from rapidsim.comparison.run_record import RunRecord, read_run_record
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.files import InputError, decode, input_bytes
 from rapidsim.jobs.answers import answers_of_file
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.run_files import ProgramRejectedError, run_job
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.module_files import TaskFiles, backup_among, has_modules, opened
 from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax.parser import parse
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _PATH_STEP_S = 0.024
 _MOST_POINTS = 4000
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Side:
     """What is compared."""
 
     name: str
-    parts: Mapping[str, Parts]
+    parts: Mapping[str, ProgramParts]
     """By task; empty of a saved run."""
     findings: tuple[Diagnostic, ...] = ()
-    run: RanProgram | None = None
+    run: ProgramRun | None = None
     path: tuple[tuple[float, ...], ...] = ()
-    why_no_run: str | None = None
+    no_run_reason: str | None = None
     configuration: CellConfiguration = field(default_factory=CellConfiguration)
 
 
@@ -60,12 +60,12 @@ Shown: TypeAlias = Callable[[str], str]
 
 
 def compare(
-    old: Asked,
-    new: Asked,
+    old: RunRequest,
+    new: RunRequest,
     *,
     run: bool = True,
     answers: str | None = None,
-    shown: Shown = str,
+    visible: Shown = str,
 ) -> Comparison:
     """Compare what two paths refer to.
 
@@ -74,27 +74,29 @@ def compare(
         new: Likewise.
         run: Whether to run the programs.
         answers: A file of the operator's answers in both runs.
-        shown: The names of the files of `old`.
+        visible: The names of the files of `old`.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
     """
-    a, b = _side(old, run, answers, shown), _side(new, run, answers, str)
+    a, b = _side(old, run, answers, visible), _side(new, run, answers, str)
     if not run and bool(a.run) != bool(b.run):
         raise InputError("a saved run can only be compared with a run", "leave out --no-run")
     changes = [
         change
         for task in dict.fromkeys((*a.parts, *b.parts))
         if a.parts and b.parts
-        for change in program_changes(a.parts.get(task, Parts()), b.parts.get(task, Parts()))
+        for change in program_changes(
+            a.parts.get(task, ProgramParts()), b.parts.get(task, ProgramParts())
+        )
     ]
     ran: RunChange | None = run_changes(a.run, b.run) if a.run and b.run else None
     return Comparison(
         (a.name, b.name),
         tuple(changes),
-        _finding_changes(a.findings, b.findings, shown) if a.parts and b.parts else (),
+        _finding_changes(a.findings, b.findings, visible) if a.parts and b.parts else (),
         ran,
-        None if ran or not run else a.why_no_run or b.why_no_run,
+        None if ran or not run else a.no_run_reason or b.no_run_reason,
         (a.path, b.path),
         configuration_changes(a.configuration, b.configuration),
         tuple(_not_compared(a, b)),
@@ -110,32 +112,32 @@ def _not_compared(a: _Side, b: _Side) -> Iterator[str]:
             yield f"program was not compared: {one.name} has none"
 
 
-def _side(asked: Asked, run: bool, answers: str | None, shown: Shown) -> _Side:
-    path = asked.paths[0]
-    name = shown(path)
+def _side(request: RunRequest, run: bool, answers: str | None, visible: Shown) -> _Side:
+    path = request.paths[0]
+    name = visible(path)
     if path.lower().endswith(".json"):
-        return _Side(name, {}, run=RanProgram(_saved(Path(path))))
-    configuration = cell_configuration(asked)
+        return _Side(name, {}, run=ProgramRun(_saved(Path(path))))
+    configuration = cell_configuration(request)
     if _has_no_program(path):
         if configuration.is_empty:
             # It says what is missing.
-            job(asked)
+            job(request)
         return _Side(name, {}, configuration=configuration)
-    found = job(asked)
-    parts = {task.name or DEFAULT_TASK: _parts(task, shown) for task in found.tasks}
-    findings = check_job(replace(found, asked=replace(asked, trial_run=run))).diagnostics
+    found = job(request)
+    parts = {task.name or DEFAULT_TASK: _parts(task, visible) for task in found.tasks}
+    findings = check_job(replace(found, request=replace(request, trial_run=run))).diagnostics
     side = _Side(name, parts, findings, configuration=configuration)
     if not run:
         return side
     try:
         simulation = _ran(found, answers)
     except ProgramRejectedError as error:
-        return replace(side, why_no_run=f"{name} does not run: {error}")
+        return replace(side, no_run_reason=f"{name} does not run: {error}")
     report = course_json(simulation, simulation.diagnostics)
     single = simulation.robots[0] if len(simulation.robots) == 1 else None
     position = None if single is None else _position(single)
     record = read_run_record(report, name)
-    return replace(side, run=RanProgram(record, position), path=_path(simulation))
+    return replace(side, run=ProgramRun(record, position), path=_path(simulation))
 
 
 def _has_no_program(path: str) -> bool:
@@ -146,16 +148,16 @@ def _has_no_program(path: str) -> bool:
     return folder.is_dir() and not has_modules(folder) and backup_among([path]) is None
 
 
-def _ran(found: Job, answers: str | None) -> Simulation:
+def _ran(found_job: Job, answers: str | None) -> Simulation:
     """Run without leaving anything behind."""
     with TemporaryDirectory(prefix="rapidsim-") as home:
         given = answers_of_file(answers) if answers else None
-        asked = replace(found.asked, home=home, answers=given)
-        return run_job(replace(found, asked=asked)).simulation
+        asked = replace(found_job.request, home=home, answers=given)
+        return run_job(replace(found_job, request=asked)).simulation
 
 
-def _parts(task: TaskFiles, shown: Shown) -> Parts:
-    trees = [parse(Source(shown(file.name), file.text)).file for file in task.files]
+def _parts(task: TaskFiles, visible: Shown) -> ProgramParts:
+    trees = [parse(Source(visible(file.name), file.text)).file for file in task.files]
     return parts_of([module for one in trees for module in one.modules])
 
 
@@ -185,7 +187,7 @@ def _path(simulation: Simulation) -> tuple[tuple[float, ...], ...]:
 
 
 def _finding_changes(
-    old: Sequence[Diagnostic], new: Sequence[Diagnostic], shown: Shown
+    old: Sequence[Diagnostic], new: Sequence[Diagnostic], visible: Shown
 ) -> tuple[FindingChange, ...]:
     """Findings that are new or gone, wherever they stand."""
     before, after = Counter(map(_key, old)), Counter(map(_key, new))
@@ -194,13 +196,13 @@ def _finding_changes(
         for one in found:
             if surplus[_key(one)] > 0:
                 surplus[_key(one)] -= 1
-                at = At(shown(one.span.file), one.span.line) if one.span else None
+                at = SourcePosition(visible(one.span.file), one.span.line) if one.span else None
                 changes.append(
                     FindingChange(is_new, one.code, str(one.severity), one.message, one.routine, at)
                 )
     return tuple(changes)
 
 
-def _key(one: Diagnostic) -> tuple[str, str]:
+def _key(finding: Diagnostic) -> tuple[str, str]:
     # Not its routine: of what is told once, the first place may be another when routines move.
-    return one.code, one.message.lower()
+    return finding.code, finding.message.lower()

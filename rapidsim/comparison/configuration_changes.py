@@ -16,7 +16,7 @@ from rapidsim.comparison.changes import ConfigurationChange
 from rapidsim.comparison.station_changes import station_changes
 from rapidsim.controller.cell.description import mapped_bits
 from rapidsim.language.equipment import Configured
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _Attributes = Mapping[str, str]
 
@@ -60,7 +60,7 @@ def _parameter_changes(old: Configured, new: Configured) -> Iterator[Configurati
             yield from _type_changes(domain, kind, before, after)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Value:
     """The value of an attribute."""
 
@@ -70,7 +70,7 @@ class _Value:
     """Equal for values that mean the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Instance:
     name: str | None
     values: Mapping[str, _Value]
@@ -167,9 +167,11 @@ def _type_changes(
             yield ConfigurationChange(domain, kind, _name(one), "", None, one.text)
 
 
-def _unequal(instances: Sequence[_Instance], others: Sequence[_Instance]) -> list[_Instance]:
+def _unequal(
+    instances: Sequence[_Instance], other_instances: Sequence[_Instance]
+) -> list[_Instance]:
     """The instances without an equal one among others, each of which counts once."""
-    waiting = Counter(one.content for one in others)
+    waiting = Counter(one.content for one in other_instances)
     left: list[_Instance] = []
     for one in instances:
         if waiting[one.content]:
@@ -203,23 +205,23 @@ def _turn_deg(a: tuple[float, ...], b: tuple[float, ...]) -> float:
 
 
 def _pairs(
-    gone: Sequence[_Instance], come: Sequence[_Instance]
+    removed: Sequence[_Instance], added: Sequence[_Instance]
 ) -> Iterator[tuple[_Instance, _Instance]]:
     """Instances that are one, changed: of one name, or else those with most in common."""
     named: dict[str, list[_Instance]] = {}
-    for one in reversed(come):
+    for one in reversed(added):
         if one.name is not None:
             named.setdefault(one.name.lower(), []).append(one)
     left: list[_Instance] = []
     taken: set[int] = set()
-    for one in gone:
+    for one in removed:
         twins = [] if one.name is None else named.get(one.name.lower(), [])
         if twins:
             taken.add(id(twins[-1]))
             yield one, twins.pop()
         else:
             left.append(one)
-    waiting = [one for one in come if id(one) not in taken]
+    waiting = [one for one in added if id(one) not in taken]
     if len(left) * len(waiting) > _MOST_COMPARED:
         return
     for one in left:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from html import escape
 
 from rapidsim.comparison.changes import Comparison, TimeChange
-from rapidsim.comparison.told import Block, blocks, time_cells
+from rapidsim.comparison.rendering import ReportBlock, blocks, time_cells
 
 _SIDE = 460
 _MARGIN = 24
@@ -49,7 +49,7 @@ def comparison_page(comparison: Comparison) -> str:
     )
 
 
-def _section(block: Block) -> str:
+def _section(block: ReportBlock) -> str:
     if not block.lines and not block.times:
         return f"<section><p>{escape(block.title)}</p></section>"
     items = "".join(f"<li>{_marked(line)}</li>" for line in block.lines)

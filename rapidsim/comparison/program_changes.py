@@ -11,9 +11,16 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import SequenceMatcher
 from typing import TypeVar
 
-from rapidsim.comparison.changes import Change, ComponentChange
+from rapidsim.comparison.changes import ComponentChange, ProgramChange
 from rapidsim.comparison.components import changed_components
-from rapidsim.comparison.program_parts import Declaration, Line, Parts, Routine, folded, literal
+from rapidsim.comparison.program_parts import (
+    Declaration,
+    NormalisedLine,
+    ProgramParts,
+    Routine,
+    folded,
+    literal,
+)
 from rapidsim.comparison.values import difference, kind_of
 from rapidsim.comparison.world import object_in_world, target_in_world
 from rapidsim.library.catalogue import ROUTINES
@@ -35,7 +42,7 @@ _ARGUMENT_KINDS = {
 _WORD = re.compile(r"\w+")
 
 
-def program_changes(old: Parts, new: Parts) -> tuple[Change, ...]:
+def program_changes(old: ProgramParts, new: ProgramParts) -> tuple[ProgramChange, ...]:
     """All changes: for each kind, what is new, then what is gone."""
     renamed = _renamed(old, new)
     return (
@@ -46,7 +53,7 @@ def program_changes(old: Parts, new: Parts) -> tuple[Change, ...]:
     )
 
 
-def _renamed(old: Parts, new: Parts) -> dict[str, str]:
+def _renamed(old: ProgramParts, new: ProgramParts) -> dict[str, str]:
     """New folded names of routines and data by old ones."""
     found: dict[str, str] = {}
     for _ in range(2):
@@ -81,7 +88,7 @@ def _value(data: Declaration, renamed: Mapping[str, str]) -> str:
 
 
 def _is_used_as(
-    before: str, after: str, old: Parts, new: Parts, renamed: Mapping[str, str]
+    before: str, after: str, old: ProgramParts, new: ProgramParts, renamed: Mapping[str, str]
 ) -> bool:
     """Whether a line that names the old data is there with the new name."""
     named = {**renamed, before: after}
@@ -94,26 +101,28 @@ def _is_used_as(
     return any(folded(line.text) in lines for one in new.routines.values() for line in one.lines)
 
 
-def _module_changes(old: Parts, new: Parts) -> Iterator[Change]:
+def _module_changes(old: ProgramParts, new: ProgramParts) -> Iterator[ProgramChange]:
     for key, (attributes, at) in new.modules.items():
         if key in old.modules and old.modules[key][0] != attributes:
             text = f"attributes {old.modules[key][0] or 'none'} -> {attributes or 'none'}"
-            yield Change("module", key, text, old=old.modules[key][1], new=at)
+            yield ProgramChange("module", key, text, old=old.modules[key][1], new=at)
 
 
-def _type_changes(old: Parts, new: Parts) -> Iterator[Change]:
+def _type_changes(old: ProgramParts, new: ProgramParts) -> Iterator[ProgramChange]:
     for key, one in new.types.items():
         before = old.types.get(key)
         if before is None:
-            yield Change("type", one.name, "added", new=one.at)
+            yield ProgramChange("type", one.name, "added", new=one.at)
         elif before.folded != one.folded:
-            yield Change("type", one.name, "changed", old=before.at, new=one.at)
+            yield ProgramChange("type", one.name, "changed", old=before.at, new=one.at)
     for key, one in old.types.items():
         if key not in new.types:
-            yield Change("type", one.name, "removed", old=one.at)
+            yield ProgramChange("type", one.name, "removed", old=one.at)
 
 
-def _data_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterator[Change]:
+def _data_changes(
+    old: ProgramParts, new: ProgramParts, renamed: Mapping[str, str]
+) -> Iterator[ProgramChange]:
     names_after = {after: before for before, after in renamed.items()}
     for key, one in new.data.items():
         kind = kind_of(one.type)
@@ -122,26 +131,28 @@ def _data_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterato
             before = _named(old.data, was)
             if before is not None:
                 text = f"renamed from `{before.name}`"
-                yield Change(kind, one.name, text, old=before.at, new=one.at)
+                yield ProgramChange(kind, one.name, text, old=before.at, new=one.at)
             continue
         if before is None:
             values = (ComponentChange("", None, one.text),)
-            yield Change(kind, one.name, f"added: {one.type}", new=one.at, values=values)
+            yield ProgramChange(kind, one.name, f"added: {one.type}", new=one.at, values=values)
         elif folded(before.text, renamed) != folded(one.text) or before.type != one.type:
-            where = _where(before, one, _objects_of(key, new), old, new)
-            text = _said(before, one)
+            where = _frame_changes(before, one, _objects_of(key, new), old, new)
+            text = _value_difference(before, one)
             text = f"{text}{where}"
-            yield Change(kind, one.name, text, None, before.at, one.at, _components(before, one))
+            yield ProgramChange(
+                kind, one.name, text, None, before.at, one.at, _components(before, one)
+            )
         elif before.folded != one.folded and folded(before.folded, renamed) != one.folded:
             text = f"{before.storage} {before.type} -> {one.storage} {one.type}"
             if before.storage == one.storage:
                 text = "declared otherwise: its scope or its dimensions"
-            yield Change(kind, one.name, text, old=before.at, new=one.at)
+            yield ProgramChange(kind, one.name, text, old=before.at, new=one.at)
     for key, one in old.data.items():
         if key not in new.data and key.rpartition("/")[2] not in renamed:
             values = (ComponentChange("", one.text, None),)
             text = f"removed: {one.type}"
-            yield Change(kind_of(one.type), one.name, text, old=one.at, values=values)
+            yield ProgramChange(kind_of(one.type), one.name, text, old=one.at, values=values)
 
 
 def _components(old: Declaration, new: Declaration) -> tuple[ComponentChange, ...]:
@@ -150,7 +161,7 @@ def _components(old: Declaration, new: Declaration) -> tuple[ComponentChange, ..
     return (ComponentChange("", old.text, new.text),)
 
 
-def _said(old: Declaration, new: Declaration) -> str:
+def _value_difference(old: Declaration, new: Declaration) -> str:
     if old.type == new.type:
         told = difference(new.type, old.value, new.value)
         if told is not None:
@@ -158,8 +169,12 @@ def _said(old: Declaration, new: Declaration) -> str:
     return f"{old.text} -> {new.text}" if old.type == new.type else f"{old.type} -> {new.type}"
 
 
-def _where(
-    before: Declaration, after: Declaration, objects: Sequence[str], old: Parts, new: Parts
+def _frame_changes(
+    before: Declaration,
+    after: Declaration,
+    objects: Sequence[str],
+    old: ProgramParts,
+    new: ProgramParts,
 ) -> str:
     """In which frames data have changed, and by how much in the world."""
     values = before.value, after.value
@@ -173,7 +188,7 @@ def _where(
     return f", in {' and '.join(objects)}{world}"
 
 
-def _objects_of(key: str, parts: Parts) -> Sequence[str]:
+def _objects_of(key: str, parts: ProgramParts) -> Sequence[str]:
     """The work objects in which a target is approached, as the moves to it name them."""
     name = key.rpartition("/")[2]
     frames: dict[str, None] = {}
@@ -190,7 +205,9 @@ def _named(parts: Mapping[str, T], name: str) -> T | None:
     return next((one for key, one in parts.items() if key.rpartition("/")[2] == name), None)
 
 
-def _routine_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iterator[Change]:
+def _routine_changes(
+    old: ProgramParts, new: ProgramParts, renamed: Mapping[str, str]
+) -> Iterator[ProgramChange]:
     names_after = {after: before for before, after in renamed.items()}
     for key, one in new.routines.items():
         before = old.routines.get(key)
@@ -198,30 +215,34 @@ def _routine_changes(old: Parts, new: Parts, renamed: Mapping[str, str]) -> Iter
             before = _named(old.routines, was)
             if before is not None:
                 text = f"renamed from `{before.name}`"
-                yield Change("routine", one.name, text, old=before.at, new=one.at)
+                yield ProgramChange("routine", one.name, text, old=before.at, new=one.at)
                 continue
         if before is None:
-            yield Change("routine", one.name, "added", new=one.at)
+            yield ProgramChange("routine", one.name, "added", new=one.at)
         else:
             yield from _line_changes(before, one, renamed, old, new)
     for key, one in old.routines.items():
         if key not in new.routines and key.rpartition("/")[2] not in renamed:
-            yield Change("routine", one.name, "removed", old=one.at)
+            yield ProgramChange("routine", one.name, "removed", old=one.at)
 
 
 def _line_changes(
-    before: Routine, after: Routine, renamed: Mapping[str, str], old: Parts, new: Parts
-) -> Iterator[Change]:
+    before: Routine,
+    after: Routine,
+    renamed: Mapping[str, str],
+    old: ProgramParts,
+    new: ProgramParts,
+) -> Iterator[ProgramChange]:
     a = [_indented(line, renamed) for line in before.lines]
     b = [_indented(line, {}) for line in after.lines]
-    gone: list[Line] = []
-    come: list[Line] = []
-    changed: list[tuple[Line, Line]] = []
+    gone: list[NormalisedLine] = []
+    come: list[NormalisedLine] = []
+    changed: list[tuple[NormalisedLine, NormalisedLine]] = []
     for word, a1, a2, b1, b2 in SequenceMatcher(None, a, b, autojunk=False).get_opcodes():
         if word == "equal":
             continue
         left, right = list(before.lines[a1:a2]), list(after.lines[b1:b2])
-        pairs = list(_alike(left, right))
+        pairs = list(_matching_lines(left, right))
         changed += pairs
         gone += [line for line in left if all(line is not x for x, _ in pairs)]
         come += [line for line in right if all(line is not y for _, y in pairs)]
@@ -241,12 +262,12 @@ def _line_changes(
             yield _change(after, "statement", line.text, f"removed: `{line.text}`", line, None)
 
 
-def _indented(line: Line, renamed: Mapping[str, str]) -> str:
+def _indented(line: NormalisedLine, renamed: Mapping[str, str]) -> str:
     depth = len(line.folded) - len(line.folded.lstrip(" "))
     return " " * depth + folded(line.text, renamed)
 
 
-def _is_frame(line: Line) -> bool:
+def _is_frame(line: NormalisedLine) -> bool:
     """Whether a line only ends or parts what another begins."""
     return line.text.upper() in ("ENDIF", "ENDFOR", "ENDWHILE", "ENDTEST")
 
@@ -256,18 +277,20 @@ def _change(
     kind: str,
     name: str,
     text: str,
-    old: Line | None,
-    new: Line | None,
+    old: NormalisedLine | None,
+    new: NormalisedLine | None,
     values: tuple[ComponentChange, ...] | None = None,
-) -> Change:
+) -> ProgramChange:
     places = old.at if old else None, new.at if new else None
     if values is None:
         lines = old.text if old else None, new.text if new else None
         values = (ComponentChange("", *lines),)
-    return Change(kind, name, text, routine.name, *places, values)
+    return ProgramChange(kind, name, text, routine.name, *places, values)
 
 
-def _alike(left: Sequence[Line], right: Sequence[Line]) -> Iterator[tuple[Line, Line]]:
+def _matching_lines(
+    left: Sequence[NormalisedLine], right: Sequence[NormalisedLine]
+) -> Iterator[tuple[NormalisedLine, NormalisedLine]]:
     """Lines that are one statement, changed: of one word, or else of the same arguments."""
     waiting, left_over = list(right), []
     for line in left:
@@ -284,22 +307,22 @@ def _alike(left: Sequence[Line], right: Sequence[Line]) -> Iterator[tuple[Line, 
             waiting.remove(twin)
 
 
-def _same_kind(a: Line, b: Line, part: Callable[[Line], str]) -> bool:
+def _same_kind(a: NormalisedLine, b: NormalisedLine, part: Callable[[NormalisedLine], str]) -> bool:
     return type(a.node) is type(b.node) and part(a) == part(b)
 
 
-def _but_first_word(line: Line) -> str:
+def _but_first_word(line: NormalisedLine) -> str:
     return folded(line.text.partition(" ")[2])
 
 
-def _first_word(line: Line) -> str:
+def _first_word(line: NormalisedLine) -> str:
     found = _WORD.search(line.text)
     return found[0].lower() if found else line.text
 
 
 def _statement_changes(
-    routine: Routine, a: Line, b: Line, old: Parts, new: Parts
-) -> Iterator[Change]:
+    routine: Routine, a: NormalisedLine, b: NormalisedLine, old: ProgramParts, new: ProgramParts
+) -> Iterator[ProgramChange]:
     same_word = _first_word(a) == _first_word(b)
     if same_word and isinstance(a.node, tree.Call) and isinstance(b.node, tree.Call):
         before, after = _arguments(a.node), _arguments(b.node)
@@ -319,19 +342,21 @@ def _statement_changes(
     yield _change(routine, "statement", b.text, f"`{a.text}` -> `{b.text}`", a, b)
 
 
-def _between(a: tree.Call, b: tree.Call, name: str, old: Parts, new: Parts) -> str:
+def _between(a: tree.Call, b: tree.Call, name: str, old: ProgramParts, new: ProgramParts) -> str:
     """How far two values of an argument are apart, where both are known."""
     x, y = _values(a).get(name), _values(b).get(name)
-    first, second = _known(x, old), _known(y, new)
+    first, second = _static_value(x, old), _static_value(y, new)
     if first is None or second is None or first[0] != second[0]:
         return ""
     told = difference(first[0], first[1], second[1]) if kind_of(first[0]) != "data" else None
     return f" ({told})" if told else ""
 
 
-def _known(expression: tree.Expression | None, parts: Parts) -> tuple[str, object] | None:
+def _static_value(
+    expression: tree.Expression | None, parts: ProgramParts
+) -> tuple[str, object] | None:
     """Type and value of an argument that is a name, or a target written out."""
-    if isinstance(expression, tree.Reference):
+    if isinstance(expression, tree.DataReference):
         found = _named(parts.data, expression.name.key)
         return None if found is None or found.value is None else (found.type, found.value)
     value = literal(expression)
@@ -357,12 +382,12 @@ def _values(call: tree.Call) -> dict[str, tree.Expression | None]:
     place = 0
     for argument in call.arguments:
         match argument:
-            case tree.Required(value=value, name=name):
+            case tree.RequiredArgument(value=value, name=name):
                 known = required[place] if place < len(required) else f"argument {place + 1}"
                 values[known if name is None else name.key] = value
                 place += 1
-            case tree.Optional(name=name, value=value):
+            case tree.OptionalArgument(name=name, value=value):
                 values[name.key] = value
-            case tree.Conditional(name=name):
+            case tree.ConditionalArgument(name=name):
                 values[name.key] = None
     return values

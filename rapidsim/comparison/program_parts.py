@@ -7,38 +7,38 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
 from rapidsim.analysis.tree_walk import blocks, clauses
-from rapidsim.comparison.changes import At
+from rapidsim.comparison.changes import SourcePosition
 from rapidsim.syntax import tree
 from rapidsim.syntax.printer import print_data, print_expression, print_routine, print_statement
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TOKEN = re.compile(
     r'"(?:[^"]|"")*"|[A-Za-z_]\w*|(?:\d+\.?\d*|\.\d+)(?:[Ee][+-]?\d+)?|\s+|.', re.DOTALL
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+@value_class(frozen=True, slots=True)
+class NormalisedLine:
     """A line of a routine, in normalised layout."""
 
     text: str
     folded: str
     """Without what RAPID does not look at: case, blanks, the way a number is written."""
     node: tree.Node
-    at: At
+    at: SourcePosition
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Routine:
     """A routine."""
 
     name: str
-    lines: tuple[Line, ...]
+    lines: tuple[NormalisedLine, ...]
     """The header first."""
-    at: At
+    at: SourcePosition
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Declaration:
     """Data, a record or an alias outside routines."""
 
@@ -49,23 +49,23 @@ class Declaration:
     folded: str
     value: object
     """Numbers, strings, bools, tuples of them; None where it takes more than literals."""
-    at: At
+    at: SourcePosition
 
 
-@dataclass(slots=True)
-class Parts:
+@value_class(slots=True)
+class ProgramParts:
     """The parts of a program by folded name, prefixed with the module if LOCAL."""
 
     data: dict[str, Declaration] = field(default_factory=dict)
     routines: dict[str, Routine] = field(default_factory=dict)
     types: dict[str, Declaration] = field(default_factory=dict)
-    modules: dict[str, tuple[str, At]] = field(default_factory=dict)
+    modules: dict[str, tuple[str, SourcePosition]] = field(default_factory=dict)
     """Name and attributes."""
 
 
-def parts_of(modules: Sequence[tree.Module]) -> Parts:
+def parts_of(modules: Sequence[tree.Module]) -> ProgramParts:
     """Take apart the modules of a task."""
-    parts = Parts()
+    parts = ProgramParts()
     for module in modules:
         at = _at(module, module)
         attributes = ",".join(sorted(one.text.upper() for one in module.attributes))
@@ -107,9 +107,13 @@ def folded(text: str, renamed: Mapping[str, str] | None = None) -> str:
 def literal(expression: tree.Expression | None) -> object:
     """The value of a literal expression; None for any other."""
     match expression:
-        case tree.Number(value=value) | tree.Bool(value=value) | tree.String(value=value):
+        case (
+            tree.NumberLiteral(value=value)
+            | tree.BoolLiteral(value=value)
+            | tree.StringLiteral(value=value)
+        ):
             return value
-        case tree.Unary(operator="-", operand=tree.Number(value=value)):
+        case tree.Unary(operator="-", operand=tree.NumberLiteral(value=value)):
             return -value
         case tree.LiteralAggregate(value=value):
             return value
@@ -140,9 +144,9 @@ def _key(scope: str | None, module: tree.Module, name: tree.Name) -> str:
     return f"{module.name.key}/{name.key}" if scope == "LOCAL" else name.key
 
 
-def _at(node: tree.Node, module: tree.Module) -> At:
+def _at(node: tree.Node, module: tree.Module) -> SourcePosition:
     span = module.span(node)
-    return At(span.file, span.line)
+    return SourcePosition(span.file, span.line)
 
 
 def _declaration(item: tree.Data, module: tree.Module) -> Declaration:
@@ -158,11 +162,11 @@ def _declaration(item: tree.Data, module: tree.Module) -> Declaration:
     )
 
 
-def _lines(routine: tree.Routine, module: tree.Module) -> Iterator[Line]:
+def _lines(routine: tree.Routine, module: tree.Module) -> Iterator[NormalisedLine]:
     inner = [statement for body in clauses(routine) for statement in body]
     printed = print_routine(routine, module)
     for text, node in _with_nodes(printed, routine, inner, module):
-        yield Line(text.strip(), _indent(text) + folded(text), node, _at(node, module))
+        yield NormalisedLine(text.strip(), _indent(text) + folded(text), node, _at(node, module))
 
 
 def _indent(text: str) -> str:

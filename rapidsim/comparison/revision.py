@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 from rapidsim.files import InputError
 from rapidsim.module_files import named_file
 from rapidsim.station.station import FILE_NAME, find_station
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _FILE_MODES = ("100644", "100755")
 _SETTINGS = (FILE_NAME, "pyproject.toml")
@@ -43,7 +43,7 @@ _ENVIRONMENT = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Revision:
     """A path as it was in a revision."""
 
@@ -56,7 +56,7 @@ class Revision:
     station: str | None
     """A station file above the repository, which both sides have; None if there is none."""
 
-    def shown(self, path: str) -> str:
+    def display_path(self, path: str) -> str:
         """A path in the temporary folder as git writes it: `REV:path`; others unchanged."""
         for folder in (str(self.folder), os.path.realpath(self.folder)):
             if path == folder:
@@ -72,7 +72,7 @@ class Revision:
         return message
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Entry:
     path: PurePosixPath
     object: str
@@ -153,7 +153,7 @@ def _write(top: Path, path: str, entries: list[_Entry], folder: Path) -> None:
     if any(entry.size == _ABSENT for entry in entries):
         raise InputError(f"git does not have all files of {path}", "fetch the revision first")
     asked = "".join(f"{entry.object}\n" for entry in entries).encode()
-    data = _git(top, path, "cat-file", "--batch", given=asked)
+    data = _git(top, path, "cat-file", "--batch", stdin=asked)
     at = 0
     for entry in entries:
         end = data.find(b"\n", at)
@@ -171,7 +171,7 @@ def _text(folder: Path, path: str, *arguments: str) -> str:
     return os.fsdecode(_git(folder, path, *arguments)).removesuffix("\n")
 
 
-def _git(folder: Path, path: str, *arguments: str, given: bytes = b"") -> bytes:
+def _git(folder: Path, path: str, *arguments: str, stdin: bytes = b"") -> bytes:
     """What a command of git prints.
 
     Raises:
@@ -181,7 +181,7 @@ def _git(folder: Path, path: str, *arguments: str, given: bytes = b"") -> bytes:
     try:
         ended = subprocess.run(
             ["git", *_OPTIONS, "-C", str(folder), *arguments],
-            input=given,
+            input=stdin,
             capture_output=True,
             check=False,
             env={**kept, **_ENVIRONMENT},

@@ -10,7 +10,7 @@ from rapidsim.comparison.run_record import RunRecord, RunStep
 from rapidsim.diagnostics import Severity
 from rapidsim.motion.robot.catalogue import entry_name
 from rapidsim.simulation.results.simulation import End
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _ROUNDING_S = 1e-6
 """Runs of one program on two machines agree within less."""
@@ -18,15 +18,15 @@ _SHOWN_S = 0.0005
 _SHOWN_MM = 0.05
 
 
-@dataclass(frozen=True, slots=True)
-class RanProgram:
+@value_class(frozen=True, slots=True)
+class ProgramRun:
     """A run, and the path of its TCP, if known."""
 
     record: RunRecord
     position_mm: Callable[[float], Sequence[float]] | None = None
 
 
-def run_changes(old: RanProgram, new: RanProgram) -> RunChange:
+def run_changes(old: ProgramRun, new: ProgramRun) -> RunChange:
     """Compare two runs."""
     before, after = old.record, new.record
     a, b = before.steps, after.steps
@@ -88,14 +88,14 @@ def _line_changes(a: Sequence[RunStep], b: Sequence[RunStep]) -> Iterator[TimeCh
     for key, (before_s, after_s) in sums.items():
         if before_s is None or after_s is None or abs(before_s - after_s) > _ROUNDING_S:
             step = names[key]
-            yield TimeChange(step.task, step.routine, step.what, before_s, after_s)
+            yield TimeChange(step.task, step.routine, step.text, before_s, after_s)
 
 
 def _sum(a: float | None, b: float | None) -> float | None:
     return b if a is None else a if b is None else a + b
 
 
-def _output_changes(old: RanProgram, new: RanProgram) -> Iterator[OutputChange]:
+def _output_changes(old: ProgramRun, new: ProgramRun) -> Iterator[OutputChange]:
     before, after = _outputs(old.record), _outputs(new.record)
     for signal in sorted(dict.fromkeys((*before, *after)), key=str.lower):
         a, b = before.get(signal, []), after.get(signal, [])
@@ -128,7 +128,7 @@ def _times(count: int) -> str:
 
 
 def _elsewhere(
-    x: tuple[float, float], y: tuple[float, float], old: RanProgram, new: RanProgram
+    x: tuple[float, float], y: tuple[float, float], old: ProgramRun, new: ProgramRun
 ) -> str:
     late_s = y[0] - x[0]
     told = []

@@ -10,16 +10,16 @@ from collections.abc import Mapping
 
 from rapidsim.files import InputError
 from rapidsim.simulation.results.simulation import End
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RunStep:
     """A move or a wait."""
 
     task: str
     routine: str
-    what: str
+    text: str
     """The instruction, and what it moves to or waits for."""
     start_s: float
     end_s: float
@@ -32,10 +32,10 @@ class RunStep:
     @property
     def key(self) -> tuple[str, str, str]:
         """Its name, in the form in which RAPID compares names."""
-        return self.task.lower(), self.routine.lower(), self.what.lower()
+        return self.task.lower(), self.routine.lower(), self.text.lower()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SignalChange:
     """A signal that a task has set."""
 
@@ -44,7 +44,7 @@ class SignalChange:
     value: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RunRecord:
     """A run, as far as it is compared."""
 

@@ -52,13 +52,13 @@ def difference(type_name: str, old: object, new: object) -> str | None:
             case "zonedata":
                 return _listed(_zone(old, new))
             case _:
-                return f"{shown(old)} -> {shown(new)}"
+                return f"{to_rapid(old)} -> {to_rapid(new)}"
     except (ValueError, TypeError, IndexError):
         # A literal that is not of the type: the check says so.
-        return f"{shown(old)} -> {shown(new)}"
+        return f"{to_rapid(old)} -> {to_rapid(new)}"
 
 
-def shown(value: object) -> str:
+def to_rapid(value: object) -> str:
     """A literal as RAPID writes it, truncated if long."""
     match value:
         case bool():
@@ -68,7 +68,7 @@ def shown(value: object) -> str:
         case str():
             text = f'"{value}"'
         case tuple() | list():
-            text = f"[{','.join(map(shown, value))}]"
+            text = f"[{','.join(map(to_rapid, value))}]"
         case _:
             text = str(value)
     return text if len(text) <= 60 else f"{text[:57]}..."
@@ -80,33 +80,35 @@ def _pose_parts(old: object, new: object) -> list[str]:
 
 def _target_parts(old: object, new: object) -> list[str]:
     told = [
-        f"{name} {shown(a)} -> {shown(b)}"
+        f"{name} {to_rapid(a)} -> {to_rapid(b)}"
         for name, a, b in zip(_CONFIGURATION, _row(old)[2], _row(new)[2], strict=True)
         if a != b
     ]
     axes = zip("abcdef", _row(old)[3], _row(new)[3], strict=True)
-    return told + [f"eax_{n} {shown(a)} -> {shown(b)} deg or mm" for n, a, b in axes if a != b]
+    return told + [
+        f"eax_{n} {to_rapid(a)} -> {to_rapid(b)} deg or mm" for n, a, b in axes if a != b
+    ]
 
 
-def _moved(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
+def _moved(old: Sequence[float], new: Sequence[float], subject: str = "") -> list[str]:
     if tuple(old) == tuple(new):
         return []
     apart = [b - a for a, b in zip(old, new, strict=True)]
     each = ", ".join(
-        f"{axis} {d:+.3f}: {shown(a)} -> {shown(b)}"
+        f"{axis} {d:+.3f}: {to_rapid(a)} -> {to_rapid(b)}"
         for axis, d, a, b in zip("xyz", apart, old, new, strict=True)
         if d
     )
-    return [f"{what}moved by {math.hypot(*apart):.3f} mm ({each})"]
+    return [f"{subject}moved by {math.hypot(*apart):.3f} mm ({each})"]
 
 
-def _turned(old: Sequence[float], new: Sequence[float], what: str = "") -> list[str]:
+def _turned(old: Sequence[float], new: Sequence[float], subject: str = "") -> list[str]:
     if tuple(old) == tuple(new):
         return []
     lengths = math.hypot(*old) * math.hypot(*new)
     cosine = abs(sum(a * b for a, b in zip(old, new, strict=True))) / lengths
     angle = math.degrees(2.0 * math.acos(min(1.0, cosine)))
-    return [f"{what}turned by {angle:.3f} deg ({shown(old)} -> {shown(new)})"]
+    return [f"{subject}turned by {angle:.3f} deg ({to_rapid(old)} -> {to_rapid(new)})"]
 
 
 def _axes(old: object, new: object) -> list[str]:
@@ -114,33 +116,39 @@ def _axes(old: object, new: object) -> list[str]:
     # Axis 3 of a SCARA, which has no axes 5 and 6, slides; which arm it is, the text does not say.
     units = {3: "deg or mm"} if pairs[4:] == [(0.0, 0.0)] * 2 else {}
     told = [
-        f"axis {n} by {b - a:+.3f} {units.get(n, 'deg')}: {shown(a)} -> {shown(b)}"
+        f"axis {n} by {b - a:+.3f} {units.get(n, 'deg')}: {to_rapid(a)} -> {to_rapid(b)}"
         for n, (a, b) in enumerate(pairs, 1)
         if a != b
     ]
     axes = zip("abcdef", _row(old)[1], _row(new)[1], strict=True)
-    return told + [f"eax_{n} {shown(a)} -> {shown(b)} deg or mm" for n, a, b in axes if a != b]
+    return told + [
+        f"eax_{n} {to_rapid(a)} -> {to_rapid(b)} deg or mm" for n, a, b in axes if a != b
+    ]
 
 
 def _tool(old: object, new: object) -> list[str]:
     (a_held, a_frame, a_load), (b_held, b_frame, b_load) = _row(old), _row(new)
-    told = [f"robhold {shown(a_held)} -> {shown(b_held)}"] if a_held != b_held else []
+    told = [f"robhold {to_rapid(a_held)} -> {to_rapid(b_held)}"] if a_held != b_held else []
     told += _moved(a_frame[0], b_frame[0], "TCP ") + _turned(a_frame[1], b_frame[1], "TCP ")
     return told + _load(a_load, b_load)
 
 
 def _load(old: Sequence[Any], new: Sequence[Any]) -> list[str]:
-    told = [f"mass {shown(old[0])} -> {shown(new[0])} kg"] if old[0] != new[0] else []
+    told = [f"mass {to_rapid(old[0])} -> {to_rapid(new[0])} kg"] if old[0] != new[0] else []
     told += _moved(old[1], new[1], "centre of gravity ")
     told += _turned(old[2], new[2], "axes of moment ")
     moments = zip("xyz", old[3:], new[3:], strict=True)
-    return told + [f"i{n} {shown(a)} -> {shown(b)} kgm2" for n, a, b in moments if a != b]
+    return told + [f"i{n} {to_rapid(a)} -> {to_rapid(b)} kgm2" for n, a, b in moments if a != b]
 
 
 def _work_object(old: object, new: object) -> list[str]:
     a, b = _row(old), _row(new)
     names = ("robhold", "ufprog", "ufmec")
-    told = [f"{n} {shown(x)} -> {shown(y)}" for n, x, y in zip(names, a, b, strict=False) if x != y]
+    told = [
+        f"{n} {to_rapid(x)} -> {to_rapid(y)}"
+        for n, x, y in zip(names, a, b, strict=False)
+        if x != y
+    ]
     for name, x, y in (("user frame ", a[3], b[3]), ("object frame ", a[4], b[4])):
         told += _moved(x[0], y[0], name) + _turned(x[1], y[1], name)
     return told
@@ -154,14 +162,14 @@ def _frame(type_name: str, old: object, new: object) -> list[str]:
 
 def _speed(old: Sequence[Any], new: Sequence[Any]) -> list[str]:
     rows = zip(_SPEEDS, old, new, strict=True)
-    return [f"{n} {shown(a)} -> {shown(b)} {unit}" for (n, unit), a, b in rows if a != b]
+    return [f"{n} {to_rapid(a)} -> {to_rapid(b)} {unit}" for (n, unit), a, b in rows if a != b]
 
 
 def _zone(old: object, new: object) -> list[str]:
     names = ("finep", "pzone_tcp", "pzone_ori", "pzone_eax", "zone_ori", "zone_leax", "zone_reax")
     units = ("", " mm", " mm", " mm", " deg", " mm", " deg")
     rows = zip(names, units, _row(old), _row(new), strict=True)
-    return [f"{n} {shown(a)} -> {shown(b)}{u}" for n, u, a, b in rows if a != b]
+    return [f"{n} {to_rapid(a)} -> {to_rapid(b)}{u}" for n, u, a, b in rows if a != b]
 
 
 def _row(value: object) -> Sequence[Any]:

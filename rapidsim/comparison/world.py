@@ -8,7 +8,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from rapidsim.comparison.values import shown
+from rapidsim.comparison.values import to_rapid
 from rapidsim.frames.transform import Transform
 
 _SHOWN_MM = 5e-4
@@ -62,7 +62,7 @@ def _moved(places: Sequence[Any]) -> str:
 
 
 def _mm(value: float) -> str:
-    return shown(round(float(value), 3) + 0.0)
+    return to_rapid(round(float(value), 3) + 0.0)
 
 
 def _world_from_object(wobj: Sequence[Any]) -> Transform | None:

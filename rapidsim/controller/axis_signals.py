@@ -8,12 +8,12 @@ import numpy as np
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import JointTarget
 from rapidsim.language.equipment import AxisQuantity, MechanicalUnitFacts
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MEAN_OVER_S = 0.004
 """Signals sampled more often than this [s] read as a mean over it."""
@@ -24,11 +24,11 @@ _SPEED_OVER_S = 1e-3
 _ROUNDING_S = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class SampledAxis:
     """Implements `cell.SampledSignal` for an axis."""
 
-    of: TaskOthers
+    of: TaskCoordination
     """The task that moves it."""
     unit: MechanicalUnitFacts
     at: int
@@ -72,13 +72,13 @@ class SampledAxis:
         return np.array([(one.robax if self.unit.is_robot else one.extax)[at] for one in targets])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class TaskAxisSignals:
     """Implements `language.equipment.AxisSignals`."""
 
     clock: TaskClock
     cell: Cell
-    others: TaskOthers
+    others: TaskCoordination
 
     def sample_axis(
         self,
@@ -90,7 +90,7 @@ class TaskAxisSignals:
     ) -> None:
         """Sample a quantity of an axis from now on."""
         self.clock.note_line()
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         tasks = self.others.all_tasks().values()
         of = next(one for one in tasks if one.task_number == unit.task_number)
         self.cell.sampled[channel] = SampledAxis(of, unit, at, quantity, sample_s, now_s)
@@ -98,18 +98,18 @@ class TaskAxisSignals:
     def stop_sampling(self, channel: int) -> None:
         """Stop sampling for a channel."""
         self.clock.note_line()
-        self.clock.come_up()
+        self.clock.synchronise()
         self.cell.sampled.pop(channel, None)
 
     def last_sample(self, channel: int) -> float | None:
         """Value of a channel as sampled last; None for a channel without a signal."""
         self.clock.note_line()
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         signal = self.cell.sampled.get(channel)
         return None if signal is None else signal.value(now_s, self.others)
 
     def stop_all_sampling(self) -> None:
         """Stop sampling for all channels."""
         self.clock.note_line()
-        self.clock.come_up()
+        self.clock.synchronise()
         self.cell.sampled.clear()

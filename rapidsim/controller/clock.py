@@ -2,7 +2,7 @@
 
 The program pointer's time is an instant plus an offset. After a fly-by move the instant is "the
 robot starts that move", which nobody knows until the path is planned; the program runs on and what
-it does is dated later. Whoever must know the time or the position calls `observe`.
+it does is dated later. Whoever must know the time or the position calls `resolve_time`.
 
 RAPID statements take no virtual time except waits, motion, and a small fixed cost a loop turn. All
 time passes in `pass_time`, which asks the cell's `turns` how far it may go: whoever holds virtual
@@ -18,8 +18,9 @@ from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from typing import TypeVar
 
+from rapidsim.controller.busy_wait import BusyWaitDetector
 from rapidsim.controller.cell.cell import Cause, Cell
-from rapidsim.controller.happening import Happening
+from rapidsim.controller.event_source import EventSource
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import CUT_OFF, THE_TIME, EventKind, Wait
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
@@ -30,7 +31,6 @@ from rapidsim.controller.journal.stop_reasons import (
 )
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
-from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
 from rapidsim.language.errors import RapidError
@@ -41,7 +41,7 @@ _ROUNDING_S = 1e-9
 
 
 @dataclass(slots=True)
-class Waiting:
+class ActiveWait:
     """A wait that is under way."""
 
     ended_by: str = CUT_OFF
@@ -60,21 +60,21 @@ class TaskClock:
     ) -> None:
         """Start at time zero with the arm where the unit says and the pointer at `place`."""
         self.place = place
-        self.left = 0
-        self.happenings: tuple[Happening, ...] = ()
+        self.ticks_left = 0
+        self.event_sources: tuple[EventSource, ...] = ()
         """In the order in which they happen at one time; set once, when all exist."""
         self.observers: list[Callable[[], None]] = []
         """Called at each statement that reports, to look at what the program has changed."""
-        self.times_told = 0
+        self.time_reads = 0
         """How often the program has asked for the time."""
         self._cell = cell
         self._unit = unit
         self._journal = journal
         self._table = table
         self.program_state: Callable[[], Iterable[object]] = lambda: (None,)
-        self._polling = Polling(lambda: self.program_state())
+        self._polling = BusyWaitDetector(lambda: self.program_state())
         self._time = PointerTime()
-        self.deeds = 0
+        self.effect_count = 0
         """How often the program has done more than look."""
         self._reported = place
         """The place of the last call that did more than look, where a round begins."""
@@ -82,15 +82,15 @@ class TaskClock:
         """Everything up to this time [s] has happened; nothing happens before it any more."""
         self._serves = False
         """Whether what falls due is served between two statements."""
-        self._interludes = 0
+        self._handler_depth = 0
         """How many traps and the like run, one within the other."""
         self._failure: RapidError | None = None
         """The error with which a trap wants to end the statement it interrupts."""
         self.idle_until_s = -math.inf
         """Until then [s] the program only polls, unless something that tasks share changes; what
         decides whose turn it is takes that back."""
-        self._looks_at_s: float | None = None
-        """The time [s] of `aside`; None outside it."""
+        self._viewed_s: float | None = None
+        """The time [s] of `at_time`; None outside it."""
         cell.listeners.append(table)
         cell.watchdog.watch(self)
 
@@ -104,55 +104,55 @@ class TaskClock:
         """Whether the path that decides the pointer's time has been planned."""
         return self._time.is_known
 
-    def come_up(self) -> float:
+    def synchronise(self) -> float:
         """The time [s] of the current statement, with every other task caught up.
 
         Whoever reads or changes what tasks share does this first.
         """
-        if self._looks_at_s is not None:
+        if self._viewed_s is not None:
             # The others have caught up already, and the program's own time may not be known yet.
-            return self._looks_at_s
-        now_s = self.observe()
+            return self._viewed_s
+        now_s = self.resolve_time()
         if self._cell.is_shared:
-            while self._cell.turns.until(self, now_s) < now_s:
+            while self._cell.scheduler.request_advance(self, now_s) < now_s:
                 pass
         return now_s
 
     def now(self) -> float:
         """Virtual time [s] of the current statement."""
         self.note_line()
-        self.times_told += 1
-        return self.observe()
+        self.time_reads += 1
+        return self.resolve_time()
 
-    def stays_until(self, time_s: float) -> None:
+    def hold_until(self, time_s: float) -> None:
         """What the current statement reads stays unchanged until a time [s]."""
-        self.take_back_deed()
-        self._polling.told(time_s)
+        self.discount_effect()
+        self._polling.note_stable_until(time_s)
 
     def date_and_time(self) -> datetime:
         """What the controller's clock shows."""
         seconds = math.floor(self.now())
-        self.stays_until(seconds + 1.0)
+        self.hold_until(seconds + 1.0)
         return self._cell.starts_at + timedelta(seconds=seconds)
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
         """Let virtual time pass; with `in_position`, first let the robot come to rest."""
         self.note_line()
         if in_position:
-            self.come_to_rest()
-        now_s = self.observe()
+            self.bring_to_rest()
+        now_s = self.resolve_time()
         with self.waiting(f"{seconds:g} s") as wait:
             self.pass_time(now_s + max(0.0, seconds))
             wait.ended_by = THE_TIME
 
     @contextmanager
-    def waiting(self, awaited: str) -> Iterator[Waiting]:
+    def waiting(self, awaited: str) -> Iterator[ActiveWait]:
         """Record that the current statement waits, if it takes time, and what ends the wait.
 
         Args:
             awaited: What it waits for.
         """
-        place, start_s, wait = self.place, self.observe(), Waiting()
+        place, start_s, wait = self.place, self.resolve_time(), ActiveWait()
         try:
             yield wait
         finally:
@@ -171,13 +171,13 @@ class TaskClock:
         Raises:
             TimeLimitReached: When a time limit is reached.
         """
-        self._cell.watchdog.look()
+        self._cell.watchdog.check()
         if self._table.watches:
-            self.look_at_persistents()
+            self.serve_persistent_changes()
         time = self._time
-        time.settle(self.left)
+        time.settle(self.ticks_left)
         if not time.is_known and time.offset_s > LOOK_AHEAD_SLACK_S:
-            self.observe()
+            self.resolve_time()
         if time.is_known:
             due_s = self.next_due_s()
             # Ticks add up to a rounding less: what is due in this very tick is due now.
@@ -199,17 +199,17 @@ class TaskClock:
         if self.place is not self._reported:
             # A copy of its own, so that a call from this very statement shows, too.
             self.place = self._reported = replace(self.place)
-            self.deeds += 1
+            self.effect_count += 1
         used, now_s = self._time.used, self._time.known_s
-        ticks = self._polling.look(used, (self.deeds, self._cell.happenings))
+        ticks = self._polling.observe(used, (self.effect_count, self._cell.event_count))
         if ticks is None:
             return
         due_s = self.next_due_s()
-        own_s = min(math.inf if due_s is None else due_s, self._polling.stays_s)
+        own_s = min(math.inf if due_s is None else due_s, self._polling.stable_until_s)
         # Others that poll, too, need not wait for this one.
         self.idle_until_s = own_s
-        until_s = min(own_s, self._cell.turns.next_s(self))
-        if math.isinf(until_s) and self._cell.turns.rest(self):
+        until_s = min(own_s, self._cell.scheduler.next_s(self))
+        if math.isinf(until_s) and self._cell.scheduler.mark_waiting(self):
             raise PollsForever(
                 "the program loops forever here: nothing that it looks at ever changes"
             )
@@ -220,7 +220,7 @@ class TaskClock:
             self._polling.again(used, ticks)
             self._go(now_s + rounds * round_s)
         else:
-            self._polling.in_vain(used)
+            self._polling.note_failed_check(used)
 
     def end_time_s(self) -> float:
         """When everything is over [s]: both the program pointer and the arm."""
@@ -232,9 +232,9 @@ class TaskClock:
         known = self._time.is_known
         return self._time.known_s if known else self._unit.queue.trajectory.command_end
 
-    def thinks_long(self) -> bool:
+    def is_compute_bound(self) -> bool:
         """Whether the program has computed for so long that it affects the path."""
-        self._time.settle(self.left)
+        self._time.settle(self.ticks_left)
         return self._time.offset_s > LOOK_AHEAD_SLACK_S
 
     def follow(self, instant: Instant) -> None:
@@ -250,9 +250,9 @@ class TaskClock:
         self._time.follow(Instant())
         self.pass_time(time_s)
 
-    def tell(self) -> None:
+    def notify_tasks(self) -> None:
         """Let the other tasks look: what they share has changed."""
-        self._cell.tell(self.moment())
+        self._cell.notify(self.moment())
 
     def run_in_background(self) -> None:
         """Run loops more slowly than normal tasks."""
@@ -260,29 +260,29 @@ class TaskClock:
 
     def tick(self) -> None:
         """Let a little time pass, as a turn of a loop takes: what may go on for ever needs some."""
-        self.left -= 1
-        if self.left < 0:
+        self.ticks_left -= 1
+        if self.ticks_left < 0:
             self.service()
 
     def moment(self) -> Moment:
         """When the current statement happens."""
-        self._time.settle(self.left)
+        self._time.settle(self.ticks_left)
         return self._time.moment()
 
     def grant(self) -> None:
         """Grant the program ticks until something is due."""
-        self._cell.watchdog.look()
+        self._cell.watchdog.check()
         due_s = self.next_due_s()
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
         if self._cell.is_shared:
-            until_s = min(until_s, self._cell.turns.next_s(self))
+            until_s = min(until_s, self._cell.scheduler.next_s(self))
         most = self._polling.ticks_left(self._time.used)
-        self.left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S, most)
+        self.ticks_left = self._time.grant(until_s, LOOK_AHEAD_SLACK_S, most)
 
-    def observe(self) -> float:
+    def resolve_time(self) -> float:
         """The time [s] of the current statement; plans the path if that is needed to know it."""
         time = self._time
-        time.settle(self.left)
+        time.settle(self.ticks_left)
         if not time.is_known:
             offset_s = time.offset_s
             self.await_restart()
@@ -315,8 +315,8 @@ class TaskClock:
         now_s = self._time.known_s if self._time.is_known else 0.0
         self._time.set(max(reached_s, served_s, now_s))
         self._passed_s = max(self._passed_s, self._time.known_s)
-        for one in self.happenings:
-            one.look_from(self._passed_s)
+        for one in self.event_sources:
+            one.advance_to(self._passed_s)
         if until_s > limit_s:
             raise TimeLimitReached(f"the time limit of {limit_s:g} s was reached")
 
@@ -328,12 +328,12 @@ class TaskClock:
         """
         next_s = self.next_due_s()
         until_s = deadline_s if next_s is None else min(next_s, deadline_s)
-        happenings = self._cell.happenings
-        comes_s = self._cell.turns.until(self, until_s)
+        happenings = self._cell.event_count
+        comes_s = self._cell.scheduler.request_advance(self, until_s)
         if math.isinf(comes_s):
             return False
-        if comes_s < until_s or self._cell.happenings != happenings:
-            self._look_aside(comes_s)
+        if comes_s < until_s or self._cell.event_count != happenings:
+            self._note_foreign_changes(comes_s)
         self.pass_time(comes_s)
         return True
 
@@ -343,28 +343,28 @@ class TaskClock:
         While the program runs ahead, nobody asks for what happens on the path, which would plan it.
         """
         known = self._time.is_known
-        times = [one.next_s() for one in self.happenings if known or not one.on_path]
+        times = [one.next_s() for one in self.event_sources if known or not one.on_path]
         return min((time_s for time_s in times if time_s is not None), default=None)
 
     def serve_due(self, until_s: float) -> float:
         """Carry out everything due by a time; returns when the last of it ended [s]."""
         ended_s = 0.0
         while True:
-            self._cell.watchdog.look()
-            times = [one.next_s() for one in self.happenings]
+            self._cell.watchdog.check()
+            times = [one.next_s() for one in self.event_sources]
             next_s = min((time_s for time_s in times if time_s is not None), default=math.inf)
             turn_s = min(next_s, until_s)
-            happenings = self._cell.happenings
-            reached_s = self._cell.turns.until(self, turn_s)
-            if reached_s < turn_s or self._cell.happenings != happenings:
-                self._look_aside(reached_s)
+            happenings = self._cell.event_count
+            reached_s = self._cell.scheduler.request_advance(self, turn_s)
+            if reached_s < turn_s or self._cell.event_count != happenings:
+                self._note_foreign_changes(reached_s)
                 continue
             if next_s > until_s or math.isinf(next_s):
                 return ended_s
-            due = self.happenings[times.index(next_s)]
-            ended_s = max(ended_s, due.pass_next(self._passed_s, until_s))
+            due = self.event_sources[times.index(next_s)]
+            ended_s = max(ended_s, due.dispatch_next(self._passed_s, until_s))
 
-    def interlude(self, due_s: float, run: Callable[[], None]) -> float:
+    def run_handler(self, due_s: float, run: Callable[[], None]) -> float:
         """Run something in between, then continue where the program was.
 
         Args:
@@ -379,16 +379,16 @@ class TaskClock:
         if instant.time is not None:
             start_s = max(start_s, instant.time + offset_s)
         self._time.set(start_s)
-        around, self._interludes = self._interludes, self._interludes + 1
+        around, self._handler_depth = self._handler_depth, self._handler_depth + 1
         try:
             run()
         except Exception:
             # An error of it goes on where an ERROR clause of what was interrupted lists it.
-            self._passed_s = max(self._passed_s, self.observe())
+            self._passed_s = max(self._passed_s, self.resolve_time())
             raise
         finally:
-            self._interludes = around
-        ended_s = self.observe()
+            self._handler_depth = around
+        ended_s = self.resolve_time()
         self._passed_s = max(self._passed_s, ended_s)
         self.place = place
         if instant.time is None:
@@ -401,7 +401,7 @@ class TaskClock:
 
     def leave_ticks(self, left: int) -> None:
         """Restore the ticks left: a loop that counts its own was not asked for them."""
-        self.left = self._time.hold(self.left, left)
+        self.ticks_left = self._time.hold(self.ticks_left, left)
 
     def fail_later(self, error: RapidError) -> None:
         """Raise an error at the statement that a trap interrupts, once the trap has ended.
@@ -411,7 +411,7 @@ class TaskClock:
         self._failure = error
 
     def _fail(self) -> None:
-        if self._interludes:
+        if self._handler_depth:
             return
         failure, self._failure = self._failure, None
         if failure is not None:
@@ -449,30 +449,30 @@ class TaskClock:
                 self.pass_time(reached_s if due_s is None else min(due_s, reached_s))
                 reached_s = min(reached_s, self._unit.queue.trajectory.duration)
 
-    def come_to_rest(self) -> None:
+    def bring_to_rest(self) -> None:
         """End an open block and wait until the arm stands still."""
         if self._unit.queue.is_open and not self._unit.queue.is_halted:
-            self.observe()
+            self.resolve_time()
             self.drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
-        self.pass_time(max(self.observe(), self._unit.queue.trajectory.duration))
+        self.pass_time(max(self.resolve_time(), self._unit.queue.trajectory.duration))
 
-    def look_at_persistents(self) -> None:
+    def serve_persistent_changes(self) -> None:
         """Serve the interrupts of persistents that the program has changed since."""
-        now_s = self.observe()
-        self._table.look(now_s)
+        now_s = self.resolve_time()
+        self._table.raise_changed(now_s)
         self.pass_time(now_s)
 
-    def aside(self, now_s: float, look: Callable[[], T]) -> T:
+    def at_time(self, now_s: float, read: Callable[[], T]) -> T:
         """Look at the cell as it is at a time [s], without letting time pass."""
-        before, self._looks_at_s = self._looks_at_s, now_s
+        before, self._viewed_s = self._viewed_s, now_s
         try:
-            return look()
+            return read()
         finally:
-            self._looks_at_s = before
+            self._viewed_s = before
 
-    def _look_aside(self, now_s: float) -> None:
+    def _note_foreign_changes(self, now_s: float) -> None:
         """Notice which persistents another task has changed, without serving the interrupts."""
-        self.aside(now_s, lambda: self._table.look(now_s))
+        self.at_time(now_s, lambda: self._table.raise_changed(now_s))
 
     def cause(self) -> Cause:
         """The current statement, as the cause of what it changes."""
@@ -480,18 +480,18 @@ class TaskClock:
 
     def note_line(self) -> None:
         """Record that the program is at the current statement."""
-        self._cell.watchdog.look()
+        self._cell.watchdog.check()
         for look in self.observers:
             look()
         if self._table.watches:
-            self.look_at_persistents()
+            self.serve_persistent_changes()
         self._fail()
-        self.deeds += 1
+        self.effect_count += 1
         self._journal.line(self.moment(), self.place)
 
-    def take_back_deed(self) -> None:
+    def discount_effect(self) -> None:
         """Take back the count of the current statement, which has changed nothing."""
-        self.deeds -= 1
+        self.effect_count -= 1
 
     def event(self, kind: EventKind, message: str, **details: object) -> None:
         """Record an event of the current statement."""

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from rapidsim.controller.axis_signals import TaskAxisSignals
 from rapidsim.controller.cameras import TaskCameras
-from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
+from rapidsim.controller.cell.cell import CELL_TASK, Cause, Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.cyclic_bools import TaskCyclicBools
@@ -23,8 +23,8 @@ from rapidsim.controller.messages import TaskMessages
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.operator import TaskHonesty, TaskOperator
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.operator import TaskFidelityReporter, TaskOperator
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.controller.path_control import TaskPathControl
 from rapidsim.controller.path_length import TaskPathLength
 from rapidsim.controller.path_recorder import TaskPathRecorder
@@ -45,17 +45,17 @@ from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
 from rapidsim.language.controller import Controller
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class VirtualController:
     """The controller of one task as a run sees it; the program of the task sees `concerns`."""
 
     clock: TaskClock
     execution: TaskExecution
     motion: TaskMotion
-    others: TaskOthers
+    coordination: TaskCoordination
     files: FileAccess
     sockets: TaskSockets
     guidance: TaskGuidance
@@ -88,7 +88,7 @@ def virtual_controller(
     state, table = MotionState(), InterruptTable()
     cell.error_listeners.append(table)
     marks, world_from_base = PathMarks(unit), resolver.base_from_world.inverse()
-    watched = WorldZoneTable(unit, world_from_base, cell.max_time_s, cell.watchdog.look)
+    watched = WorldZoneTable(unit, world_from_base, cell.max_time_s, cell.watchdog.check)
     clock = TaskClock(cell, unit, journal, table, place)
     interrupts = TaskInterrupts(clock, cell, table)
     execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
@@ -96,11 +96,11 @@ def virtual_controller(
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
     solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts)
     reader = PositionReader(unit, resolver)
-    others = TaskOthers(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
+    others = TaskCoordination(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
     resolver.holders.find = others.holder
-    stands = StandstillOutputs(unit, cell, others, Cause(journal.beside(OUTSIDE)))
+    stands = StandstillOutputs(unit, cell, others, Cause(journal.for_task(CELL_TASK)))
     execution.stopped = stands.program_stopped
-    clock.happenings = (execution, cell, guidance, marks, watched, speeds, stands, interrupts)
+    clock.event_sources = (execution, cell, guidance, marks, watched, speeds, stands, interrupts)
     team = TaskTeam(
         clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
     )
@@ -130,7 +130,7 @@ def virtual_controller(
         errors=TaskErrors(clock, journal),
         tasks=others,
         sync_moves=team,
-        honesty=TaskHonesty(clock, journal),
+        fidelity=TaskFidelityReporter(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, others),
         axis_signals=TaskAxisSignals(clock, cell, others),
         smart_gripper=TaskSmartGripper(clock, cell, journal.task),

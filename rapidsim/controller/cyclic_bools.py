@@ -15,10 +15,10 @@ from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.language.reference import Reference
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _CyclicBool:
     name: str
     flag: Reference[bool]
@@ -26,68 +26,68 @@ class _CyclicBool:
     signal: str | None
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class TaskCyclicBools:
     """Implements `language.cyclic_bools.CyclicBools`; a listener of the cell."""
 
     clock: TaskClock
     cell: Cell
-    _kept: dict[str, _CyclicBool] = field(default_factory=dict)
-    _looks: bool = False
+    _bools: dict[str, _CyclicBool] = field(default_factory=dict)
+    _updates: bool = False
     """Set while conditions are evaluated: what they change may be what they look at."""
 
     def __post_init__(self) -> None:
         """Listen to signals, and to what the program does."""
         self.cell.listeners.append(self)
-        self.clock.observers.append(self.look)
+        self.clock.observers.append(self.update)
 
     def set_up(
         self, name: str, flag: Reference[bool], condition: Callable[[], bool], signal: str | None
     ) -> None:
         """Keep a persistent equal to a condition from now on."""
-        self.clock.observe()
-        self._kept[name.lower()] = _CyclicBool(name, flag, condition, signal)
-        self.look()
+        self.clock.resolve_time()
+        self._bools[name.lower()] = _CyclicBool(name, flag, condition, signal)
+        self.update()
 
     def remove(self, name: str) -> None:
         """Stop updating a persistent."""
-        self.clock.observe()
-        self._kept.pop(name.lower(), None)
+        self.clock.resolve_time()
+        self._bools.pop(name.lower(), None)
 
     def names(self) -> tuple[str, ...]:
         """The persistents that are updated."""
-        return tuple(one.name for one in self._kept.values())
+        return tuple(one.name for one in self._bools.values())
 
     def listens_to(self, signal: str) -> bool:
         """True: any signal may be one that a condition reads."""
         del signal
-        return bool(self._kept)
+        return bool(self._bools)
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
         """Update at the instant at which a signal changes."""
         del signal, old, value
         self._follow(now_s)
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Update after what the program has changed."""
-        if self._kept and self.clock.is_known:
-            self._follow(self.clock.observe())
+        if self._bools and self.clock.is_known:
+            self._follow(self.clock.resolve_time())
 
     def _follow(self, now_s: float) -> None:
-        if self._looks:
+        if self._updates:
             return
-        self._looks = True
+        self._updates = True
         try:
-            for one in tuple(self._kept.values()):
+            for one in tuple(self._bools.values()):
                 self._keep(one, now_s)
         finally:
-            self._looks = False
+            self._updates = False
 
-    def _keep(self, one: _CyclicBool, now_s: float) -> None:
-        holds = self.clock.aside(now_s, one.condition)
-        if one.flag.value is not holds:
-            one.flag.value = holds
-            self.cell.tell(Moment(Instant(now_s)))
-        if one.signal is not None and self.cell.signals.read(one.signal) != float(holds):
+    def _keep(self, cyclic: _CyclicBool, now_s: float) -> None:
+        holds = self.clock.at_time(now_s, cyclic.condition)
+        if cyclic.flag.value is not holds:
+            cyclic.flag.value = holds
+            self.cell.notify(Moment(Instant(now_s)))
+        if cyclic.signal is not None and self.cell.signals.read(cyclic.signal) != float(holds):
             moment = Moment(Instant(now_s))
-            self.cell.set_signal(self.clock.cause(), moment, one.signal, float(holds))
+            self.cell.set_signal(self.clock.cause(), moment, cyclic.signal, float(holds))

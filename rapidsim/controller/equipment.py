@@ -8,89 +8,89 @@ from dataclasses import field
 
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
-from rapidsim.controller.independent_axes import IndependentAxis
+from rapidsim.controller.independent_axes import IndependentAxisState
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.language.equipment import Conveyor, MechanicalUnitFacts, robot_name
 from rapidsim.motion.robot.external_axes import LETTERS
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SPEEDS_UP_IN_S = 0.16
 _UNKNOWN_SPEED = math.pi
 """An axis of an arm that turns on its own; of a URDF without speeds [rad/s]."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskEquipment:
     """Implements `language.equipment.Equipment`."""
 
     clock: TaskClock
     cell: Cell
     resolver: Resolver
-    others: TaskOthers
-    _independent: dict[tuple[str, int], IndependentAxis] = field(default_factory=dict)
+    coordination: TaskCoordination
+    _independent: dict[tuple[str, int], IndependentAxisState] = field(default_factory=dict)
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robot, and the units of external axes in the order of their letters."""
-        return _units_of(self.others)
+        return _units_of(self.coordination)
 
     def system_units(self) -> tuple[MechanicalUnitFacts, ...]:
         """The robots of all tasks in the order of the station, then their external axes."""
-        self.clock.come_up()
-        moving = [one for one in self.others.all_tasks().values() if one.has_robot]
+        self.clock.synchronise()
+        moving = [one for one in self.coordination.all_tasks().values() if one.has_robot]
         units = [unit for one in moving for unit in _units_of(one)]
         return tuple(sorted(units, key=lambda unit: not unit.is_robot))
 
     def conveyor(self, unit: str) -> Conveyor | None:
         """A conveyor of the cell."""
-        self.clock.come_up()
+        self.clock.synchronise()
         return self.cell.conveyors.get(unit.lower())
 
-    def independent_axis(self, unit: MechanicalUnitFacts, axis: int) -> IndependentAxis:
+    def independent_axis(self, unit: MechanicalUnitFacts, axis: int) -> IndependentAxisState:
         """An axis of a mechanical unit, counted from 1."""
         key = (unit.name.lower(), axis)
         if key not in self._independent:
             self._independent[key] = self._axis(unit, unit.axes[axis - 1])
         return self._independent[key]
 
-    def _axis(self, unit: MechanicalUnitFacts, at: int) -> IndependentAxis:
+    def _axis(self, unit: MechanicalUnitFacts, at: int) -> IndependentAxisState:
         robot = self.resolver.robot
         if unit.is_robot:
             joint = robot.joints[at]
             fastest = math.degrees(joint.max_speed or _UNKNOWN_SPEED) / _SPEEDS_UP_IN_S
-            return IndependentAxis(fastest, turns=not joint.slides)
+            return IndependentAxisState(fastest, turns=not joint.slides)
         external = next(one for one in robot.external if LETTERS.index(one.letter) == at)
-        return IndependentAxis(
+        return IndependentAxisState(
             external.max_acceleration * external.scale, turns=not external.linear
         )
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
         """The instances of a type, as they are now."""
-        self.clock.come_up()
+        self.clock.synchronise()
         return self.cell.parameters.instances(domain, of)
 
     def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
         """Change an attribute, for whoever reads it later."""
-        self.clock.come_up()
+        self.clock.synchronise()
         self.cell.parameters.change(domain, of, number, attribute, value)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def is_enabled(self, device: str) -> bool:
         """Whether an I/O device is enabled."""
-        self.clock.come_up()
+        self.clock.synchronise()
         return device.lower() not in self.cell.disabled_devices
 
     def enable(self, device: str, *, enabled: bool) -> None:
         """Enable or disable an I/O device."""
-        self.clock.come_up()
+        self.clock.synchronise()
         if enabled:
             self.cell.disabled_devices.discard(device.lower())
         else:
             self.cell.disabled_devices.add(device.lower())
-        self.clock.tell()
+        self.clock.notify_tasks()
 
 
-def _units_of(task: TaskOthers) -> tuple[MechanicalUnitFacts, ...]:
+def _units_of(task: TaskCoordination) -> tuple[MechanicalUnitFacts, ...]:
     """The units that a task moves: its robot, if it has one, and its external axes."""
     robot, moves_with = task.resolver.robot, task.robot_number
     axes: dict[str, list[int]] = {}

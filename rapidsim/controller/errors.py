@@ -5,10 +5,10 @@ from __future__ import annotations
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.journal import ErrorMark, Journal
 from rapidsim.language.error_answers import AnsweredError
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskErrors:
     """Implements `language.error_answers.ErrorReports`."""
 

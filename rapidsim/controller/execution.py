@@ -28,7 +28,7 @@ from rapidsim.language.reference import Reference
 
 
 @dataclass(slots=True)
-class _Asked:
+class _StopRequest:
     """A stop that was requested and has not happened yet."""
 
     at_s: float
@@ -38,7 +38,7 @@ class _Asked:
 
 @dataclass(eq=False)
 class TaskExecution:
-    """Implements `language.controller.Execution`; a stop asked for is a `happening.Happening`."""
+    """Implements `language.controller.ExecutionControl`; a stop is a `event_source.EventSource`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -53,9 +53,9 @@ class TaskExecution:
     """Called when the program continues."""
     stopped: Callable[[], None] | None = None
     """Called when the program stops and its robot has been told to."""
-    stands: bool = False
+    is_halted: bool = False
     """Whether the program waits to be started."""
-    _asked: _Asked | None = None
+    _stop_request: _StopRequest | None = None
 
     def stop(self, reason: str) -> None:
         """Stop all tasks that are executing.
@@ -65,7 +65,7 @@ class TaskExecution:
         """
         if self.stops_all is None:
             raise Stopped(reason)
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         self.stops_all(reason)
         self.clock.pass_time(now_s)
 
@@ -82,34 +82,34 @@ class TaskExecution:
         if self.stopped is not None:
             self.stopped()
 
-    def ask_to_stop(self, at_s: float, *, on_path: bool) -> None:
+    def request_stop(self, at_s: float, *, on_path: bool) -> None:
         """Stop at the present time [s], before the program does anything more."""
-        if not self.stands and self._asked is None:
-            self._asked = _Asked(at_s, on_path)
+        if not self.is_halted and self._stop_request is None:
+            self._stop_request = _StopRequest(at_s, on_path)
 
-    def go_on(self) -> None:
+    def resume(self) -> None:
         """Let the program continue at its next turn; also cancels a requested stop."""
-        self.stands, self._asked = False, None
+        self.is_halted, self._stop_request = False, None
 
     def next_s(self) -> float | None:
-        """When the program stops [s]; see `happening.Happening`."""
-        return None if self._asked is None else self._asked.at_s
+        """When the program stops [s]; see `event_source.EventSource`."""
+        return None if self._stop_request is None else self._stop_request.at_s
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Stop and wait; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Stop and wait; see `event_source.EventSource`."""
         del passed_s, until_s
-        assert self._asked is not None
-        asked, self._asked = self._asked, None
-        return self.clock.interlude(asked.at_s, lambda: self._stand(on_path=asked.on_path))
+        assert self._stop_request is not None
+        asked, self._stop_request = self._stop_request, None
+        return self.clock.run_handler(asked.at_s, lambda: self._rest(on_path=asked.on_path))
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Nothing to do: a stop is requested for the present time."""
 
-    def stand(self) -> None:
+    def await_restart(self) -> None:
         """Wait until somebody starts the program; its robot finishes its moves."""
-        self._stand(on_path=False)
+        self._rest(on_path=False)
 
-    def _stand(self, *, on_path: bool) -> None:
+    def _rest(self, *, on_path: bool) -> None:
         queue, since_s = self.unit.queue, self.clock.pointer_s()
         stopped = on_path and not queue.is_halted
         stood_s = since_s
@@ -121,11 +121,11 @@ class TaskExecution:
         if self.stopped is not None:
             self.stopped()
         waited = self.table.waiting()
-        self.stands, now_s = True, since_s
-        while self.stands:
-            now_s = self.cell.turns.until(self.clock, math.inf)
+        self.is_halted, now_s = True, since_s
+        while self.is_halted:
+            now_s = self.cell.scheduler.request_advance(self.clock, math.inf)
         self.clock.set(max(since_s, now_s))
-        self.table.stood(waited, since_s, now_s)
+        self.table.discard_while_stopped(waited, since_s, now_s)
         if self.resumed is not None:
             self.resumed()
         if stopped and queue.is_halted:

@@ -10,10 +10,10 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import decode
 from rapidsim.language.files import FileMode, OpenFile
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FileAccess:
     """Implements `language.controller.Files`."""
 
@@ -96,7 +96,7 @@ class FileAccess:
         return self.cell.home.bytes_in(path)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskTexts:
     """Implements `language.texts.Texts`."""
 
@@ -120,4 +120,4 @@ class TaskTexts:
     def _see_others(self) -> None:
         """Catch up with what other tasks have installed by now."""
         if self.cell.is_shared:
-            self.clock.come_up()
+            self.clock.synchronise()

@@ -12,7 +12,7 @@ from dataclasses import field
 from typing import ClassVar, Final
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.sensors import Sensor
+from rapidsim.controller.cell.sensors import GuidanceSensor
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
@@ -20,14 +20,14 @@ from rapidsim.controller.journal.stop_reasons import MoveImpossible, WaitsForeve
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import (
-    AskedGuidance,
+    GuidanceRequest,
     external_motion_data,
     started,
 )
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.path_correction import PathCorrecting
+from rapidsim.controller.path_correction import ActivePathCorrection
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.sensor_identities import GuidanceUnderWay, SensorIdentity
+from rapidsim.controller.sensor_identities import ActiveGuidance, SensorIdentity
 from rapidsim.controller.sensor_streams import SensorStream
 from rapidsim.controller.signal_sensor import SignalSensor
 from rapidsim.findings.guidance import NobodyGuides
@@ -44,18 +44,18 @@ from rapidsim.language.guidance import (
 )
 from rapidsim.language.moves import Move
 from rapidsim.motion.guidance.feedback import Guided
-from rapidsim.motion.guidance.guided_run import Ended
+from rapidsim.motion.guidance.guided_execution import EndReason
 from rapidsim.motion.guidance.path_correction import PathCorrection
-from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
-from rapidsim.values import dataclass
+from rapidsim.motion.trajectory.corrected_section import CorrectedSection
+from rapidsim.values import value_class
 
 MOST_IDENTITIES: Final = 4
 """The most identities of a task at one time; from memory of ABB's documents."""
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class TaskGuidance:
-    """Implements `language.guidance.Guidance`; its cycles are a `happening.Happening`."""
+    """Implements `language.guidance.Guidance`; its cycles are a `event_source.EventSource`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -65,12 +65,12 @@ class TaskGuidance:
     state_of_motion: MotionState
     journal: Journal
     _identities: dict[int, SensorIdentity] = field(default_factory=dict)
-    _under_way: GuidanceUnderWay | None = None
-    _correcting: PathCorrecting | None = None
+    _active: ActiveGuidance | None = None
+    _correcting: ActivePathCorrection | None = None
     """The sensor that corrects the path, until the robot leaves it."""
     _puts: bool = False
     """Whether a move is being put on a corrected path."""
-    _last: tuple[SensorIdentity, Ended] | None = None
+    _last: tuple[SensorIdentity, EndReason] | None = None
     """Whose guidance ended last, and how, until the program has asked."""
 
     # What a program asks.
@@ -90,7 +90,7 @@ class TaskGuidance:
         one = self._of(identity)
         if one.state == RUNNING:
             raise NotAllowed("EGMSetupUC: the sensor guides the robot; EGMStop ends that")
-        self.clock.come_up()
+        self.clock.synchronise()
         data = external_motion_data(self.cell.parameters, setup.configuration)
         self._close(one)
         one.setup, one.data, one.activation, one.sample_s = setup, data, None, None
@@ -114,15 +114,15 @@ class TaskGuidance:
         one, _ = self._connected(identity)
         if one.activation is None:
             raise NotAllowed("EGMRunJoint or EGMRunPose: EGMActJoint or EGMActPose comes first")
-        if self._under_way is not None:
+        if self._active is not None:
             raise NotAllowed("a sensor guides the robot already; EGMStop ends that")
-        if self.unit.seat is not None:
+        if self.unit.team_queue is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
         self._end_correction()
         if len(terms.chosen) != len(one.activation.bands):
             raise NotAllowed("EGMRunJoint follows EGMActJoint, and EGMRunPose EGMActPose")
         self.clock.note_line()
-        self.clock.come_to_rest()
+        self.clock.bring_to_rest()
         self.clock.await_restart()
         self._begin(one, terms)
         if terms.waits:
@@ -140,58 +140,58 @@ class TaskGuidance:
         one, _ = self._connected(identity())
         if one.sample_s is None:
             raise NotAllowed(f"{move.instruction}: EGMActMove comes first")
-        if self.unit.seat is not None:
+        if self.unit.team_queue is not None:
             raise NotAllowed("the path of robots that move together cannot be corrected")
         self.clock.note_line()
         if not self._corrects(one):
             self._end_correction()
-            self.clock.come_to_rest()
+            self.clock.bring_to_rest()
             self.clock.await_restart()
         correcting = self._correction_of(one, move)
         if not correcting.runs:
-            correcting.begin(self.clock.observe())
+            correcting.begin(self.clock.resolve_time())
         one.state, self._puts = RUNNING, True
         self.clock.grant()
         try:
             put()
         except (RapidError, NotAllowed, MoveImpossible):
             if correcting.ended is not None:
-                self._stop_here(correcting)
+                self._stop_on_path(correcting)
             raise
         finally:
             self._puts = False
-        if not self.unit.own.is_open:
+        if not self.unit.solo_queue.is_open:
             self._pause(correcting)
 
     def await_condition(self, identity: int) -> None:
         """Wait until the guided robot has arrived."""
         one, _ = self._connected(identity)
         self.clock.note_line()
-        self.clock.come_up()
-        if self._under_way is not None and self._under_way.identity is one:
-            self._under_way.waits = True
+        self.clock.synchronise()
+        if self._active is not None and self._active.identity is one:
+            self._active.waits = True
         self._await(one)
 
-    def end_guidance(self, identity: int, *, goes_back: bool, ramp_out_s: float) -> None:
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
         """End the guidance."""
         one, _ = self._connected(identity)
         self.clock.note_line()
-        self.clock.come_up()
-        under_way = self._under_way
+        self.clock.synchronise()
+        under_way = self._active
         if self._corrects(one):
             self._end_correction()
         if under_way is None or under_way.identity is not one:
             return
-        under_way.run.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+        under_way.run.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
         assert one.sensor is not None
-        one.sensor.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
-        while self._under_way is under_way:
+        one.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
+        while self._active is under_way:
             self.clock.await_event(math.inf)
 
     def stream(self, identity: int, sample_s: float | None) -> None:
         """Stream the robot's position to the sensor."""
         one, _ = self._connected(identity)
-        self.clock.come_up()
+        self.clock.synchronise()
         self._stream(one, sample_s)
 
     def give_back(self, identity: int) -> None:
@@ -199,11 +199,11 @@ class TaskGuidance:
         one = self._identities.get(identity)
         if one is None:
             return
-        self.clock.come_up()
-        if self._under_way is not None and self._under_way.identity is one:
-            self.unit.own.end_guidance()
+        self.clock.synchronise()
+        if self._active is not None and self._active.identity is one:
+            self.unit.solo_queue.end_guidance()
             self._settle()
-            self.clock.come_to_rest()
+            self.clock.bring_to_rest()
         if self._corrects(one):
             self._end_correction()
         self._close(one)
@@ -211,7 +211,7 @@ class TaskGuidance:
 
     def state(self, identity: int) -> float:
         """The state of an identity."""
-        self.clock.come_up()
+        self.clock.synchronise()
         self._settle()
         one = self._identities.get(identity)
         return DISCONNECTED if one is None else one.state
@@ -219,48 +219,48 @@ class TaskGuidance:
     def forget_all(self) -> None:
         """The program is unloaded: close all connections to sensors."""
         self._settle()
-        if self.unit.own.corrected is not None:
-            self.unit.own.corrected.settle()
+        if self.unit.solo_queue.corrected is not None:
+            self.unit.solo_queue.corrected.settle()
         self._correcting = None
         for one in self._identities.values():
             self._close(one)
         self._identities.clear()
 
-    # Its cycles: implements `happening.Happening`.
+    # Its cycles: implements `event_source.EventSource`.
 
     def next_s(self) -> float | None:
         """When the next cycle is [s]."""
         self._settle()
         streams = (stream.next_s for _, stream in self._streams())
-        under_way_s = math.inf if self._under_way is None else self._under_way.next_s
+        under_way_s = math.inf if self._active is None else self._active.next_s
         next_s = min(under_way_s, self._corrected_s(), min(streams, default=math.inf))
         return None if math.isinf(next_s) else next_s
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
         """Carry out a cycle or a sample, or tell a sensor where the robot is."""
         del until_s
-        under_way, corrected_s = self._under_way, self._corrected_s()
+        under_way, corrected_s = self._active, self._corrected_s()
         due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
         for one, stream in self._streams():
             if stream.next_s <= due_s:
                 now_s, activation = stream.next_s, one.activation
                 tool = None if activation is None else activation.tool
                 wobj = None if activation is None else activation.wobj
-                stream.tell(self.unit, self.resolver, self.state_of_motion, tool, wobj)
+                stream.send_due(self.unit, self.resolver, self.state_of_motion, tool, wobj)
                 return now_s
         if corrected_s <= due_s:
             return self._sample(passed_s)
         assert under_way is not None
         return self._cycle(under_way)
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Cycles keep their times."""
 
     # Within.
 
     def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
         """The streams in order of time, without that of the sensor that guides the robot."""
-        guides = None if self._under_way is None else self._under_way.identity
+        guides = None if self._active is None else self._active.identity
         if self._correcting is not None and self._correcting.runs:
             guides = self._correcting.identity
         found = [
@@ -270,60 +270,60 @@ class TaskGuidance:
         ]
         return sorted(found, key=lambda item: item[1].next_s)
 
-    def _stream(self, one: SensorIdentity, sample_s: float | None) -> None:
-        assert one.sensor is not None
-        one.stream = None
+    def _stream(self, identity: SensorIdentity, sample_s: float | None) -> None:
+        assert identity.sensor is not None
+        identity.stream = None
         if sample_s is not None:
-            one.stream = SensorStream(one.sensor, sample_s, self.clock.observe())
+            identity.stream = SensorStream(identity.sensor, sample_s, self.clock.resolve_time())
             self.clock.grant()
 
-    def _cycle(self, under_way: GuidanceUnderWay) -> float:
+    def _cycle(self, active: ActiveGuidance) -> float:
         """Carry out a cycle; returns its time [s]."""
-        now_s, answer = under_way.next_s, None
-        identity, run = under_way.identity, under_way.run
+        now_s, answer = active.next_s, None
+        identity, run = active.identity, active.run
         assert identity.sensor is not None
-        if under_way.cycles % under_way.told.samples == 0:
-            answer = identity.sensor.exchange(under_way.told.feedback(run, now_s))
+        if active.cycles % active.schedule.samples == 0:
+            answer = identity.sensor.exchange(active.schedule.feedback(run, now_s))
         assert identity.activation is not None
         values = identity.activation.values
         if answer is not None and values is not None:
             values[: len(answer.values)] = answer.values[: len(values)]
-        under_way.step(answer)
+        active.step(answer)
         if run.is_over:
-            self.unit.own.end_guidance()
+            self.unit.solo_queue.end_guidance()
             self._settle()
             failed = run.ended is not None and run.ended.is_failure
-            if failed and not under_way.waits:
+            if failed and not active.waits:
                 error = self._failure(identity, run.ended)
                 raise NotAllowed(str(error))
         return now_s
 
-    def _begin(self, one: SensorIdentity, terms: GuidanceTerms) -> None:
-        assert one.activation is not None
-        assert one.setup is not None
-        assert one.sensor is not None
-        queue = self.unit.own
-        asked = AskedGuidance(one.setup, one.data, one.activation, terms)
+    def _begin(self, identity: SensorIdentity, terms: GuidanceTerms) -> None:
+        assert identity.activation is not None
+        assert identity.setup is not None
+        assert identity.sensor is not None
+        queue = self.unit.solo_queue
+        asked = GuidanceRequest(identity.setup, identity.data, identity.activation, terms)
         run, told, stretch = started(
             asked,
             self.resolver,
             self.state_of_motion,
             queue.planner.limits,
             queue.standing(),
-            self.clock.observe(),
+            self.clock.resolve_time(),
         )
-        self._under_way = GuidanceUnderWay(one, run, told, stretch, terms.waits, self._settle)
+        self._active = ActiveGuidance(identity, run, told, stretch, terms.waits, self._settle)
         self._last = None
-        queue.guide(self._under_way)
-        one.state = RUNNING
-        one.sensor.begin(run, told)
-        device = one.setup.device
+        queue.guide(self._active)
+        identity.state = RUNNING
+        identity.sensor.begin(run, told)
+        device = identity.setup.device
         self.clock.event(EventKind.GUIDANCE, f"guided by {device}", device=device)
-        self.clock.tell()
+        self.clock.notify_tasks()
         self.clock.grant()
 
-    def _corrects(self, one: SensorIdentity) -> bool:
-        return self._correcting is not None and self._correcting.identity is one
+    def _corrects(self, identity: SensorIdentity) -> bool:
+        return self._correcting is not None and self._correcting.identity is identity
 
     def _corrected_s(self) -> float:
         """When the next sample of a correction is [s]; infinite if none is."""
@@ -331,34 +331,36 @@ class TaskGuidance:
             return math.inf
         return self._correcting.next_s
 
-    def _correction_of(self, one: SensorIdentity, move: Move) -> PathCorrecting:
+    def _correction_of(self, identity: SensorIdentity, move: Move) -> ActivePathCorrection:
         """The correction of the path that a move is put on; a new one if it begins here."""
-        queue = self.unit.own
+        queue = self.unit.solo_queue
         external = queue.end.external
         frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
         if self._correcting is not None and queue.corrected is self._correcting:
             self._correcting.frames = frames
             return self._correcting
-        assert one.setup is not None
-        assert one.sensor is not None
-        assert one.sample_s is not None
-        stretch = CorrectedStretch(self.clock.observe(), self.resolver.robot.kinematics)
-        law = PathCorrection(one.data.gain, (one.data.bandwidth_hz,) if one.data.filters else ())
-        correcting = PathCorrecting(
-            one,
+        assert identity.setup is not None
+        assert identity.sensor is not None
+        assert identity.sample_s is not None
+        stretch = CorrectedSection(self.clock.resolve_time(), self.resolver.robot.kinematics)
+        law = PathCorrection(
+            identity.data.gain, (identity.data.bandwidth_hz,) if identity.data.filters else ()
+        )
+        correcting = ActivePathCorrection(
+            identity,
             self.unit,
             self.resolver,
-            one.sensor,
+            identity.sensor,
             law,
             stretch,
-            one.sample_s,
-            one.setup.silence_s,
-            self.clock.come_to_rest,
+            identity.sample_s,
+            identity.setup.silence_s,
+            self.clock.bring_to_rest,
             frames,
         )
         queue.trajectory.correct(stretch)
         self._correcting = queue.corrected = correcting
-        device = one.setup.device
+        device = identity.setup.device
         self.clock.event(EventKind.GUIDANCE, f"path corrected by {device}", device=device)
         return correcting
 
@@ -369,26 +371,26 @@ class TaskGuidance:
         ended, now_s = correcting.sample(passed_s), max(passed_s, correcting.told_s)
         if ended is not None:
             correcting.ended, correcting.runs = ended, False
-            if ended is Ended.SILENT and not correcting.law.has_heard:
-                self._tell_nobody(correcting.identity)
+            if ended is EndReason.SILENT and not correcting.law.has_answer:
+                self._discard_feedback(correcting.identity)
             failure = self._failure(correcting.identity, ended)
             raise failure if self._puts else NotAllowed(str(failure))
         return now_s
 
-    def _stop_here(self, correcting: PathCorrecting) -> None:
+    def _stop_on_path(self, correcting: ActivePathCorrection) -> None:
         """Stop on a path that is no longer corrected, and drop the rest of it."""
-        queue = self.unit.own
+        queue = self.unit.solo_queue
         rest_s = queue.halt(correcting.told_s)
         self.clock.go_to(max(queue.trajectory.seen_s(rest_s), correcting.rest()))
         correcting.last_word(Guided.FAILED)
         queue.clear()
-        queue.resume(self.clock.observe())
+        queue.resume(self.clock.resolve_time())
         correcting.identity.state, self._correcting = CONNECTED, None
 
-    def _pause(self, correcting: PathCorrecting) -> None:
+    def _pause(self, correcting: ActivePathCorrection) -> None:
         """The robot has reached a stop point of its path."""
         if correcting.runs:
-            self.clock.pass_time(max(self.clock.observe(), correcting.rest()))
+            self.clock.pass_time(max(self.clock.resolve_time(), correcting.rest()))
             correcting.last_word(Guided.STOPPED)
         correcting.identity.state = CONNECTED
 
@@ -397,55 +399,57 @@ class TaskGuidance:
         correcting = self._correcting
         if correcting is None:
             return
-        self.clock.come_to_rest()
+        self.clock.bring_to_rest()
         self._pause(correcting)
         correcting.settle()
         self._correcting = None
 
-    def _await(self, one: SensorIdentity) -> None:
+    def _await(self, identity: SensorIdentity) -> None:
         """Wait until the guidance of an identity has ended."""
         with self.clock.waiting("the sensor that guides the robot") as wait:
-            while self._guides(one):
+            while self._guides(identity):
                 if not self.clock.await_event(math.inf):
                     raise WaitsForever("a sensor guides the robot, and nothing ends that")
             wait.ended_by = "the sensor that guides the robot"
         last, self._last = self._last, None
-        if last is not None and last[0] is one and last[1].is_failure:
-            raise self._failure(one, last[1])
+        if last is not None and last[0] is identity and last[1].is_failure:
+            raise self._failure(identity, last[1])
 
-    def _guides(self, one: SensorIdentity) -> bool:
+    def _guides(self, identity: SensorIdentity) -> bool:
         self._settle()
-        return self._under_way is not None and self._under_way.identity is one
+        return self._active is not None and self._active.identity is identity
 
     def _settle(self) -> None:
         """Take note that the guidance has ended, here or because the robot was stopped."""
-        under_way = self._under_way
-        if under_way is None or self.unit.own.guided is under_way:
+        under_way = self._active
+        if under_way is None or self.unit.solo_queue.guided is under_way:
             return
-        identity, ended = under_way.identity, under_way.run.ended or Ended.STOPPED
+        identity, ended = under_way.identity, under_way.run.ended or EndReason.STOPPED
         assert identity.sensor is not None
-        identity.sensor.end(under_way.told.feedback(under_way.run, under_way.next_s))
+        identity.sensor.end(under_way.schedule.feedback(under_way.run, under_way.next_s))
         if identity.stream is not None:
             identity.stream.guided = Guided.FAILED if ended.is_failure else Guided.STOPPED
             identity.stream.next_s = under_way.next_s
-        if ended is Ended.SILENT and not under_way.run.has_heard:
-            self._tell_nobody(identity)
-        self._under_way, self._last = None, (identity, ended)
+        if ended is EndReason.SILENT and not under_way.run.has_answer:
+            self._discard_feedback(identity)
+        self._active, self._last = None, (identity, ended)
         identity.state = CONNECTED
-        self.cell.happenings += 1
+        self.cell.event_count += 1
 
-    def _tell_nobody(self, one: SensorIdentity) -> None:
-        assert one.setup is not None
-        told = NobodyGuides(one.setup.device)
+    def _discard_feedback(self, identity: SensorIdentity) -> None:
+        assert identity.setup is not None
+        told = NobodyGuides(identity.setup.device)
         self.journal.finding(told, self.clock.place, once=told)
 
-    def _failure(self, one: SensorIdentity, ended: Ended | None) -> RapidError | NotAllowed:
-        assert one.setup is not None
-        device = one.setup.device
-        if ended is Ended.SILENT:
+    def _failure(
+        self, identity: SensorIdentity, ended: EndReason | None
+    ) -> RapidError | NotAllowed:
+        assert identity.setup is not None
+        device = identity.setup.device
+        if ended is EndReason.SILENT:
             return rapid_error(
                 ERR_UDPUC_COMM,
-                f"the sensor of `{device}` has said nothing for {one.setup.silence_s:g} s",
+                f"the sensor of `{device}` has said nothing for {identity.setup.silence_s:g} s",
             )
         return NotAllowed(
             f"the sensor of `{device}` wants the robot where it cannot get: out of reach, or in "
@@ -464,12 +468,12 @@ class TaskGuidance:
             raise NotAllowed("no sensor is connected with the EGM identity; EGMSetupUC comes first")
         return one, one.setup
 
-    def _sensor(self, setup: SensorSetup) -> Sensor:
+    def _sensor(self, setup: SensorSetup) -> GuidanceSensor:
         if not setup.signals:
             return self.cell.sensors.open(setup.device)
         return SignalSensor(self.cell, setup.signals, setup.purpose)
 
-    def _close(self, one: SensorIdentity) -> None:
-        if one.sensor is not None:
-            one.sensor.close()
-        one.sensor, one.stream, one.state = None, None, DISCONNECTED
+    def _close(self, identity: SensorIdentity) -> None:
+        if identity.sensor is not None:
+            identity.sensor.close()
+        identity.sensor, identity.stream, identity.state = None, None, DISCONNECTED

@@ -15,7 +15,7 @@ _HARDLY = 1e-9
 
 
 @dataclass(slots=True, eq=False)
-class IndependentAxis:
+class IndependentAxisState:
     """Implements `language.equipment.IndependentAxis`; all in RAPID's units, degrees or mm."""
 
     acceleration: float
@@ -34,7 +34,7 @@ class IndependentAxis:
             self.is_independent = True
             self._phases = [(now_s, position, 0.0, 0.0)]
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Let the path move it again."""
         self.is_independent = False
 

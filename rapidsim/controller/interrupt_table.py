@@ -17,7 +17,7 @@ from rapidsim.language.error_numbers import ERR_INOISSAFE, ERR_INOMAX, ERR_UNKIN
 from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.language.messages import Message, MessageKind
 from rapidsim.language.reference import Reference
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MIN_TIMER_PERIOD_S = 0.1
 """The shortest period that ITimer accepts if it repeats."""
@@ -31,7 +31,7 @@ MOST_AT_ONCE = 10_000
 """The most traps that may run without any time passing."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Due:
     """An interrupt whose time has come."""
 
@@ -45,7 +45,7 @@ class Due:
     """The entry of the event log that raised it."""
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class _Connection:
     trap: Callable[[], None]
     trap_name: str
@@ -59,7 +59,7 @@ class _Connection:
     """Folded name of the signal whose change may raise the interrupt."""
     matches: Callable[[float], bool] = bool
     """Whether a change to a given value does."""
-    watched: Reference[object] | None = None
+    persistent: Reference[object] | None = None
     """The persistent whose change raises the interrupt."""
     seen: object = None
     """Its value when it was last looked at."""
@@ -72,21 +72,21 @@ class _Connection:
     @property
     def ordered(self) -> bool:
         """Whether anything can raise the interrupt."""
-        orders = (self.next_s, self.signal, self.watched, self.wanted, self.message)
+        orders = (self.next_s, self.signal, self.persistent, self.wanted, self.message)
         return any(order is not None for order in orders)
 
     def withdraw(self) -> None:
         """Cancel the order."""
-        self.next_s = self.period_s = self.signal = self.watched = self.wanted = None
+        self.next_s = self.period_s = self.signal = self.persistent = self.wanted = None
         self.message = None
         self.safe = False
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class InterruptTable:
     """The interrupts of one task."""
 
-    held: bool = False
+    is_on_hold: bool = False
     """Whether IDisable is in effect: interrupts wait until IEnable."""
     watches: bool = False
     """Whether any persistent must be looked at."""
@@ -147,7 +147,7 @@ class InterruptTable:
             RapidError: If the interrupt is not connected or has an order already.
         """
         connection = self._find_free(number)
-        connection.watched, connection.seen = data, _frozen(data.value)
+        connection.persistent, connection.seen = data, _frozen(data.value)
         connection.single = single
         self.watches = True
 
@@ -173,7 +173,7 @@ class InterruptTable:
         """
         self._find_free(number).message = kind
 
-    def message_came(self, message: Message, now_s: float) -> bool:
+    def message_received(self, message: Message, now_s: float) -> bool:
         """Raise the interrupts that wait for such a message; returns whether there are any."""
         waiting = [
             (number, one)
@@ -185,7 +185,7 @@ class InterruptTable:
         return bool(waiting)
 
     @property
-    def hears_errors(self) -> bool:
+    def is_listening(self) -> bool:
         """Whether an entry of the event log may raise an interrupt."""
         return any(c.wanted is not None for c in self._connections.values())
 
@@ -196,12 +196,12 @@ class InterruptTable:
             if connection.signal == signal.lower() and connection.matches(value):
                 self._raise(number, connection, now_s)
 
-    def look(self, now_s: float) -> None:
+    def raise_changed(self, now_s: float) -> None:
         """Raise the interrupts whose persistents have changed since the last look."""
         for number, connection in self._connections.items():
-            if connection.watched is None:
+            if connection.persistent is None:
                 continue
-            value = _frozen(connection.watched.value)
+            value = _frozen(connection.persistent.value)
             if value != connection.seen:
                 connection.seen = value
                 self._raise(number, connection, now_s)
@@ -221,7 +221,7 @@ class InterruptTable:
     def delete(self, number: float) -> None:
         """Delete an interrupt; one that is not connected is not an error."""
         self._connections.pop(number, None)
-        self._note_watched()
+        self._update_watches()
         self._queue = [due for due in self._queue if due.number != number]
 
     def sleep(self, number: float, *, asleep: bool) -> None:
@@ -252,7 +252,7 @@ class InterruptTable:
 
     def next_due_s(self) -> float | None:
         """Time [s] at which the next interrupt comes; None while none can."""
-        if self.held:
+        if self.is_on_hold:
             return None
         times = [c.next_s for c in self._connections.values() if c.next_s is not None]
         times += [due.time_s for due in self._queue[:1]]
@@ -276,7 +276,9 @@ class InterruptTable:
         """The interrupts that wait for their traps."""
         return tuple(self._queue)
 
-    def stood(self, waited: tuple[Due, ...], since_s: float, until_s: float) -> None:
+    def discard_while_stopped(
+        self, waited: tuple[Due, ...], since_s: float, until_s: float
+    ) -> None:
         """The program was stopped for a while: interrupts of that time are lost, unless safe.
 
         Args:
@@ -296,7 +298,7 @@ class InterruptTable:
                 connection.next_s = next_s + missed * period_s
             elif next_s > since_s:
                 connection.withdraw()
-        self._note_watched()
+        self._update_watches()
 
     def _take(self, time_s: float) -> Due:
         """The interrupt that is due at a time: one that was raised goes before a timer."""
@@ -320,7 +322,7 @@ class InterruptTable:
             return
         if connection.single:
             connection.withdraw()
-            self._note_watched()
+            self._update_watches()
         due = Due(number, now_s, connection.trap, connection.trap_name, cause=cause)
         self._queue.append(due)
         if len(self._queue) > LONGEST_QUEUE:
@@ -329,8 +331,8 @@ class InterruptTable:
                 f"{connection.trap_name}"
             )
 
-    def _note_watched(self) -> None:
-        self.watches = any(c.watched is not None for c in self._connections.values())
+    def _update_watches(self) -> None:
+        self.watches = any(c.persistent is not None for c in self._connections.values())
 
     def _count(self, due: Due) -> None:
         """Watch for traps that raise themselves."""

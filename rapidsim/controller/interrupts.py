@@ -21,7 +21,7 @@ def _no_procedure(name: str) -> None:
 
 @dataclass(eq=False)
 class TaskInterrupts:
-    """Implements `language.controller.Interrupts`; those due are a `happening.Happening`."""
+    """Implements `language.controller.Interrupts`; those due are a `event_source.EventSource`."""
 
     on_path: ClassVar = False
     clock: TaskClock
@@ -40,12 +40,14 @@ class TaskInterrupts:
         """When the next is due [s]; no trap interrupts a trap."""
         return None if self.in_trap else self.table.next_due_s()
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Run the trap of the next; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Run the trap of the next; see `event_source.EventSource`."""
         due = self.table.take_due(until_s)
-        return passed_s if due is None else self.clock.interlude(due.time_s, lambda: self._run(due))
+        return (
+            passed_s if due is None else self.clock.run_handler(due.time_s, lambda: self._run(due))
+        )
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Interrupts wait until they are served."""
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
@@ -58,7 +60,7 @@ class TaskInterrupts:
 
     def order_timer(self, interrupt: float, seconds: float, *, single: bool) -> None:
         """Raise an interrupt once, or every so many seconds."""
-        self.table.order_timer(interrupt, self.clock.observe(), seconds, single=single)
+        self.table.order_timer(interrupt, self.clock.resolve_time(), seconds, single=single)
         self.clock.grant()
 
     def order_signal(
@@ -70,23 +72,23 @@ class TaskInterrupts:
         single: bool,
     ) -> None:
         """Raise an interrupt once, or each time a signal changes to a value that matches."""
-        self.clock.observe()
+        self.clock.resolve_time()
         self.table.order_signal(interrupt, signal, matches, single=single)
 
     def order_persistent(self, interrupt: float, data: Reference[object], *, single: bool) -> None:
         """Raise an interrupt once, or each time a persistent has changed."""
-        self.clock.observe()
+        self.clock.resolve_time()
         self.table.order_persistent(interrupt, data, single=single)
 
     def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
         """Raise an interrupt each time an entry that is wanted comes into the event log."""
-        self.clock.observe()
+        self.clock.resolve_time()
         self.table.order_logged(interrupt, wanted)
 
     def log_error(self, entry: LoggedError) -> None:
         """Add an entry to the event log, which raises the interrupts of tasks that want it."""
-        if self.cell.keeps_log:
-            now_s = self.clock.come_up()
+        if self.cell.has_log_listeners:
+            now_s = self.clock.synchronise()
             self.cell.log(self.clock.cause().journal.task, entry, now_s)
             self.clock.pass_time(now_s)
 
@@ -96,12 +98,12 @@ class TaskInterrupts:
 
     def delete_interrupt(self, interrupt: float) -> None:
         """Delete an interrupt and its order."""
-        self.clock.observe()
+        self.clock.resolve_time()
         self.table.delete(interrupt)
 
     def sleep_interrupt(self, interrupt: float, *, asleep: bool) -> None:
         """Switch one interrupt off or on."""
-        self.clock.observe()
+        self.clock.resolve_time()
         self.table.sleep(interrupt, asleep=asleep)
 
     def make_safe(self, interrupt: float) -> None:
@@ -110,8 +112,8 @@ class TaskInterrupts:
 
     def hold_interrupts(self, *, hold: bool) -> None:
         """Queue all interrupts, or serve them again."""
-        now_s = self.clock.observe()
-        self.table.held = hold
+        now_s = self.clock.resolve_time()
+        self.table.is_on_hold = hold
         self.clock.pass_time(now_s)
 
     def _run(self, due: Due) -> None:

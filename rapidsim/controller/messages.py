@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.message_queues import MessageQueue, Put, QueueMode
+from rapidsim.controller.cell.message_queues import DeliveryResult, MessageQueue, QueueMode
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.events import MAX_TIME, EventKind
@@ -14,13 +14,13 @@ from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.runs import MessageDiscarded
 from rapidsim.language.messages import Message, MessageKind, Slot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SHOWN = 60
 """Characters of a message that an event shows."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class TaskMessages:
     """Implements `language.messages.Messages`."""
 
@@ -32,7 +32,7 @@ class TaskMessages:
 
     def __post_init__(self) -> None:
         """Let messages raise the interrupts of the task."""
-        self.queue.raises_interrupt = self.table.message_came
+        self.queue.raises_interrupt = self.table.message_received
 
     @property
     def is_synchronous(self) -> bool | None:
@@ -42,12 +42,12 @@ class TaskMessages:
 
     def find_queue(self, name: str) -> Slot | None:
         """The queue of a name, case-sensitive; None if messages cannot be sent there."""
-        self.clock.come_up()
+        self.clock.synchronise()
         return self.cell.messages.find(name)
 
     def is_open(self, slot: Slot) -> bool:
         """Whether a queue still exists: a client may have gone."""
-        self.clock.come_up()
+        self.clock.synchronise()
         assert isinstance(slot, MessageQueue)
         return slot.is_open
 
@@ -57,20 +57,20 @@ class TaskMessages:
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
         """
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         assert isinstance(slot, MessageQueue)
         became = slot.put(message, now_s)
         shown = message.wire if len(message.wire) <= _SHOWN else f"{message.wire[:_SHOWN]}..."
         self.clock.event(
             EventKind.MESSAGE, f"sent {shown} to {slot.name}", sent=message.wire, to=slot.name
         )
-        if became is Put.DISCARDED:
+        if became is DeliveryResult.DISCARDED:
             told = MessageDiscarded(slot.name, message.kind.spelled)
             self.journal.finding(told, self.clock.place, once=told)
-        if became is Put.LOST:
+        if became is DeliveryResult.LOST:
             lost = f"what is sent to {slot.name} is lost: its task is not in this run"
             self.journal.unsimulated("RMQSendMessage", lost, self.clock.place)
-        self.clock.tell()
+        self.clock.notify_tasks()
         # A message to the task itself may have raised an interrupt.
         self.clock.pass_time(now_s)
 
@@ -115,31 +115,31 @@ class TaskMessages:
 
     def next_message(self) -> Message | None:
         """Take the next message; None if there is none."""
-        self.clock.come_up()
+        self.clock.synchronise()
         return self.queue.messages.pop(0) if self.queue.messages else None
 
     def empty_queue(self) -> None:
         """Discard all messages."""
-        self.clock.come_up()
+        self.clock.synchronise()
         self.queue.messages.clear()
 
     def order_message(self, interrupt: float, kind: MessageKind) -> None:
         """Raise an interrupt at each message of a kind."""
-        self.clock.come_up()
+        self.clock.synchronise()
         self.table.order_message(interrupt, kind)
 
     def _deadline(self, max_time: float | None) -> float:
         self.clock.note_line()
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         return math.inf if max_time is None else now_s + max(0.0, max_time)
 
     def _wait(
-        self, is_there: Callable[[], bool], deadline_s: float, awaited: str, in_vain: str
+        self, is_available: Callable[[], bool], deadline_s: float, awaited: str, in_vain: str
     ) -> None:
         """Let time pass until a message has arrived or a deadline [s] has passed."""
         with self.clock.waiting(awaited) as wait:
-            while not is_there():
-                if self.clock.observe() >= deadline_s:
+            while not is_available():
+                if self.clock.resolve_time() >= deadline_s:
                     wait.ended_by = MAX_TIME
                     return
                 if not self.clock.await_event(deadline_s):

@@ -13,7 +13,7 @@ from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.position_reading import HOLDS_S, PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import PutMove
+from rapidsim.controller.solo_moves import EnqueueMove
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
@@ -35,7 +35,7 @@ class TaskMotion:
     resolver: Resolver
     state: MotionState
     triggers: Triggers
-    put: PutMove
+    put: EnqueueMove
     reader: PositionReader
 
     @property
@@ -65,7 +65,7 @@ class TaskMotion:
     def current_speeds(self) -> JointTarget:
         """How fast the axes are now [deg/s or mm/s]: their change in the last millisecond."""
         self.clock.note_line()
-        now_s, queue = self.clock.observe(), self.unit.queue
+        now_s, queue = self.clock.resolve_time(), self.unit.queue
         seen = queue.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
         joints = (seen.joints[1] - seen.joints[0]) / _LOOKS_BACK_S
         external = (seen.external[1] - seen.external[0]) / _LOOKS_BACK_S
@@ -74,14 +74,14 @@ class TaskMotion:
     def is_moving(self) -> bool:
         """Whether the robot is moving."""
         queue = self.unit.queue
-        is_guided = self.unit.own.guided is not None
-        return is_guided or queue.is_open or queue.trajectory.duration > self.clock.observe()
+        is_guided = self.unit.solo_queue.guided is not None
+        return is_guided or queue.is_open or queue.trajectory.duration > self.clock.resolve_time()
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Where the TCP is now; None takes the tool or work object of the last move."""
         self.clock.note_line()
         tool, wobj = tool or self.state.tool, wobj or self.state.wobj
-        reading = self._reading(holds_on=not self.resolver.may_be_held(wobj))
+        reading = self._reading(holds_on=not self.resolver.may_have_carrier(wobj))
         return self.reader.target(reading, tool, wobj, self.clock.place)
 
     def active_tool(self) -> ToolData:
@@ -132,12 +132,12 @@ class TaskMotion:
 
     def finish(self) -> None:
         """Let the robot come to rest after the last statement."""
-        self.unit.own.end_guidance()
+        self.unit.solo_queue.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
-            self.clock.observe()
+            self.clock.resolve_time()
             self.clock.drive_to_stop()
-        self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
+        self.clock.pass_time(max(self.clock.resolve_time(), self.unit.queue.trajectory.duration))
 
     def abandon(self) -> MotionError | None:
         """Let the robot finish the moves it has before the program stops with an error.
@@ -146,7 +146,7 @@ class TaskMotion:
             Why it cannot finish them: an error that came before the one that stops the program,
             which runs ahead of the robot.
         """
-        self.unit.own.end_guidance()
+        self.unit.solo_queue.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             with self.unit.ending():
@@ -172,7 +172,7 @@ class TaskMotion:
         Args:
             holds_on: Whether what is read stays while the robot stands.
         """
-        reading = self.reader.read(self.clock.observe())
+        reading = self.reader.read(self.clock.resolve_time())
         until_s = self.reader.stays_until(reading)
-        self.clock.stays_until(until_s if holds_on else min(until_s, reading.time_s + HOLDS_S))
+        self.clock.hold_until(until_s if holds_on else min(until_s, reading.time_s + HOLDS_S))
         return reading

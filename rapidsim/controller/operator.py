@@ -7,17 +7,17 @@ from contextlib import contextmanager
 from typing import TypeVar
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.operator import Operator, OperatorAnswer
+from rapidsim.controller.cell.operator import OperatorAnswer, OperatorDialog
 from rapidsim.controller.cell.pendant import AnswerValue, Pendant
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Journal
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskOperator:
     """Implements `language.controller.Operator`."""
 
@@ -54,7 +54,7 @@ class TaskOperator:
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
         """The operator's answer; None if nobody answers and the question ends by itself."""
-        return self._told(
+        return self._put_question(
             prompt,
             lambda there: there.number(prompt, ends=ends),
             lambda pendant: pendant.ask(self.journal.task, prompt, float),
@@ -63,7 +63,7 @@ class TaskOperator:
 
     def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
         """Index of the key the operator presses; the first one if nobody answers."""
-        return self._told(
+        return self._put_question(
             prompt,
             lambda there: there.choice(prompt, choices, ends=ends),
             lambda pendant: pendant.ask(self.journal.task, prompt, int, choices),
@@ -72,25 +72,25 @@ class TaskOperator:
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
         """A text the operator types; the proposal if nobody answers."""
-        return self._told(
+        return self._put_question(
             prompt,
             lambda there: there.text(prompt, proposal, ends=ends),
             lambda pendant: pendant.ask(self.journal.task, prompt, str, (), proposal),
             str,
         )
 
-    def _told(
+    def _put_question(
         self,
         prompt: str,
-        asked: Callable[[Operator], OperatorAnswer[T] | None],
+        put_question: Callable[[OperatorDialog], OperatorAnswer[T] | None],
         on_pendant: Callable[[Pendant], AnswerValue | None],
         text: Callable[[T], str],
     ) -> T | None:
         """Ask at a known time; question and answer are an event."""
-        self.clock.observe()
+        self.clock.resolve_time()
         answer: OperatorAnswer[T] | None
         if self.cell.pendant is None:
-            answer = asked(self.cell.operator)
+            answer = put_question(self.cell.operator)
         else:
             value = on_pendant(self.cell.pendant)
             answer = None if value is None else OperatorAnswer(value)  # type: ignore[arg-type]
@@ -105,8 +105,8 @@ class TaskOperator:
         return answer.value
 
 
-@dataclass(frozen=True, slots=True)
-class TaskHonesty:
+@value_class(frozen=True, slots=True)
+class TaskFidelityReporter:
     """Implements `language.controller.Honesty`."""
 
     clock: TaskClock

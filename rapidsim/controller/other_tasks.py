@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.rendezvous import Meeting
+from rapidsim.controller.cell.rendezvous import Rendezvous
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import MAX_TIME
 from rapidsim.controller.journal.stop_reasons import WaitsForever
@@ -39,7 +39,7 @@ _ROUNDING_S = 1e-9
 
 
 @dataclass(slots=True, eq=False)
-class TaskOthers:
+class TaskCoordination:
     """Implements `language.tasks.TaskService`."""
 
     clock: TaskClock
@@ -50,7 +50,7 @@ class TaskOthers:
     reader: PositionReader
     task_name: str
     has_robot: bool = True
-    neighbours: Mapping[str, TaskOthers] = field(default_factory=dict)
+    neighbours: Mapping[str, TaskCoordination] = field(default_factory=dict)
     """The objects of all tasks of the cell, its own included, by folded name."""
     robot_label: str | None = None
     """What the station calls its robot; None where it does not say."""
@@ -72,7 +72,7 @@ class TaskOthers:
         with_robot = (one.task_name for one in self.all_tasks().values() if one.has_robot)
         return self.task_name if self.has_robot else next(with_robot, self.task_name)
 
-    def robot_of(self, unit: str) -> TaskOthers | None:
+    def robot_of(self, unit: str) -> TaskCoordination | None:
         """The task whose robot has the name of a mechanical unit."""
         wanted = unit.lower()
         return next((one for one in self.all_tasks().values() if one._is_called(wanted)), None)
@@ -82,13 +82,13 @@ class TaskOthers:
         other = self.robot_of(unit)
         if other is None or other is self:
             return None
-        now_s, robot = self.clock.come_up(), other.resolver.robot
+        now_s, robot = self.clock.synchronise(), other.resolver.robot
         path = foreseen(other.unit.queue)
         seen = path.at(np.array([now_s]))
         axes, world_from_base = robot.external, other.resolver.base_from_world.inverse()
         world_from_base = world_from_base_at(axes, world_from_base, seen.external)[0]
         world_from_flange = world_from_base @ robot.forward(seen.joints[0])
-        moves = now_s < path.duration - _ROUNDING_S or other.unit.own.is_led
+        moves = now_s < path.duration - _ROUNDING_S or other.unit.solo_queue.is_guided
         return Holder(unit, moves, world_from_flange)
 
     def _is_called(self, unit: str) -> bool:
@@ -119,8 +119,8 @@ class TaskOthers:
         self.clock.note_line()
         self.require_listed(instruction, name, tasks)
         if in_position:
-            self.clock.come_to_rest()
-        return self.come_together(instruction, name, tasks, max_time) is not None
+            self.clock.bring_to_rest()
+        return self.rendezvous(instruction, name, tasks, max_time) is not None
 
     def joints_of(self, task: str) -> JointTarget:
         """Where the axes of a task's robot are now.
@@ -129,7 +129,7 @@ class TaskOthers:
             RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
         """
         other = self._robot_of(task)
-        reading = other.reader.read(self.clock.come_up())
+        reading = other.reader.read(self.clock.synchronise())
         return other.resolver.joint_target(reading.joints, reading.external)
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
@@ -139,11 +139,11 @@ class TaskOthers:
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         reading = other.reader.read(now_s)
         tool, wobj = tool or other.state.tool, wobj or other.state.wobj
         place = self.clock.place
-        return other.clock.aside(now_s, lambda: other.reader.target(reading, tool, wobj, place))
+        return other.clock.at_time(now_s, lambda: other.reader.target(reading, tool, wobj, place))
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:
         """Tool and work object of the last move of a task's robot.
@@ -152,14 +152,14 @@ class TaskOthers:
             RapidError: See `joints_of`.
         """
         other = self._robot_of(task)
-        self.clock.come_up()
+        self.clock.synchronise()
         return other.state.tool, other.state.wobj
 
     def stop_robots(self, *, every: bool, quick: bool) -> None:
         """Stop the robot that this task watches, or all; returns when they are at rest."""
         self.clock.note_line()
-        now_s = rest_s = self.clock.observe()
-        for unit in self._watched(every):
+        now_s = rest_s = self.clock.resolve_time()
+        for unit in self._observed_robots(every):
             unit.held_by_task = unit.held_by_task or (
                 unit.queue.is_halted and not unit.held_by_watcher
             )
@@ -167,26 +167,26 @@ class TaskOthers:
             if not unit.queue.is_halted:
                 stood_s = unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
                 rest_s = max(rest_s, unit.queue.trajectory.seen_s(stood_s))
-        self.clock.tell()
+        self.clock.notify_tasks()
         self.clock.pass_time(rest_s)
 
     def start_robots(self, *, every: bool) -> None:
         """Restart the robot that this task watches, or all, but for those their own tasks hold."""
         self.clock.note_line()
-        now_s = self.clock.observe()
-        for unit in self._watched(every):
+        now_s = self.clock.resolve_time()
+        for unit in self._observed_robots(every):
             unit.held_by_watcher = False
             if unit.queue.is_halted and not unit.held_by_task:
                 unit.queue.resume(now_s)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
-    def robot_held(self) -> tuple[bool, bool]:
+    def is_robot_held(self) -> tuple[bool, bool]:
         """Whether its own task holds the robot, or that which is watched, and whether a watcher."""
-        (unit, *_) = self._watched(every=False) or (self.unit,)
+        (unit, *_) = self._observed_robots(every=False) or (self.unit,)
         watched = unit.held_by_watcher
         return unit.queue.is_halted and (unit.held_by_task or not watched), watched
 
-    def _watched(self, every: bool) -> list[MechanicalUnit]:
+    def _observed_robots(self, every: bool) -> list[MechanicalUnit]:
         """The robot that a task without one refers to, or all robots of the cell."""
         meant = self.robot_task
         tasks = self.all_tasks().values()
@@ -202,19 +202,19 @@ class TaskOthers:
             if not self.unit.queue.is_halted:
                 self.unit.queue.halt(time_s)
 
-    def come_together(
+    def rendezvous(
         self, instruction: str, name: str, tasks: Sequence[str], max_time: float | None
-    ) -> Meeting | None:
+    ) -> Rendezvous | None:
         """Wait at a synchronization point; None if `max_time` [s] ran out first."""
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         deadline_s = math.inf if max_time is None else now_s + max_time
-        meeting = self.cell.meetings.arrive(instruction, name, self.task_name, tasks)
-        self.clock.tell()
+        meeting = self.cell.rendezvous.arrive(instruction, name, self.task_name, tasks)
+        self.clock.notify_tasks()
         missing = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
         with self.clock.waiting(missing) as wait:
             while not meeting.is_complete:
-                if self.clock.observe() >= deadline_s:
-                    self.cell.meetings.leave(instruction, meeting, self.task_name)
+                if self.clock.resolve_time() >= deadline_s:
+                    self.cell.rendezvous.leave(instruction, meeting, self.task_name)
                     wait.ended_by = MAX_TIME
                     return None
                 if not self.clock.await_event(deadline_s):
@@ -222,7 +222,7 @@ class TaskOthers:
                     raise WaitsForever(f"{instruction} {name} waits for {late}, which never comes")
             wait.ended_by = missing
         # Those who waited continue in their order, not the last to arrive before them.
-        self.clock.come_up()
+        self.clock.synchronise()
         return meeting
 
     def require_listed(self, instruction: str, name: str, tasks: Sequence[str]) -> None:
@@ -237,11 +237,11 @@ class TaskOthers:
                 f"{instruction} {name}: {self.task_name} is not in its own list of tasks",
             )
 
-    def all_tasks(self) -> Mapping[str, TaskOthers]:
+    def all_tasks(self) -> Mapping[str, TaskCoordination]:
         """The objects of all tasks of the cell, its own included, by folded name."""
         return self.neighbours or {self.task_name.lower(): self}
 
-    def _robot_of(self, task: str) -> TaskOthers:
+    def _robot_of(self, task: str) -> TaskCoordination:
         other = self.all_tasks().get(task.lower())
         if other is None:
             raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")

@@ -20,10 +20,10 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.errors import NotAllowed, RapidError
 from rapidsim.motion.timing.braking import PROGRAM_STOP_S
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskPathControl:
     """Implements `language.path_control.PathControl`."""
 
@@ -36,12 +36,12 @@ class TaskPathControl:
     @property
     def path_level(self) -> float:
         """The path level: 1 plus the number of stored paths."""
-        return 1.0 + self.unit.own.stored
+        return 1.0 + self.unit.solo_queue.stored
 
     def stop_move(self, *, quick: bool = False) -> None:
         """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
         self.clock.note_line()
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         self.unit.hold()
         if not self.unit.queue.is_halted:
             rest_s = self.unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
@@ -68,11 +68,11 @@ class TaskPathControl:
                 its path.
         """
         self.clock.note_line()
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted and queue.preview().duration > now_s:
             raise rapid_error(ERR_ALRDY_MOVING, "the robot is moving; nothing stopped it")
-        too_far = self.unit.queue.too_far_off()
+        too_far = self.unit.queue.off_path_reason()
         if too_far:
             raise rapid_error(
                 ERR_PATHDIST,
@@ -82,7 +82,7 @@ class TaskPathControl:
         is_free = self.unit.release()
         if is_free and not self.unit.held_by_watcher:
             self.unit.queue.resume(now_s)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def is_stopped(self) -> bool:
         """Whether StopMove keeps the robot where it is."""
@@ -108,7 +108,7 @@ class TaskPathControl:
             RapidError: ERR_PATH, while the robot moves.
         """
         self.clock.note_line()
-        if self.state.searches and not self.unit.own.stored:
+        if self.state.searches and not self.unit.solo_queue.stored:
             raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
         self.unit.store_path(keep_sync=keep_sync)
@@ -122,12 +122,12 @@ class TaskPathControl:
         self.clock.note_line()
         if self.path_level <= 1.0:
             raise rapid_error(ERR_PATH, "RestoPath without StorePath: no path is kept")
-        self.clock.come_to_rest()
+        self.clock.bring_to_rest()
         self.unit.restore_path()
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def _require_standstill(self, instruction: str) -> None:
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         if self.unit.queue.is_open and not self.unit.queue.is_halted:
             raise rapid_error(ERR_PATH, f"{instruction} while the robot moves; StopMove first")
         self.clock.pass_time(max(now_s, self.unit.queue.trajectory.duration))

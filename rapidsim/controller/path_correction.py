@@ -13,19 +13,19 @@ from typing import Final
 
 import numpy as np
 
-from rapidsim.controller.cell.sensors import Sensor
+from rapidsim.controller.cell.sensors import GuidanceSensor
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.sensor_identities import SensorIdentity
-from rapidsim.controller.sensor_streams import SPEED_STEP_S, told_along, told_of
+from rapidsim.controller.sensor_streams import SPEED_STEP_S, feedback_at, feedback_of
 from rapidsim.frames.transform import Array
-from rapidsim.language.moves import Sensed
+from rapidsim.language.moves import SensorInfluence
 from rapidsim.motion.guidance.feedback import Frames, Guided
-from rapidsim.motion.guidance.guided_run import Ended
+from rapidsim.motion.guidance.guided_execution import EndReason
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.path_correction import PathCorrection
-from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.motion.trajectory.corrected_section import CorrectedSection
+from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.trajectory import Samples
 
 _TOLD_AHEAD: Final = 3
@@ -34,20 +34,20 @@ _ROUNDING: Final = 1e-6
 
 
 @dataclass(slots=True, eq=False)
-class PathCorrecting:
+class ActivePathCorrection:
     """Implements `solo_queue.CorrectedMotion`."""
 
     identity: SensorIdentity
     """Whose sensor it is."""
     unit: MechanicalUnit
     resolver: Resolver
-    sensor: Sensor
+    sensor: GuidanceSensor
     law: PathCorrection
-    stretch: CorrectedStretch
+    section: CorrectedSection
     """What comes of it."""
     sample_s: float
     silence_s: float
-    come_to_rest: Callable[[], None]
+    bring_to_rest: Callable[[], None]
     """Lets the robot come to the end of its path."""
     frames: Frames
     """In which the sensor is told where the TCP is."""
@@ -57,7 +57,7 @@ class PathCorrecting:
     """Whether the robot is on a path that is corrected."""
     silent_s: float = 0.0
     """So long [s] the sensor has said nothing."""
-    ended: Ended | None = None
+    ended: EndReason | None = None
     """What has gone wrong."""
 
     def begin(self, now_s: float) -> None:
@@ -66,33 +66,33 @@ class PathCorrecting:
         self.next_s = math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S
         self.sensor.correct(self.next_s, self.sample_s)
 
-    def sample(self, passed_s: float) -> Ended | None:
+    def sample(self, passed_s: float) -> EndReason | None:
         """Tell and hear; why the correction must end, if it must.
 
         Args:
             passed_s: Nothing happens before this time [s] any more.
         """
-        self._come_to(passed_s)
+        self._advance_to(passed_s)
         now_s, self.next_s = self.next_s, self.next_s + self.sample_s
-        words = _TOLD_AHEAD if self.sensor.looks_ahead else 1
+        words = _TOLD_AHEAD if self.sensor.has_lookahead else 1
         told = now_s + self.sample_s * np.arange(words, dtype=np.float64)
-        start_s = max(now_s, self.stretch.end_s)
+        start_s = max(now_s, self.section.end_s)
         cycles = max(0, round((self.next_s - start_s) / CYCLE_S))
         ahead = start_s + CYCLE_S * np.arange(1, cycles + 1, dtype=np.float64)
-        path = self.unit.own.preview()
+        path = self.unit.solo_queue.preview()
         samples = path.at(np.concatenate([told, told + SPEED_STEP_S, ahead]))
-        stream = told_of(self.unit, self.resolver, self.frames, samples, words, Guided.RUNNING)
-        if self.sensor.looks_ahead:
-            self.sensor.tell(stream)
+        stream = feedback_of(self.unit, self.resolver, self.frames, samples, words, Guided.RUNNING)
+        if self.sensor.has_lookahead:
+            self.sensor.stream(stream)
         answer = self.sensor.exchange(stream[0])
-        if answer is not None and self.law.hear(answer):
+        if answer is not None and self.law.accept(answer):
             self.silent_s = 0.0
         else:
             self.silent_s += self.sample_s
             if self.silent_s > self.silence_s:
-                return Ended.SILENT
+                return EndReason.SILENT
         is_there = self._decide(start_s, samples, 2 * words, path.directions(ahead))
-        return None if is_there else Ended.OUT_OF_REACH
+        return None if is_there else EndReason.OUT_OF_REACH
 
     @property
     def told_s(self) -> float:
@@ -105,40 +105,40 @@ class PathCorrecting:
         It stays beside its path, and a path that is corrected goes on from there.
         """
         self.runs = False
-        self.stretch.extend(self.stretch.end_s, CYCLE_S, self.law.rest())
-        return self.stretch.end_s
+        self.section.extend(self.section.end_s, CYCLE_S, self.law.rest())
+        return self.section.end_s
 
     def last_word(self, guided: Guided) -> None:
         """Tell the sensor that its correction has ended."""
-        end_s = self.stretch.end_s
-        told = told_along(
+        end_s = self.section.end_s
+        told = feedback_at(
             self.unit, self.resolver, lambda _: self.frames, np.array([end_s]), guided
         )
         self.sensor.end(told[0])
 
     def end(self) -> None:
         """See `CorrectedMotion`."""
-        self.come_to_rest()
+        self.bring_to_rest()
         self.settle()
 
     def settle(self) -> None:
         """See `CorrectedMotion`."""
-        queue = self.unit.own
+        queue = self.unit.solo_queue
         self.rest()
         queue.corrected = None
-        if not self.stretch.end.any():
+        if not self.section.end.any():
             return
         trajectory = queue.trajectory
         end_s, stands = trajectory.duration, queue.standing()
         tool, robot = self.frames.tcp_from_flange, self.resolver.robot
         trajectory.guide(
-            GuidedStretch(end_s, CYCLE_S, robot.forward, tool, stands.external, stands.joints)
+            GuidedSection(end_s, CYCLE_S, robot.forward, tool, stands.external, stands.joints)
         )
-        self.stretch.until_s = end_s
+        self.section.until_s = end_s
         queue.continue_from(end_s)
         queue.end = stands
 
-    def _come_to(self, now_s: float) -> None:
+    def _advance_to(self, now_s: float) -> None:
         late = math.ceil((now_s - self.next_s) / self.sample_s - _ROUNDING)
         self.next_s += max(0, late) * self.sample_s
 
@@ -151,13 +151,13 @@ class PathCorrecting:
             first: The first of these that counts.
             directions: Where to the path leads then (k, 3).
         """
-        moves, stretch = self.unit.own.moves, self.stretch
-        sensed = [moves[k].move.sensed is Sensed.CORRECTED for k in samples.move[first:]]
+        moves, stretch = self.unit.solo_queue.moves, self.section
+        sensed = [moves[k].move.sensed is SensorInfluence.CORRECTED for k in samples.move[first:]]
         tool_z = samples.base_from_tcp.rotation[first:, :, 2]
         before = stretch.end
         led = self.law.follow(directions, tool_z, np.array(sensed, dtype=np.bool_))
         stretch.extend(start_s, CYCLE_S, led)
-        ways = stretch.ways_at(samples.times[first:]) - before if sensed else np.zeros((0, 3))
+        ways = stretch.offsets_at(samples.times[first:]) - before if sensed else np.zeros((0, 3))
         joints = stretch.joints(samples.joints[first:], ways)
         robot = self.resolver.robot
         return bool(((robot.lower <= joints) & (joints <= robot.upper)).all())

@@ -55,4 +55,4 @@ class TaskPathLength:
 
     def _count_to_now(self) -> Mark:
         self.clock.note_line()
-        return self._count(self.clock.observe())
+        return self._count(self.clock.resolve_time())

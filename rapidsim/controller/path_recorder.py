@@ -22,7 +22,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import PutMove
+from rapidsim.controller.solo_moves import EnqueueMove
 from rapidsim.frames import quaternion
 from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
@@ -42,20 +42,20 @@ class TaskPathRecorder:
     unit: MechanicalUnit
     resolver: Resolver
     state: MotionState
-    put: PutMove
+    put: EnqueueMove
     _ids: dict[int, int] = field(default_factory=dict)
     """For each identifier, the number of moves given to the robot when it was set."""
     _level: int = 0
     _last: int | None = None
     """One past the last recorded move; None while the recorder is running."""
-    _given: list[QueuedMove] = field(default_factory=list)
+    _queued: list[QueuedMove] = field(default_factory=list)
     """The moves of the way back, in recorded order."""
     _origin: Waypoint | None = None
     """Where the last way back began; None if the robot is there."""
-    _made: list[QueuedMove] = field(default_factory=list)
+    _executed: list[QueuedMove] = field(default_factory=list)
     """The moves made back and forward, which are not recorded."""
-    _left: int = 0
-    """How many of `_given` the robot has not moved back along."""
+    _departures: int = 0
+    """How many of `_queued` the robot has not moved back along."""
 
     @property
     def first(self) -> int | None:
@@ -67,31 +67,33 @@ class TaskPathRecorder:
         self.clock.note_line()
         if not self._ids or self._last is not None:
             self._forget()
-            self._level = self.unit.own.stored
+            self._level = self.unit.solo_queue.stored
         number = len(self._ids) + 1
-        self._ids[number] = len(self.unit.own.moves)
+        self._ids[number] = len(self.unit.solo_queue.moves)
         return number
 
     def stop_recording(self, *, clear: bool) -> None:
         """Stop recording; with `clear`, discard the record."""
         self.clock.note_line()
-        self._last = len(self.unit.own.moves)
+        self._last = len(self.unit.solo_queue.moves)
         if clear:
             self._forget()
 
-    def may_go_back(self, identifier: int | None) -> bool:
+    def can_move_backward(self, identifier: int | None) -> bool:
         """Whether there is a recorded path back to a place."""
         if not self._ids or (identifier is not None and identifier not in self._ids):
             return False
-        return bool(self._way_back(identifier))
+        return bool(self._moves_back_to(identifier))
 
-    def may_go_forth(self, identifier: int | None) -> bool:
+    def can_move_forward(self, identifier: int | None) -> bool:
         """Whether the robot has moved back, and can move forward to a place."""
         if self._origin is None:
             return False
-        return identifier is None or self._place_of(identifier) > self._left
+        return identifier is None or self._place_of(identifier) > self._departures
 
-    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_backward(
+        self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
+    ) -> None:
         """Move back along the recorded path to a place.
 
         Args:
@@ -103,23 +105,25 @@ class TaskPathRecorder:
             RapidError: ERR_PATH, where no such path is recorded.
         """
         self._require_stored_path()
-        way = self._way_back(identifier) if self._ids else []
+        way = self._moves_back_to(identifier) if self._ids else []
         if not way or (identifier is not None and identifier not in self._ids):
             raise rapid_error(ERR_PATH, "no path is recorded that leads back there")
-        self.clock.come_to_rest()
+        self.clock.bring_to_rest()
         if self._origin is None:
-            self._origin = self.unit.own.standing()
-            self._given = self._begun()
-            self._left = len(self._given)
+            self._origin = self.unit.solo_queue.standing()
+            self._queued = self._started_moves()
+            self._departures = len(self._queued)
         for queued in reversed(way):
             target = self._standing_at(queued, queued.segment.start, offset)
             is_last = queued is way[0]
-            before = self._given.index(queued) - 1
-            zone = FINE if is_last or before < 0 else self._given[before].move.zone
+            before = self._queued.index(queued) - 1
+            zone = FINE if is_last or before < 0 else self._queued[before].move.zone
             self._make(queued, replace(queued.move, to=target, zone=zone), speed)
-        self._left = self._given.index(way[0])
+        self._departures = self._queued.index(way[0])
 
-    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_forward(
+        self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
+    ) -> None:
         """Move forward again to a place, or to where the way back began.
 
         Args:
@@ -131,60 +135,62 @@ class TaskPathRecorder:
             RapidError: ERR_PATH, where the robot has not gone back.
         """
         self._require_stored_path()
-        if not self.may_go_forth(identifier):
+        if not self.can_move_forward(identifier):
             raise rapid_error(ERR_PATH, "the robot has not gone back on a recorded path")
-        self.clock.come_to_rest()
-        to = len(self._given) if identifier is None else self._place_of(identifier)
-        for number in range(self._left, to):
-            queued = self._given[number]
-            is_end = number == len(self._given) - 1
+        self.clock.bring_to_rest()
+        to = len(self._queued) if identifier is None else self._place_of(identifier)
+        for number in range(self._departures, to):
+            queued = self._queued[number]
+            is_end = number == len(self._queued) - 1
             assert self._origin is not None
             end = self._origin if is_end else queued.segment.end
             target = self._standing_at(queued, end, offset)
             zone = FINE if number == to - 1 else queued.move.zone
             self._make(queued, replace(queued.move, to=target, zone=zone), speed)
-        self._left = to
-        if to == len(self._given):
+        self._departures = to
+        if to == len(self._queued):
             self._origin = None
 
     def _require_stored_path(self) -> None:
         self.clock.note_line()
-        if not self.unit.own.stored:
+        if not self.unit.solo_queue.stored:
             raise NotAllowed("a recorded path is not travelled on the base level; StorePath first")
 
-    def _begun(self) -> list[QueuedMove]:
+    def _started_moves(self) -> list[QueuedMove]:
         """The recorded moves that the robot has started."""
         first = min(self._ids.values())
         last = self._last
         return [
             one
-            for _, one in self.unit.own.moves.numbered(first, last)
-            if one.level == self._level and one.started.time is not None and one not in self._made
+            for _, one in self.unit.solo_queue.moves.numbered(first, last)
+            if one.level == self._level
+            and one.started.time is not None
+            and one not in self._executed
         ]
 
-    def _way_back(self, identifier: int | None) -> Sequence[QueuedMove]:
+    def _moves_back_to(self, identifier: int | None) -> Sequence[QueuedMove]:
         """The moves that lead from a place to where the robot stands, in recorded order."""
-        given = self._begun() if self._origin is None else self._given[: self._left]
+        given = self._started_moves() if self._origin is None else self._queued[: self._departures]
         first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
-        index = {id(one): number for number, one in self.unit.own.moves.numbered()}
+        index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
         return [one for one in given if index[id(one)] >= first]
 
     def _place_of(self, identifier: int) -> int:
         """How many moves of the way back lie before a place."""
-        index = {id(one): number for number, one in self.unit.own.moves.numbered()}
+        index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
         first = self._ids.get(identifier, 0)
-        return sum(index[id(one)] < first for one in self._given)
+        return sum(index[id(one)] < first for one in self._queued)
 
     def _standing_at(
-        self, queued: QueuedMove, stands: Waypoint, offset: Pos | None
+        self, queued: QueuedMove, waypoint: Waypoint, offset: Pos | None
     ) -> RobTarget | JointTarget:
         """A place of a recorded move as a target of a move."""
         move = queued.move
-        external = self.resolver.ext_joint(stands.external)
+        external = self.resolver.ext_joint(waypoint.external)
         if move.interpolation is Interpolation.AXES and offset is None:
-            return JointTarget(self.resolver.rob_joint(stands.joints), external)
+            return JointTarget(self.resolver.rob_joint(waypoint.joints), external)
         target = self.resolver.target(
-            stands.joints, stands.external, move.tool, move.wobj, queued.place
+            waypoint.joints, waypoint.external, move.tool, move.wobj, queued.place
         )
         if offset is None:
             return target
@@ -195,7 +201,7 @@ class TaskPathRecorder:
     def _make(self, of: QueuedMove, move: Move, speed: SpeedData | None) -> None:
         """Make a move on the way of a recorded one, whatever configuration it leads to."""
         assert self._origin is not None
-        is_last = of is self._given[-1]
+        is_last = of is self._queued[-1]
         off = np.abs(of.segment.end.joints - self._origin.joints).max()
         if move.interpolation is Interpolation.CIRCLE and is_last and off > _SAME_JOINTS:
             move = replace(move, interpolation=Interpolation.LINE, circle_point=None)
@@ -205,10 +211,10 @@ class TaskPathRecorder:
         self.state.settings = replace(settings, conf_j=False, conf_l=False)
         try:
             move = replace(move, duration_s=None, concurrent=False, sync_id=None, stop=None)
-            self.put(replace(move, speed=speed or move.speed), self._made.append)
+            self.put(replace(move, speed=speed or move.speed), self._executed.append)
         finally:
             self.state.settings = settings
 
     def _forget(self) -> None:
         self._ids, self._last = {}, None
-        self._given, self._origin, self._left = [], None, 0
+        self._queued, self._origin, self._departures = [], None, 0

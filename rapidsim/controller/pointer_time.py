@@ -62,9 +62,9 @@ class PointerTime:
             self.used += used
             self._granted = left
 
-    def hold(self, now_left: int, left: int) -> int:
+    def hold(self, ticks_now: int, left: int) -> int:
         """Set the ticks left, whatever was granted: a loop may continue counting from there."""
-        self.settle(now_left)
+        self.settle(ticks_now)
         self._granted = left
         return left
 

@@ -87,14 +87,14 @@ class PositionReader:
 
     def read(self, now_s: float) -> Reading:
         """Where the robot is at a time [s] that has come, or was found no longer ago than holds."""
-        self.unit.own.start_is_free = False
+        self.unit.solo_queue.start_is_free = False
         before = None if self._last is None else self._last.time_s
         if self._version != self.unit.version:
             # Whoever reads evenly goes on with it, but what comes may soon be something else again.
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
             self._count = max(1, self._count // 8)
-        if self.unit.own.is_led:
+        if self.unit.solo_queue.is_guided:
             # Only the sensor knows where it will be.
             self._step_s = math.inf
             self._ahead.clear()
@@ -109,7 +109,7 @@ class PositionReader:
         """Until when [s] nobody gets another reading, if nothing else happens."""
         queue = self.unit.queue
         waits = queue.is_open and not queue.is_halted
-        waits |= self.unit.own.is_led
+        waits |= self.unit.solo_queue.is_guided
         still = not waits and queue.trajectory.duration <= reading.time_s
         return math.inf if still else reading.time_s + HOLDS_S
 
@@ -117,7 +117,7 @@ class PositionReader:
         """Where the TCP was then; see `Resolver.target`."""
         known = reading.targets.get((tool, wobj))
         # Another robot may hold the work object, and has moved since.
-        if known is None or self.resolver.may_be_held(wobj):
+        if known is None or self.resolver.may_have_carrier(wobj):
             joints, external = reading.joints, reading.external
             known = self.resolver.target(joints, external, tool, wobj, place)
             reading.targets[tool, wobj] = known

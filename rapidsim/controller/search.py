@@ -16,7 +16,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import PutMove
+from rapidsim.controller.solo_moves import EnqueueMove
 from rapidsim.language.data import FINE, JointTarget, Pose, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
@@ -26,7 +26,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.moves import Flank, Move, SearchStop
 from rapidsim.motion.timing.braking import PATH_STOP_S, SOFT_STOP_S
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LOOK_S = 0.012
 """How often a persistent is looked at."""
@@ -41,7 +41,7 @@ _BRAKES_IN_S = {
 }
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class _Watch:
     """Notes when a value makes the flank that is searched for."""
 
@@ -60,7 +60,7 @@ class _Watch:
             self.hits.append(now_s)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskSearch:
     """Implements `language.path_control.Searches`."""
 
@@ -68,18 +68,18 @@ class TaskSearch:
     unit: MechanicalUnit
     cell: Cell
     resolver: Resolver
-    put: PutMove
+    put: EnqueueMove
     state: MotionState
 
     def search(
         self,
         move: Move,
-        found: Callable[[], float] | str,
+        stop_condition: Callable[[], float] | str,
         flank: Flank,
         stop: SearchStop,
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, on the way."""
-        arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
+        arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.target(
             arm.joints[0], arm.external[0], move.tool, move.wobj, self.clock.place
         )
@@ -87,12 +87,12 @@ class TaskSearch:
     def search_joints(
         self,
         move: Move,
-        found: Callable[[], float] | str,
+        stop_condition: Callable[[], float] | str,
         flank: Flank,
         stop: SearchStop,
     ) -> JointTarget:
         """As `search`, but tell where all axes were at the first hit."""
-        arm = self.unit.queue.at_past(self._hit_s(move, found, flank, stop))
+        arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.joint_target(arm.joints[0], arm.external[0])
 
     def part_pose(self, search: str) -> Pose | None:
@@ -104,21 +104,21 @@ class TaskSearch:
     def _hit_s(
         self,
         move: Move,
-        found: Callable[[], float] | str,
+        stop_condition: Callable[[], float] | str,
         flank: Flank,
         stop: SearchStop,
     ) -> float:
         """Make the move and tell when [s] the first hit was."""
-        signal = found.lower() if isinstance(found, str) else ""
+        signal = stop_condition.lower() if isinstance(stop_condition, str) else ""
         watch = _Watch(signal, flank)
-        self.clock.observe()
+        self.clock.resolve_time()
         self.put(replace(move, zone=FINE), lambda queued: None, wait=False)
         self.clock.go_to(self.unit.queue.commit_last_start())
-        self._refuse_at_start(move, found, flank)
+        self._refuse_at_start(move, stop_condition, flank)
         self.cell.listeners.append(watch)
         self.state.searches = True
         try:
-            self._watch(watch, found, stop)
+            self._watch(watch, stop_condition, stop)
         finally:
             self.cell.listeners.remove(watch)
             self.state.searches = False
@@ -130,39 +130,49 @@ class TaskSearch:
             raise rapid_error(ERR_WHLSEARCH, f"{move.instruction} came to its end without a hit")
         return watch.hits[0]
 
-    def _refuse_at_start(self, move: Move, found: Callable[[], float] | str, flank: Flank) -> None:
+    def _refuse_at_start(
+        self, move: Move, stop_condition: Callable[[], float] | str, flank: Flank
+    ) -> None:
         if flank not in _AT_START:
             return
-        value = self.cell.signals.read(found) if isinstance(found, str) else found()
+        value = (
+            self.cell.signals.read(stop_condition)
+            if isinstance(stop_condition, str)
+            else stop_condition()
+        )
         if (value != 0.0) is not _AT_START[flank]:
             return
         what, number = "the persistent", ERR_PERSSUPSEARCH
-        if isinstance(found, str):
-            what, number = f"`{found}`", ERR_SIGSUPSEARCH
-        self._stop_here(in_s=0.0)
+        if isinstance(stop_condition, str):
+            what, number = f"`{stop_condition}`", ERR_SIGSUPSEARCH
+        self._stop_on_path(in_s=0.0)
         raise rapid_error(
             number, f"{move.instruction}: {what} is {value:g} already when the search begins"
         )
 
-    def _watch(self, watch: _Watch, found: Callable[[], float] | str, stop: SearchStop) -> None:
+    def _watch(
+        self, watch: _Watch, stop_condition: Callable[[], float] | str, stop: SearchStop
+    ) -> None:
         """Let the robot move until it stands: at the end, or where a hit stops it."""
         while self.unit.queue.is_open:
             self.clock.await_restart()
             reached_s = self.unit.queue.trajectory.seen_s(self.unit.queue.close())
-            while (now_s := self.clock.observe()) < reached_s and not self.unit.queue.is_open:
-                if isinstance(found, str):
+            while (now_s := self.clock.resolve_time()) < reached_s and not self.unit.queue.is_open:
+                if isinstance(stop_condition, str):
                     self.clock.await_event(reached_s)
                 else:
-                    old = found()
+                    old = stop_condition()
                     self.clock.await_event(min(reached_s, now_s + LOOK_S))
-                    watch.signal_changed("", old, found(), self.clock.observe())
+                    watch.signal_changed("", old, stop_condition(), self.clock.resolve_time())
                 if watch.hits and stop in _BRAKES_IN_S:
-                    self._stop_here(_BRAKES_IN_S[stop])
+                    self._stop_on_path(_BRAKES_IN_S[stop])
                     return
 
-    def _stop_here(self, in_s: float) -> None:
+    def _stop_on_path(self, in_s: float) -> None:
         """Stop on the path within a time [s] and forget the rest of it."""
-        rest_s = self.unit.queue.halt(self.clock.observe(), in_s)
-        self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.seen_s(rest_s)))
+        rest_s = self.unit.queue.halt(self.clock.resolve_time(), in_s)
+        self.clock.pass_time(
+            max(self.clock.resolve_time(), self.unit.queue.trajectory.seen_s(rest_s))
+        )
         self.unit.queue.clear()
-        self.unit.queue.resume(self.clock.observe())
+        self.unit.queue.resume(self.clock.resolve_time())

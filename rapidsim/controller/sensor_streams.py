@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from rapidsim.controller.cell.sensors import Sensor
+from rapidsim.controller.cell.sensors import GuidanceSensor
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import used_axes
@@ -35,14 +35,14 @@ SPEED_STEP_S: Final = 0.001
 class SensorStream:
     """A stream that is on."""
 
-    sensor: Sensor
+    sensor: GuidanceSensor
     sample_s: float
     next_s: float
     """When the controller looks next [s]."""
     guided: Guided = Guided.NOT_YET
     """What the sensor is told of guidance meanwhile."""
 
-    def tell(
+    def send_due(
         self,
         unit: MechanicalUnit,
         resolver: Resolver,
@@ -53,17 +53,17 @@ class SensorStream:
         """Tell what is due."""
         now_s, self.next_s = self.next_s, self.next_s + TELLS_S
         begin_s, end_s = (
-            (now_s, now_s + _AHEAD_S) if self.sensor.looks_ahead else (now_s - TELLS_S, now_s)
+            (now_s, now_s + _AHEAD_S) if self.sensor.has_lookahead else (now_s - TELLS_S, now_s)
         )
         first, last = (int(np.ceil(at / self.sample_s - 1e-6)) for at in (begin_s, end_s))
         times: Array = np.arange(max(first, 0), last, dtype=np.float64) * self.sample_s
         if not len(times):
             return
         told = partial(told_frames, resolver, state, tool, wobj)
-        self.sensor.tell(told_along(unit, resolver, told, times, self.guided))
+        self.sensor.stream(feedback_at(unit, resolver, told, times, self.guided))
 
 
-def told_along(
+def feedback_at(
     unit: MechanicalUnit,
     resolver: Resolver,
     told_in: Callable[[Array], Frames],
@@ -80,10 +80,10 @@ def told_along(
         guided: What is told of guidance.
     """
     samples = foreseen(unit.queue).at(np.concatenate([times, times + SPEED_STEP_S]))
-    return told_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
+    return feedback_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
 
 
-def told_of(
+def feedback_of(
     unit: MechanicalUnit,
     resolver: Resolver,
     frames: Frames,
@@ -94,7 +94,7 @@ def told_of(
     """The same of samples: so many, and behind them those `SPEED_STEP_S` later."""
     now, later = samples.joints[:count], samples.joints[count : 2 * count]
     speeds = np.abs(later - now) / SPEED_STEP_S
-    fastest = unit.own.planner.limits.max_speed[: now.shape[1]]
+    fastest = unit.solo_queue.planner.limits.max_speed[: now.shape[1]]
     utilised = 100.0 * np.max(speeds / fastest, axis=1, initial=0.0)
     return [
         standing_feedback(

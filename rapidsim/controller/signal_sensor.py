@@ -15,7 +15,7 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 
 @dataclass(slots=True, eq=False)
 class SignalSensor(SilentSensor):
-    """Says what signals show; implements `sensors.Sensor`.
+    """Says what signals show; implements `sensors.GuidanceSensor`.
 
     Of joints [deg], of a pose: x, y, z [mm], then the angles about fixed x, y and z [deg], or of
     what corrects a path: x, y, z [mm]. What no signal says is where it was when the guidance began.

@@ -41,7 +41,7 @@ class TaskSignals:
 
     def read_signal(self, name: str) -> float:
         """The value of a signal now."""
-        self.clock.come_up()
+        self.clock.synchronise()
         if self._looked_at is not None:
             self._looked_at[name] = None
         return self.cell.signals.read(name)
@@ -55,7 +55,7 @@ class TaskSignals:
         self.clock.note_line()
         self.cell.signals.require_output(name, value)
         if self.cell.is_shared:
-            self.clock.come_up()
+            self.clock.synchronise()
         if delay_s > 0.0:
             moment = self.clock.moment()
             later = Moment(moment.instant, moment.offset_s + delay_s)
@@ -64,11 +64,11 @@ class TaskSignals:
                 # A loop that polls the signal must not run past the change.
                 self.clock.grant()
             return
-        heard = self.marks.is_pending or self.zones.is_watching or self.cell.hears(name)
-        now_s = self.clock.observe() if heard else 0.0
+        heard = self.marks.is_pending or self.zones.is_watching or self.cell.has_listener(name)
+        now_s = self.clock.resolve_time() if heard else 0.0
         moment = self.clock.moment()
         if not self.cell.set_signal(self.clock.cause(), moment, name, value):
-            self.clock.take_back_deed()
+            self.clock.discount_effect()
         if heard:
             self.clock.pass_time(now_s)
 
@@ -89,11 +89,11 @@ class TaskSignals:
             Stopped: When nothing that is known to happen can ever satisfy it.
         """
         self.clock.note_line()
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         deadline_s = math.inf if max_time is None else now_s + max_time
         with self.clock.waiting(self._awaited(name)) as wait:
             while not condition(self.cell.signals.read(name)):
-                if self.clock.observe() >= deadline_s:
+                if self.clock.resolve_time() >= deadline_s:
                     wait.ended_by = MAX_TIME
                     return False
                 alone = not self.cell.is_shared
@@ -118,10 +118,10 @@ class TaskSignals:
             Stopped: When it looks only at what nothing ever changes.
         """
         self.clock.note_line()
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         deadline_s = math.inf if max_time is None else now_s + max_time
         start_s, idle = now_s, 0
-        happenings = self.cell.happenings
+        happenings = self.cell.event_count
         awaited = self.clock.place.arguments.get("cond", "its condition")
         with self.clock.waiting(awaited) as wait:
             while not self._holds(condition):
@@ -130,30 +130,30 @@ class TaskSignals:
                     return False
                 looked_at = tuple(self._seen)
                 vain = not self._saw_time and self._is_vain(looked_at)
-                idle = idle + 1 if vain and happenings == self.cell.happenings else 0
-                happenings = self.cell.happenings
+                idle = idle + 1 if vain and happenings == self.cell.event_count else 0
+                happenings = self.cell.event_count
                 endless = idle > _IDLE_LOOKS and math.isinf(deadline_s)
-                if endless and self.cell.turns.rest(self.clock):
+                if endless and self.cell.scheduler.mark_waiting(self.clock):
                     raise WaitsForever(_vain(looked_at))
                 self.clock.pass_time(min(now_s + poll_s, deadline_s))
-                now_s = self.clock.observe()
+                now_s = self.clock.resolve_time()
             wait.ended_by = self.cell.last_change(tuple(self._seen), start_s) or SATISFIED
         return True
 
     def _holds(self, condition: Callable[[], bool]) -> bool:
         """Evaluate a condition and note what it looks at; it may call what waits itself."""
-        around, told = self._looked_at, self.clock.times_told
+        around, told = self._looked_at, self.clock.time_reads
         seen: dict[str, None] = {}
         self._looked_at = seen
         try:
             return condition()
         finally:
             self._seen, self._looked_at = seen, around
-            self._saw_time = self.clock.times_told > told
+            self._saw_time = self.clock.time_reads > told
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:
         """Whether nothing but other tasks, if there are any, could change signals."""
-        if self.table.armed or self.unit.queue.trajectory.duration > self.clock.observe():
+        if self.table.armed or self.unit.queue.trajectory.duration > self.clock.resolve_time():
             return False
         return not any(map(self.cell.may_change, signals))
 

@@ -7,13 +7,13 @@ import math
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.finger_motion import Fingers
 from rapidsim.controller.clock import TaskClock
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _HOLDS_S = 1e-3
 """Time [s] for which the position of moving fingers counts as unchanged."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskSmartGripper:
     """Implements `language.equipment.SmartGripper`."""
 
@@ -48,20 +48,20 @@ class TaskSmartGripper:
     def move_fingers(self, to_mm: float) -> None:
         """Begin to move the fingers to a position [mm]."""
         self.clock.note_line()
-        self._fingers.move(to_mm, self.clock.observe())
+        self._fingers.move(to_mm, self.clock.resolve_time())
 
     def stop_fingers(self) -> None:
         """Stop the fingers where they are."""
         self.clock.note_line()
-        self._fingers.stop(self.clock.observe())
+        self._fingers.stop(self.clock.resolve_time())
 
     def await_fingers(self) -> None:
         """Wait until the fingers are at rest."""
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         with self.clock.waiting("the gripper") as wait:
             while now_s < self._fingers.rest_s:
                 self.clock.pass_time(self._fingers.rest_s)
-                now_s = self.clock.observe()
+                now_s = self.clock.resolve_time()
             wait.ended_by = "the gripper"
 
     def finger_position(self) -> float:
@@ -78,7 +78,7 @@ class TaskSmartGripper:
 
     def _look(self) -> float:
         self.clock.note_line()
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         is_moving = now_s < self._fingers.rest_s
-        self.clock.stays_until(now_s + _HOLDS_S if is_moving else math.inf)
+        self.clock.hold_until(now_s + _HOLDS_S if is_moving else math.inf)
         return now_s

@@ -17,7 +17,7 @@ from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
 from rapidsim.language.error_numbers import ERR_SOCK_CLOSED, rapid_error
 from rapidsim.language.sockets import Connection, Datagram, DatagramPort, Listener
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _CURE = (
     "a [[socket]] of rapidsim.toml plays the other end, `--allow-network` lets a real one in, "
@@ -29,7 +29,7 @@ _SHOWN = 40
 """Characters of what is sent and received that an event shows."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskSockets:
     """Implements `language.controller.Sockets`."""
 
@@ -46,7 +46,7 @@ class TaskSockets:
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
-        self.clock.come_up()
+        self.clock.synchronise()
         network, sockets = self.cell.network, self.cell.sockets
         if network is not None and not sockets.is_scripted(port, serves=False):
             return network.bind(address, port)
@@ -60,7 +60,7 @@ class TaskSockets:
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         if isinstance(listener, NetworkPort):
             listener.listen()
         else:
@@ -68,7 +68,7 @@ class TaskSockets:
             self.cell.sockets.listen(listener, now_s)
         port = listener.port
         self.clock.event(EventKind.SOCKET, f"listens on port {port}", port=port)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
         """Wait for a client; None if none came in time.
@@ -91,7 +91,7 @@ class TaskSockets:
             if self._waited(lambda: bool(waiting), deadline_s, nobody):
                 found = waiting.pop(0)
                 self._opened.append(found)
-            elif self.cell.sockets.outside is None and not self.cell.sockets.is_scripted(
+            elif self.cell.sockets.external is None and not self.cell.sockets.is_scripted(
                 listener.port, serves=False
             ):
                 told = NobodyConnects(listener.port)
@@ -119,7 +119,7 @@ class TaskSockets:
             ends: list[StreamEnd] = []
 
             def is_answered() -> bool:
-                end = sockets.connect(address, port, self.clock.observe())
+                end = sockets.connect(address, port, self.clock.resolve_time())
                 ends.extend([end] if end is not None else [])
                 return end is not None
 
@@ -127,9 +127,9 @@ class TaskSockets:
             if self._waited(is_answered, deadline_s, nobody):
                 found = ends[0]
                 self._opened.append(found)
-                self.clock.tell()
-            elif sockets.outside is not None:
-                sockets.hang_up(address, port, self.clock.observe())
+                self.clock.notify_tasks()
+            elif sockets.external is not None:
+                sockets.hang_up(address, port, self.clock.resolve_time())
             elif network is None:
                 self.journal.finding(NobodyAnswers(f"{address}:{port}"), self.clock.place)
         if found is not None:
@@ -142,12 +142,12 @@ class TaskSockets:
         Raises:
             RapidError: ERR_SOCK_CLOSED if the other end has closed.
         """
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         if connection.has_ended:
             raise rapid_error(ERR_SOCK_CLOSED, f"{connection.peer} has closed the connection")
         self.clock.event(
             EventKind.SOCKET,
-            f"sent {_shown(data)} to {connection.peer}",
+            f"sent {_quote(data)} to {connection.peer}",
             peer=connection.peer,
             sent=data.decode("iso-8859-1"),
         )
@@ -157,7 +157,7 @@ class TaskSockets:
         else:
             assert isinstance(connection, StreamEnd)
             connection.send(data, now_s)
-            self.clock.tell()
+            self.clock.notify_tasks()
 
     def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
         """Wait until so many bytes are there or no more will come; False if time ran out first.
@@ -180,7 +180,7 @@ class TaskSockets:
         if there and connection.received and max_time != 0.0:
             self.clock.event(
                 EventKind.SOCKET,
-                f"{_shown(bytes(connection.received))} came from {connection.peer}",
+                f"{_quote(bytes(connection.received))} came from {connection.peer}",
                 peer=connection.peer,
                 received=connection.received.decode("iso-8859-1"),
             )
@@ -188,7 +188,7 @@ class TaskSockets:
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
         """Close what a socket was tied to."""
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         if isinstance(listener, Port):
             self._close_port(listener, now_s)
         elif isinstance(listener, NetworkPort):
@@ -199,7 +199,7 @@ class TaskSockets:
             connection.close(now_s)
         elif isinstance(connection, NetworkConnection):
             connection.close()
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def open_datagrams(self) -> DatagramPort:
         """A new socket for datagrams, without a port."""
@@ -214,14 +214,14 @@ class TaskSockets:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
         assert isinstance(socket, Mailbox)
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         network, table = self.cell.network, self.cell.datagrams
         table.require_free(port)
         if network is not None and not table.is_scripted(port, serves=False):
             self._mailboxes[socket] = network.open_mailbox(address, port)
         table.bind(socket, address, port, now_s)
         self.clock.event(EventKind.SOCKET, f"takes datagrams at port {port}", port=port)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def send_datagram(self, socket: DatagramPort, address: str, port: int, data: bytes) -> None:
         """Send a datagram.
@@ -230,15 +230,15 @@ class TaskSockets:
             RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
         """
         assert isinstance(socket, Mailbox)
-        now_s, peer, network = self.clock.come_up(), f"{address}:{port}", self.cell.network
+        now_s, peer, network = self.clock.synchronise(), f"{address}:{port}", self.cell.network
         self.clock.event(
             EventKind.SOCKET,
-            f"sent {_shown(data)} to {peer}",
+            f"sent {_quote(data)} to {peer}",
             peer=peer,
             sent=data.decode("iso-8859-1"),
         )
         if self.cell.datagrams.send(socket, address, port, data, now_s):
-            self.clock.tell()
+            self.clock.notify_tasks()
         elif network is not None:
             network.require_reachable(address)
             mailbox = self._mailboxes.get(socket) or network.open_mailbox("", 0)
@@ -274,7 +274,7 @@ class TaskSockets:
             peer = f"{datagram.address}:{datagram.port}"
             self.clock.event(
                 EventKind.SOCKET,
-                f"{_shown(datagram.data)} came from {peer}",
+                f"{_quote(datagram.data)} came from {peer}",
                 peer=peer,
                 received=datagram.data.decode("iso-8859-1"),
             )
@@ -287,21 +287,21 @@ class TaskSockets:
         instead = "a task waits as long in simulated time as on the computer's clock"
         self.journal.unsimulated("the network", instead, self.clock.place)
         with self.clock.waiting("the network") as wait:
-            while self.clock.observe() < deadline_s:
+            while self.clock.resolve_time() < deadline_s:
                 datagram = socket.received.popleft() if socket.received else real.receive(_STEP_S)
                 if datagram is not None:
                     wait.ended_by = "the network"
                     return datagram
-                self.clock.await_event(min(deadline_s, self.clock.observe() + _STEP_S))
+                self.clock.await_event(min(deadline_s, self.clock.resolve_time() + _STEP_S))
             wait.ended_by = MAX_TIME
         return socket.received.popleft() if socket.received else real.receive(0.0)
 
     def close_datagrams(self, socket: DatagramPort) -> None:
         """Give the port of a socket for datagrams back."""
         assert isinstance(socket, Mailbox)
-        self.clock.come_up()
+        self.clock.synchronise()
         self._close_mailbox(socket)
-        self.clock.tell()
+        self.clock.notify_tasks()
 
     def _close_mailbox(self, mailbox: Mailbox) -> None:
         self.cell.datagrams.close(mailbox)
@@ -322,20 +322,20 @@ class TaskSockets:
 
     def _close_port(self, port: Port, now_s: float) -> None:
         self.cell.sockets.close_port(port)
-        if self.cell.sockets.outside is not None:
+        if self.cell.sockets.external is not None:
             for one in port.waiting:
                 one.close(now_s)
 
     def _deadline(self, max_time: float | None) -> float:
         self.clock.note_line()
-        now_s = self.clock.come_up()
+        now_s = self.clock.synchronise()
         return math.inf if max_time is None else now_s + max_time
 
     def _waited(self, condition: Callable[[], bool], deadline_s: float, in_vain: str) -> bool:
         """Let time pass until a condition holds; False if the deadline [s] came first."""
         with self.clock.waiting("the peer of the socket") as wait:
             while not condition():
-                if self.clock.observe() >= deadline_s:
+                if self.clock.resolve_time() >= deadline_s:
                     wait.ended_by = MAX_TIME
                     return False
                 if not self.clock.await_event(deadline_s):
@@ -345,21 +345,21 @@ class TaskSockets:
 
     def _patience(self, deadline_s: float) -> float | None:
         """How long the network may take [s]; None for ever."""
-        left_s = min(deadline_s, self.cell.max_time_s) - self.clock.observe()
+        left_s = min(deadline_s, self.cell.max_time_s) - self.clock.resolve_time()
         left_s = min(left_s, self.cell.watchdog.left_s)
         return None if math.isinf(left_s) else max(0.0, left_s)
 
     def _after_network(self, in_time: bool, deadline_s: float) -> None:
         """A wait in vain has taken its time; an answer took none."""
         self.journal.unsimulated("the network", "answers take no simulated time", self.clock.place)
-        self.cell.watchdog.look()
+        self.cell.watchdog.check()
         if not in_time:
             with self.clock.waiting("the network") as wait:
-                self.clock.pass_time(max(deadline_s, self.clock.observe()))
+                self.clock.pass_time(max(deadline_s, self.clock.resolve_time()))
                 wait.ended_by = MAX_TIME
 
 
-def _shown(data: bytes) -> str:
+def _quote(data: bytes) -> str:
     """Bytes as text in quotes, control characters by their codes, as RAPID writes them."""
     text = "".join(
         character if character.isprintable() else f"\\{ord(character):02X}"

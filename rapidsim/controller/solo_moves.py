@@ -25,14 +25,14 @@ from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
 from rapidsim.language.error_numbers import ERR_CONC_MAX, rapid_error
 from rapidsim.language.errors import NotAllowed
-from rapidsim.language.moves import Move, Sensed
-from rapidsim.values import dataclass
+from rapidsim.language.moves import Move, SensorInfluence
+from rapidsim.values import value_class
 
 MAX_CONCURRENT_MOVES = 5
 r"""So many moves with \Conc may follow each other."""
 
 
-class PutMove(Protocol):
+class EnqueueMove(Protocol):
     """Puts a move on the path; returns when the program would go on."""
 
     def __call__(
@@ -52,7 +52,7 @@ class PutMove(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SoloMoves:
     """Puts moves on the path of a robot that moves alone."""
 
@@ -68,19 +68,19 @@ class SoloMoves:
     interrupts: TaskInterrupts
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        """Put a move on the path; see `PutMove`."""
+        """Put a move on the path; see `EnqueueMove`."""
         self.clock.note_line()
         self._count_concurrent(move)
         self._note_level(move)
-        queue = self.unit.own
+        queue = self.unit.solo_queue
         if queue.guided is not None:
             raise NotAllowed(
                 f"{move.instruction}: a sensor guides the robot; EGMStop, or EGMWaitCond, ends that"
             )
-        if queue.corrected is not None and move.sensed is Sensed.NEVER:
+        if queue.corrected is not None and move.sensed is SensorInfluence.NEVER:
             queue.corrected.end()
         is_first = not len(queue.moves)
-        is_free = is_first and queue.start_is_free and move.sensed is Sensed.NEVER
+        is_free = is_first and queue.start_is_free and move.sensed is SensorInfluence.NEVER
         if is_free:
             settings = self.state.settings
             start = self.resolver.first_start(move, self.clock.place, queue.end, settings)
@@ -94,8 +94,8 @@ class SoloMoves:
             is_first=is_first,
             starts_free=is_free,
         )
-        if self.clock.thinks_long() or not queue.is_open:
-            self.clock.observe()
+        if self.clock.is_compute_bound() or not queue.is_open:
+            self.clock.resolve_time()
         moment = self.clock.moment()
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
         last = queue.moves[-1] if queue.is_open else None
@@ -110,13 +110,13 @@ class SoloMoves:
             self.clock.drive_to_stop()
             if move.stop and move.stop.program_waits:
                 with self.clock.waiting(f"{move.stop.seconds:g} s") as waiting:
-                    self.clock.pass_time(self.clock.observe() + move.stop.seconds)
+                    self.clock.pass_time(self.clock.resolve_time() + move.stop.seconds)
                     waiting.ended_by = THE_TIME
             return
         self.clock.follow(queued.started)
         if (
             self.table.armed
-            or self.cell.outsiders_act
+            or self.cell.has_clients
             or self.zones.is_watching
             or self.marks.may_interrupt
             or queue.open_moves > MAX_OPEN_MOVES
@@ -152,7 +152,7 @@ class SoloMoves:
 
     def _note_level(self, move: Move) -> None:
         """Tell of a move that a controller wants on a path of its own."""
-        if not self.interrupts.in_trap or self.unit.own.stored:
+        if not self.interrupts.in_trap or self.unit.solo_queue.stored:
             return
         place = self.clock.place
         found = MoveWithoutStorePath(move.instruction)
@@ -165,7 +165,7 @@ class SoloMoves:
             RapidError: ERR_CONC_MAX.
         """
         state = self.state
-        if move.concurrent and self.unit.own.stored:
+        if move.concurrent and self.unit.solo_queue.stored:
             raise NotAllowed(
                 rf"{move.instruction} \Conc between StorePath and RestoPath is not allowed"
             )

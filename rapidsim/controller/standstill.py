@@ -10,7 +10,7 @@ from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.cell.description import Status
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.controller.moves.queued_move import MotionError
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -18,17 +18,19 @@ _ROUNDING_S: Final = 1e-9
 
 
 class StandstillOutputs:
-    """Those of the robot of one task: a `happening.Happening`.
+    """Those of the robot of one task: a `event_source.EventSource`.
 
     A guided robot moves as long as it is guided.
     """
 
     on_path: ClassVar = True
 
-    def __init__(self, unit: MechanicalUnit, cell: Cell, others: TaskOthers, cause: Cause) -> None:
+    def __init__(
+        self, unit: MechanicalUnit, cell: Cell, coordination: TaskCoordination, cause: Cause
+    ) -> None:
         """The robot stands, or still comes to rest from what the program before has done."""
-        self._unit, self._cell, self._others, self._cause = unit, cell, others, cause
-        self._moves = unit.own.trajectory.duration > 0.0
+        self._unit, self._cell, self._others, self._cause = unit, cell, coordination, cause
+        self._moves = unit.solo_queue.trajectory.duration > 0.0
         self._stood_s = 0.0
         """When it last came to rest [s]."""
 
@@ -44,7 +46,7 @@ class StandstillOutputs:
 
     def _ends_s(self) -> float:
         """When the robot stands [s] if nothing more is said."""
-        if self._unit.own.guided is not None:
+        if self._unit.solo_queue.guided is not None:
             return math.inf
         return self._preview().duration
 
@@ -71,8 +73,8 @@ class StandstillOutputs:
             return None if math.isinf(ends_s) else ends_s
         return self._starts_s() if ends_s > self._stood_s + _ROUNDING_S else None
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Write the signals; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Write the signals; see `event_source.EventSource`."""
         del until_s
         time_s = max(self.next_s() or 0.0, passed_s)
         self._write(time_s)
@@ -93,5 +95,5 @@ class StandstillOutputs:
         for name in self._signals:
             self._cell.set_signal(self._cause, moment, name, float(not self._moves))
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """The path tells when the robot moves."""

@@ -17,12 +17,12 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.language.option_data import RestartData
 from rapidsim.language.reference import Reference
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _NO_SIGNAL = -1.0
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class StopProcess:
     """What a stop does to the signals of one process."""
 
@@ -32,7 +32,7 @@ class StopProcess:
     shadow: str
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class _Stopping:
     """A stop that has begun; a listener of the cell."""
 
@@ -56,7 +56,7 @@ class _Stopping:
         del signal, old, value, now_s
         self.flanks += 1
 
-    def stand(self, clock: TaskClock, now_s: float) -> None:
+    def reset_outputs(self, clock: TaskClock, now_s: float) -> None:
         """Note the signals again at a time [s], and set those of the process to 0."""
         self.cell.listeners.remove(self)
         pairs = zip(self.before, self._values(), strict=True)
@@ -74,25 +74,25 @@ class _Stopping:
         return tuple(_NO_SIGNAL if one is None else self.cell.signals.read(one) for one in names)
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class StopProcesses:
     """Those of one task."""
 
     clock: TaskClock
     cell: Cell
-    _kept: list[StopProcess] = field(default_factory=list)
+    _processes: list[StopProcess] = field(default_factory=list)
 
     def watch(self, process: StopProcess) -> None:
         """Act at each stop from now on; one with the same restart data is replaced."""
-        self.clock.observe()
-        self._kept = [one for one in self._kept if one.restart is not process.restart]
-        self._kept.append(process)
+        self.clock.resolve_time()
+        self._processes = [one for one in self._processes if one.restart is not process.restart]
+        self._processes.append(process)
 
     def stop(self, begun_s: float, stood_s: float, *, on_path: bool) -> None:
         """Act at a stop that has begun, whose robot stands at a time [s]."""
-        for one in self._kept:
+        for one in self._processes:
             stopping = _Stopping(one, self.cell, on_path)
             if stood_s > begun_s:
-                self.cell.happen(stood_s, partial(stopping.stand, self.clock))
+                self.cell.happen(stood_s, partial(stopping.reset_outputs, self.clock))
             else:
-                stopping.stand(self.clock, begun_s)
+                stopping.reset_outputs(self.clock, begun_s)

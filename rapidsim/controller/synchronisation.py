@@ -12,8 +12,8 @@ from contextlib import nullcontext
 from dataclasses import dataclass
 
 from rapidsim.controller.cell.cell import Cell
-from rapidsim.controller.cell.rendezvous import Meeting
-from rapidsim.controller.clock import TaskClock, Waiting
+from rapidsim.controller.cell.rendezvous import Rendezvous
+from rapidsim.controller.clock import ActiveWait, TaskClock
 from rapidsim.controller.interrupt_table import InterruptTable
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import MoveImpossible, WaitsForever
@@ -22,7 +22,7 @@ from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.move_request import target_name
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.team_planner import TeamPlanner
@@ -32,7 +32,7 @@ from rapidsim.controller.solo_moves import SoloMoves
 from rapidsim.findings.reach_and_motion_data import CoordinationImpossible
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Move
-from rapidsim.motion.configurations.targets import Lead, lead_of
+from rapidsim.motion.configurations.targets import CarrierMotion, carrier_motion
 
 _IN_A_CIRCLE = "{}, which holds the work object, waits for this robot in turn, which holds its own"
 _NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
@@ -53,14 +53,14 @@ class TaskTeam:
     journal: Journal
     state: MotionState
     solo: SoloMoves
-    others: TaskOthers
+    coordination: TaskCoordination
 
     @property
     def team(self) -> tuple[str, ...]:
         """Names of the tasks that move together, this one among them; empty while it is alone."""
         return self.unit.team.tasks if self.unit.team is not None else ()
 
-    def move_together(
+    def sync_move_on(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
     ) -> bool:
         """Wait for some tasks at a stop point; from there their robots move together.
@@ -70,22 +70,23 @@ class TaskTeam:
         """
         if self.team:
             raise rapid_error(
-                ERR_ARGVALERR, f"SyncMoveOn {name}: {self.others.task_name} moves together already"
+                ERR_ARGVALERR,
+                f"SyncMoveOn {name}: {self.coordination.task_name} moves together already",
             )
-        self.others.require_listed("SyncMoveOn", name, tasks)
+        self.coordination.require_listed("SyncMoveOn", name, tasks)
         self.clock.note_line()
-        self.clock.come_to_rest()
-        meeting = self.others.come_together("SyncMoveOn", name, tasks, max_time)
+        self.clock.bring_to_rest()
+        meeting = self.coordination.rendezvous("SyncMoveOn", name, tasks, max_time)
         if meeting is None:
             return False
         self._join(meeting, tasks)
         return True
 
-    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+    def sync_move_off(self, name: str, *, max_time: float | None = None) -> bool:
         """Wait for the tasks that move together at a stop point; from there each moves alone."""
         self.clock.note_line()
-        self.clock.come_to_rest()
-        if self.others.come_together("SyncMoveOff", name, self.team, max_time) is None:
+        self.clock.bring_to_rest()
+        if self.coordination.rendezvous("SyncMoveOff", name, self.team, max_time) is None:
             return False
         self.leave_team()
         return True
@@ -95,8 +96,8 @@ class TaskTeam:
         self.unit.suspended = ()
         team = self.unit.team
         if team is not None:
-            self.clock.come_to_rest()
-            for one in self.others.all_tasks().values():
+            self.clock.bring_to_rest()
+            for one in self.coordination.all_tasks().values():
                 if one.unit.team is team:
                     one.unit.part()
 
@@ -105,8 +106,8 @@ class TaskTeam:
         team = self.unit.team
         if team is not None:
             self.clock.note_line()
-            self.clock.come_to_rest()
-            self.others.come_together("SyncMoveSuspend", "", team.tasks, None)
+            self.clock.bring_to_rest()
+            self.coordination.rendezvous("SyncMoveSuspend", "", team.tasks, None)
             self.unit.part()
             self.unit.suspended = team.tasks
 
@@ -115,8 +116,8 @@ class TaskTeam:
         if self.unit.suspended:
             tasks, self.unit.suspended = self.unit.suspended, ()
             self.clock.note_line()
-            self.clock.come_to_rest()
-            meeting = self.others.come_together("SyncMoveResume", "", tasks, None)
+            self.clock.bring_to_rest()
+            meeting = self.coordination.rendezvous("SyncMoveResume", "", tasks, None)
             assert meeting is not None
             self._join(meeting, tasks)
 
@@ -126,13 +127,13 @@ class TaskTeam:
         Raises:
             RapidError: ERR_ARGVALERR, if the task has no robot or the numbers \ID do not agree.
         """
-        if not self.others.has_robot:
+        if not self.coordination.has_robot:
             raise rapid_error(
                 ERR_ARGVALERR,
-                f"{move.instruction}: the task {self.others.task_name} has no robot; in the "
+                f"{move.instruction}: the task {self.coordination.task_name} has no robot; in the "
                 "station file, give it one with `robot` or `motion = true`",
             )
-        seat = self.unit.seat
+        seat = self.unit.team_queue
         if seat is None:
             if move.sync_id is not None and self.cell.is_shared:
                 why = "without SyncMoveOn before it"
@@ -147,20 +148,22 @@ class TaskTeam:
                 f"{move.instruction} without \\ID between SyncMoveOn and SyncMoveOff",
             )
         queued = self._in_step(seat, move, move.sync_id)
-        self.journal.moves_given = len(self.unit.own.moves)
+        self.journal.moves_given = len(self.unit.solo_queue.moves)
         before(queued)
-        self._say_what_a_team_ignores(move, queued)
+        self._report_ignored_options(move, queued)
         self.state.use(move, self.clock.place.arguments)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
             self.clock.drive_to_stop()
-            self.clock.pass_time(max(self.clock.observe(), self.unit.queue.trajectory.duration))
+            self.clock.pass_time(
+                max(self.clock.resolve_time(), self.unit.queue.trajectory.duration)
+            )
             return
         self.clock.follow(queued.started)
         looks = self.table.armed or self.zones.is_watching or self.marks.may_interrupt
-        if looks or self.cell.outsiders_act:
+        if looks or self.cell.has_clients:
             self.solo.keep_up()
 
-    def _say_what_a_team_ignores(self, move: Move, queued: QueuedMove) -> None:
+    def _report_ignored_options(self, move: Move, queued: QueuedMove) -> None:
         segment = queued.segment
         limits = (segment.tcp_acceleration, segment.tcp_deceleration, segment.world_acceleration)
         if math.isfinite(min(limits)):
@@ -175,31 +178,31 @@ class TaskTeam:
             name = "different ramps of robots that move together"
             self.journal.unsimulated(name, _ONE_RAMP, self.clock.place)
 
-    def _in_step(self, seat: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
+    def _in_step(self, team_queue: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
         """Say a part of the next move of the team and wait until all have said theirs."""
         self.clock.note_line()
-        lead = self._lead(seat, move, sync_id)
+        lead = self._lead(team_queue, move, sync_id)
         queued = self.resolver.resolve(
-            move, self.clock.place, seat.end, self.state.settings, lead=lead
+            move, self.clock.place, team_queue.end, self.state.settings, lead=lead
         )
         passes = self.table.armed or self.marks.is_pending
-        if self.clock.thinks_long() or not seat.is_open or passes:
-            self.clock.come_up()
-        offer = seat.team.say(seat.number, queued, sync_id)
-        if len(offer.parts) < len(seat.team.robots):
-            if seat.number in seat.team.waiting.values():
-                self.cell.happenings += 1
-                self.cell.turns.look_again(0.0)
-            self._await(seat.team, lambda: offer.is_complete, sync_id)
+        if self.clock.is_compute_bound() or not team_queue.is_open or passes:
+            self.clock.synchronise()
+        offer = team_queue.team.submit(team_queue.number, queued, sync_id)
+        if len(offer.parts) < len(team_queue.team.robots):
+            if team_queue.number in team_queue.team.waiting.values():
+                self.cell.event_count += 1
+                self.cell.scheduler.wake_at(0.0)
+            self._await(team_queue.team, lambda: offer.is_complete, sync_id)
             return queued
         moment = self.clock.moment()
         now_s = moment.time_s if moment.instant.time is not None else -math.inf
-        seat.team.begin(offer, now_s)
-        self.cell.happenings += 1
-        self.cell.turns.look_again(max(now_s, 0.0))
+        team_queue.team.begin(offer, now_s)
+        self.cell.event_count += 1
+        self.cell.scheduler.wake_at(max(now_s, 0.0))
         return queued
 
-    def _lead(self, seat: TeamQueue, move: Move, sync_id: float) -> Lead | None:
+    def _lead(self, team_queue: TeamQueue, move: Move, sync_id: float) -> CarrierMotion | None:
         """The robot of the team that carries the work object of a move along, if one does.
 
         Where it goes must be known first, so this waits for its task.
@@ -208,25 +211,25 @@ class TaskTeam:
             MoveImpossible: If it waits for this one in turn.
             WaitsForever: If its task never says.
         """
-        wobj, team = move.wobj, seat.team
-        other = None if wobj.ufprog or wobj.robhold else self.others.robot_of(wobj.ufmec)
-        if other is None or other is self.others or other.task_name not in team.tasks:
+        wobj, team = move.wobj, team_queue.team
+        other = None if wobj.ufprog or wobj.robhold else self.coordination.robot_of(wobj.ufmec)
+        if other is None or other is self.coordination or other.task_name not in team.tasks:
             return None
         number = team.tasks.index(other.task_name)
         after = number
         while after in team.waiting:
             after = team.waiting[after]
-            if after == seat.number:
+            if after == team_queue.number:
                 name = target_name(self.clock.place, move)
                 raise MoveImpossible(CoordinationImpossible(name, _IN_A_CIRCLE.format(wobj.ufmec)))
-        team.waiting[seat.number] = number
+        team.waiting[team_queue.number] = number
         try:
-            self._await(team, lambda: team.said(number) is not None, sync_id)
+            self._await(team, lambda: team.submitted(number) is not None, sync_id)
         finally:
-            del team.waiting[seat.number]
-        part = team.said(number)
+            del team.waiting[team_queue.number]
+        part = team.submitted(number)
         assert part is not None
-        return lead_of(
+        return carrier_motion(
             number,
             other.resolver.robot,
             self.resolver.base_from_world,
@@ -243,13 +246,15 @@ class TaskTeam:
         """
         others = ", ".join(self._silent(team))
         # Nobody needs the time where the robots are still on the way that all know.
-        waits = self.clock.waiting(others) if self.clock.is_known else nullcontext(Waiting())
+        waits = self.clock.waiting(others) if self.clock.is_known else nullcontext(ActiveWait())
         with waits as wait:
             while not ready():
                 if self.clock.is_known:
                     woken = self.clock.await_event(math.inf)
                 else:
-                    woken = not math.isinf(self.cell.turns.until(self.clock, math.inf))
+                    woken = not math.isinf(
+                        self.cell.scheduler.request_advance(self.clock, math.inf)
+                    )
                 if not woken:
                     missing = ", ".join(self._silent(team))
                     raise WaitsForever(
@@ -259,18 +264,18 @@ class TaskTeam:
 
     def _silent(self, team: TeamPlanner) -> Iterator[str]:
         """The other tasks that have not said their part of the next move."""
-        own = self.others.task_name
-        return (t for n, t in enumerate(team.tasks) if t != own and team.said(n) is None)
+        own = self.coordination.task_name
+        return (t for n, t in enumerate(team.tasks) if t != own and team.submitted(n) is None)
 
-    def _join(self, meeting: Meeting, tasks: Sequence[str]) -> None:
+    def _join(self, rendezvous: Rendezvous, tasks: Sequence[str]) -> None:
         """Take the place in the team that some tasks form; the first to come here makes it."""
-        if meeting.outcome is None:
+        if rendezvous.outcome is None:
             wanted = {name.lower() for name in tasks}
-            known = self.others.all_tasks().items()
+            known = self.coordination.all_tasks().items()
             members = [one for key, one in known if key in wanted and one.has_robot]
-            robots = [one.unit.own for one in members]
-            meeting.outcome = TeamPlanner([one.task_name for one in members], robots)
-        if self.others.has_robot:
-            assert isinstance(meeting.outcome, TeamPlanner)
-            number = meeting.outcome.tasks.index(self.others.task_name)
-            self.unit.join(meeting.outcome, number)
+            robots = [one.unit.solo_queue for one in members]
+            rendezvous.outcome = TeamPlanner([one.task_name for one in members], robots)
+        if self.coordination.has_robot:
+            assert isinstance(rendezvous.outcome, TeamPlanner)
+            number = rendezvous.outcome.tasks.index(self.coordination.task_name)
+            self.unit.join(rendezvous.outcome, number)

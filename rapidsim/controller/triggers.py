@@ -28,7 +28,7 @@ from rapidsim.language.path_events import (
     SetOutput,
     Trigger,
 )
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MM = 1e-3
 RAMP_STEP_S = 0.012
@@ -37,7 +37,7 @@ PROCEDURE_NUMBER = 0.0
 """INTNO of a procedure that runs at a place of the path."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Triggers:
     """Marks the places of a move's triggers on the path."""
 

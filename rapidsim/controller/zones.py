@@ -15,10 +15,10 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.zone_table import WatchedZone, WorldZoneTable
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import ZoneShape
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskZones:
     """Implements `language.controller.WorldZones`."""
 
@@ -37,7 +37,7 @@ class TaskZones:
             self.journal.unsimulated(
                 r"WZDOSet \Before", "set when the TCP is in the zone", self.clock.place
             )
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         cause, place = self.clock.cause(), self.clock.place
 
         def set_output(inside: bool, time_s: float) -> None:
@@ -64,7 +64,7 @@ class TaskZones:
             RapidError: ERR_ARGVALERR, if there is no such zone.
         """
         self.clock.note_line()
-        now_s = self.clock.observe()
+        now_s = self.clock.resolve_time()
         try:
             self.zones.enable(zone, now_s, enabled=enabled)
         except KeyError:
@@ -77,7 +77,7 @@ class TaskZones:
             RapidError: ERR_ARGVALERR, if there is no such zone.
         """
         self.clock.note_line()
-        self.clock.observe()
+        self.clock.resolve_time()
         try:
             self.zones.free(zone)
         except KeyError:

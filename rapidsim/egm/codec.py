@@ -17,13 +17,13 @@ from enum import Enum
 from types import MappingProxyType
 from typing import Any, Final, TypeAlias
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Fields: TypeAlias = Mapping[str, Any]
 """A message: values by the names of its fields; what is not there was not sent."""
 
 
-class Kind(Enum):
+class FieldType(Enum):
     """What a field contains."""
 
     NUMBER = 0
@@ -33,20 +33,20 @@ class Kind(Enum):
     """Any number of them."""
 
 
-@dataclass(frozen=True, slots=True)
-class Field:
+@value_class(frozen=True, slots=True)
+class FieldDescriptor:
     """A field of a message."""
 
     name: str
-    holds: Kind | Message
+    holds: FieldType | MessageDescriptor
     required: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Message:
+@value_class(frozen=True, slots=True)
+class MessageDescriptor:
     """A message type: fields by number."""
 
-    fields: Mapping[int, Field]
+    fields: Mapping[int, FieldDescriptor]
 
 
 class DecodeError(Exception):
@@ -62,14 +62,19 @@ _DOUBLE: Final = struct.Struct("<d")
 _DEEPEST: Final = 8
 
 
-def message(**fields: tuple[int, Kind | Message] | tuple[int, Kind | Message, bool]) -> Message:
+def message(
+    **fields: tuple[int, FieldType | MessageDescriptor]
+    | tuple[int, FieldType | MessageDescriptor, bool],
+) -> MessageDescriptor:
     """A message type from its fields: number, content, whether required."""
-    return Message(
-        MappingProxyType({given[0]: Field(name, *given[1:]) for name, given in fields.items()})
+    return MessageDescriptor(
+        MappingProxyType(
+            {given[0]: FieldDescriptor(name, *given[1:]) for name, given in fields.items()}
+        )
     )
 
 
-def encode(of: Message, fields: Fields) -> bytes:
+def encode(of: MessageDescriptor, fields: Fields) -> bytes:
     """A message as bytes; fields that are None or missing are left out."""
     out = bytearray()
     for number, field in of.fields.items():
@@ -77,17 +82,17 @@ def encode(of: Message, fields: Fields) -> bytes:
         if value is None:
             continue
         match field.holds:
-            case Kind.NUMBER:
+            case FieldType.NUMBER:
                 _put_varint(out, number << 3 | _VARINT)
                 _put_varint(out, int(value))
-            case Kind.DOUBLE:
+            case FieldType.DOUBLE:
                 _put_varint(out, number << 3 | _EIGHT_BYTES)
                 out += _DOUBLE.pack(value)
-            case Kind.DOUBLES:
+            case FieldType.DOUBLES:
                 for one in value:
                     _put_varint(out, number << 3 | _EIGHT_BYTES)
                     out += _DOUBLE.pack(one)
-            case Message() as inner:
+            case MessageDescriptor() as inner:
                 block = encode(inner, value)
                 _put_varint(out, number << 3 | _BLOCK)
                 _put_varint(out, len(block))
@@ -95,7 +100,7 @@ def encode(of: Message, fields: Fields) -> bytes:
     return bytes(out)
 
 
-def decode(of: Message, data: bytes) -> dict[str, Any]:
+def decode(of: MessageDescriptor, data: bytes) -> dict[str, Any]:
     """Decode a message.
 
     Raises:
@@ -105,7 +110,7 @@ def decode(of: Message, data: bytes) -> dict[str, Any]:
     return _decoded(of, data, 0)
 
 
-def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
+def _decoded(of: MessageDescriptor, data: bytes, depth: int) -> dict[str, Any]:
     if depth > _DEEPEST:
         raise DecodeError("nested too deeply")
     read: dict[str, Any] = {}
@@ -114,19 +119,19 @@ def _decoded(of: Message, data: bytes, depth: int) -> dict[str, Any]:
         if field is None:
             continue
         match field.holds, wire:
-            case Kind.NUMBER, 0:
+            case FieldType.NUMBER, 0:
                 read[field.name] = value
-            case Kind.DOUBLE, 1:
+            case FieldType.DOUBLE, 1:
                 read[field.name] = _double(value)
-            case Kind.DOUBLES, 1:
+            case FieldType.DOUBLES, 1:
                 read.setdefault(field.name, []).append(_double(value))
-            case Kind.DOUBLES, 2:
+            case FieldType.DOUBLES, 2:
                 # Packed, as writers of later generations do.
                 if len(value) % 8:
                     raise DecodeError(f"{field.name}: {len(value)} bytes are not doubles")
                 parts = (value[at : at + 8] for at in range(0, len(value), 8))
                 read.setdefault(field.name, []).extend(map(_double, parts))
-            case Message() as inner, 2:
+            case MessageDescriptor() as inner, 2:
                 # Parts of one message may come one after the other.
                 read[field.name] = read.get(field.name, {}) | _decoded(inner, value, depth + 1)
             case _:

@@ -10,7 +10,7 @@ from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.files import InputError
 from rapidsim.language.equipment import Configured
 from rapidsim.language.errors import NotAllowed
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _LOOPBACK: Final = frozenset({"", "localhost", "127.0.0.1"})
 _DOMAIN, _TYPE = "SIO", "COM_TRP"
@@ -31,7 +31,7 @@ DEFAULT: Final = Address("127.0.0.1", 6510)
 """Of a device that nobody knows."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SensorDevices:
     """The known devices, by folded name."""
 
@@ -61,19 +61,19 @@ class SensorDevices:
         return Address(found.host or DEFAULT.host, found.port)
 
     @property
-    def shown(self) -> dict[str, str]:
+    def addresses(self) -> dict[str, str]:
         """Names and addresses, for display."""
         both = {**self.configured, **self.named}
         return {name: str(both[name.lower()]) for name in self.names}
 
 
 def sensor_devices(
-    given: Iterable[tuple[str, Address]], configured: Configured, hosts: frozenset[str]
+    addresses: Iterable[tuple[str, Address]], configured: Configured, hosts: frozenset[str]
 ) -> SensorDevices:
     """The devices of a controller.
 
     Args:
-        given: Devices from the command line, which override the configuration.
+        addresses: Devices from the command line, which override the configuration.
         configured: The system parameters.
         hosts: Other computers that programs may connect to.
     """
@@ -84,7 +84,7 @@ def sensor_devices(
         if row.get("type", "").upper() == "UDPUC"
         and (port := _port(row.get("remoteportnumber", str(DEFAULT.port))))
     }
-    named = dict(given)
+    named = dict(addresses)
     names = {name.lower(): name for name in (*found, *named)}
     return SensorDevices(
         {name.lower(): address for name, address in named.items()},

@@ -8,21 +8,21 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Final
 
-from rapidsim.controller.cell.sensors import Teller
+from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.devices import SensorDevices
-from rapidsim.egm.guide import (
-    Begun,
-    Closed,
-    Correcting,
-    Heard,
-    Opened,
+from rapidsim.egm.sensor_loop import (
+    CloseSensor,
+    EndGuidance,
+    OpenSensor,
     Order,
-    Over,
-    Stopping,
-    Streamed,
+    SensorReply,
+    StartCorrection,
+    StartGuidance,
+    StopGuidance,
+    StreamFeedback,
 )
 from rapidsim.motion.guidance.feedback import Feedback
-from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 _PATIENCE_S: Final = 2.0
@@ -31,7 +31,7 @@ _PATIENCE_S: Final = 2.0
 
 @dataclass(slots=True, eq=False)
 class GuidedSensors:
-    """Implements `sensors.Sensors` over the pipe to a guide."""
+    """Implements `sensors.GuidanceSensors` over the pipe to a guide."""
 
     devices: SensorDevices
     connection: Connection
@@ -39,19 +39,19 @@ class GuidedSensors:
     """Virtual seconds in one on the wall."""
     began_s: float = 0.0
     """When virtual time began, on the wall's clock [s]."""
-    _heard: dict[int, list[Heard]] = field(default_factory=dict)
+    _replies: dict[int, list[SensorReply]] = field(default_factory=dict)
     _last: int = 0
 
     def open(self, device: str) -> GuidedSensor:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         address = self.devices.address(device)
         self._last += 1
-        self._heard[self._last] = []
-        self.send(self._last, Opened(address, self.began_s, self.speed))
+        self._replies[self._last] = []
+        self.send(self._last, OpenSensor(address, self.began_s, self.speed))
         return GuidedSensor(self, self._last)
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
 
     def send(self, number: int, order: Order) -> None:
         """Send an order to the guide; if it is gone, nothing happens."""
@@ -61,45 +61,45 @@ class GuidedSensors:
     def next(self, number: int, guidance: int, sample: int) -> SensorAnswer | None:
         """What a sensor has answered by a sample of a guidance."""
         while True:
-            known = self._heard[number]
+            known = self._replies[number]
             while known and (known[0].guidance, known[0].sample) < (guidance, sample):
                 known.pop(0)
             if known and (known[0].guidance, known[0].sample) == (guidance, sample):
                 return known.pop(0).answer
             with suppress(EOFError, OSError):
                 if self.connection.poll(_PATIENCE_S):
-                    heard: Heard = self.connection.recv()
-                    self._heard.setdefault(heard.sensor, []).append(heard)
+                    heard: SensorReply = self.connection.recv()
+                    self._replies.setdefault(heard.sensor, []).append(heard)
                     continue
             return None
 
     def forget(self, number: int) -> None:
         """Stop talking to a sensor."""
-        self.send(number, Closed())
-        self._heard.pop(number, None)
+        self.send(number, CloseSensor())
+        self._replies.pop(number, None)
 
 
 @dataclass(slots=True, eq=False)
 class GuidedSensor:
-    """Implements `sensors.Sensor`."""
+    """Implements `sensors.GuidanceSensor`."""
 
     all: GuidedSensors
     number: int
-    looks_ahead: bool = True
+    has_lookahead: bool = True
     _guidance: int = 0
     _samples: int = 0
-    _correcting: Correcting | None = None
+    _correcting: StartCorrection | None = None
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
         """Start the guidance in the guide, too."""
         self._guidance, self._samples = self._guidance + 1, 0
         self._correcting = None
-        self.all.send(self.number, Begun(self._guidance, run, told))
+        self.all.send(self.number, StartGuidance(self._guidance, run, feedback))
 
     def correct(self, first_s: float, sample_s: float) -> None:
         """Have the guide report the sensor's answers to the streamed feedback."""
         self._guidance += 1
-        self._correcting = Correcting(self._guidance, first_s, sample_s)
+        self._correcting = StartCorrection(self._guidance, first_s, sample_s)
         self.all.send(self.number, self._correcting)
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
@@ -109,17 +109,17 @@ class GuidedSensor:
             sample = one.sample_at(feedback.time_s)
         return self.all.next(self.number, self._guidance, sample)
 
-    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
+    def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
         """Stop the guidance in the guide, too."""
-        self.all.send(self.number, Stopping(goes_back, ramp_out_s))
+        self.all.send(self.number, StopGuidance(moves_back, ramp_out_s))
 
     def end(self, feedback: Feedback) -> None:
         """Have the guide send a last message."""
-        self.all.send(self.number, Over(feedback))
+        self.all.send(self.number, EndGuidance(feedback))
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
+    def stream(self, stream: Sequence[Feedback]) -> None:
         """Have the guide send each message when it is due."""
-        self.all.send(self.number, Streamed(tuple(stream)))
+        self.all.send(self.number, StreamFeedback(tuple(stream)))
 
     def close(self) -> None:
         """See `Sensor`."""

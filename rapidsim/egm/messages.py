@@ -8,9 +8,9 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Final
 
-from rapidsim.egm.codec import Kind, message
+from rapidsim.egm.codec import FieldType, message
 
-_N, _D, _ALL = Kind.NUMBER, Kind.DOUBLE, Kind.DOUBLES
+_N, _D, _ALL = FieldType.NUMBER, FieldType.DOUBLE, FieldType.DOUBLES
 
 
 class MessageType(IntEnum):

@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 from time import monotonic
 from typing import Final
 
-from rapidsim.controller.cell.sensors import SilentSensor, Teller
+from rapidsim.controller.cell.sensors import FeedbackSchedule, SilentSensor
 from rapidsim.egm.codec import DecodeError
 from rapidsim.egm.devices import Address, SensorDevices
 from rapidsim.egm.frames import robot_datagram, sensor_answer
 from rapidsim.motion.guidance.feedback import Feedback
-from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
@@ -44,7 +44,7 @@ class Ports:
             local = address.host in ("127.0.0.1", "localhost")
             stream.bind(("127.0.0.1" if local else "", 0))
         fresh = SensorSocket(_numeric(address), self._streams[address])
-        fresh.hear()
+        fresh.receive()
         fresh.take()
         return fresh
 
@@ -74,7 +74,7 @@ class SensorSocket:
             self.stream.sendto(robot_datagram(self._number, feedback), self.address)
         self._number += 1
 
-    def hear(self) -> int:
+    def receive(self) -> int:
         """Read what has arrived; the number of answers."""
         answers = 0
         for _ in range(_MOST_AT_ONCE):
@@ -106,7 +106,7 @@ class SensorSocket:
 
         What came since the guidance before may still be an answer to that one.
         """
-        self.hear()
+        self.receive()
         if self._has_guided:
             self._answer = None
         self._has_guided = True
@@ -121,7 +121,7 @@ def _numeric(address: Address) -> Address:
 
 @dataclass(slots=True, eq=False)
 class PacedSensor(SilentSensor):
-    """A sensor whose cycles take real time; implements `sensors.Sensor`."""
+    """A sensor whose cycles take real time; implements `sensors.GuidanceSensor`."""
 
     socket: SensorSocket
     waits_full: bool
@@ -129,10 +129,10 @@ class PacedSensor(SilentSensor):
     _sample_s: float = CYCLE_S
     _due_s: float = 0.0
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
         """Start timing now."""
         del run
-        self.correct(told.first_s, told.samples * CYCLE_S)
+        self.correct(feedback.first_s, feedback.samples * CYCLE_S)
 
     def correct(self, first_s: float, sample_s: float) -> None:
         """Start timing now."""
@@ -150,15 +150,15 @@ class PacedSensor(SilentSensor):
         self._due_s = max(self._due_s + self._sample_s, monotonic() - self._sample_s)
         while (left_s := self._due_s - monotonic()) > 0.0:
             ready, _, _ = select.select([self.socket.stream], [], [], left_s)
-            if ready and self.socket.hear() and not self.waits_full:
+            if ready and self.socket.receive() and not self.waits_full:
                 break
-        self.socket.hear()
+        self.socket.receive()
 
     def end(self, feedback: Feedback) -> None:
         """Send a last message."""
         self.socket.send(feedback)
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
+    def stream(self, stream: Sequence[Feedback]) -> None:
         """Send each message at its wall-clock time."""
         for feedback in stream:
             self._send(feedback)
@@ -166,33 +166,33 @@ class PacedSensor(SilentSensor):
 
 @dataclass(slots=True, eq=False)
 class PacedSensors:
-    """Implements `sensors.Sensors` for runs in real time."""
+    """Implements `sensors.GuidanceSensors` for runs in real time."""
 
     devices: SensorDevices
     waits_full: bool = True
     _ports: Ports = field(default_factory=Ports)
 
     def open(self, device: str) -> PacedSensor:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         return PacedSensor(self._ports.to(self.devices.address(device)), self.waits_full)
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         self._ports.close()
 
 
 @dataclass(slots=True, eq=False)
 class StepSensor(SilentSensor):
-    """A sensor that is not waited for: its answers advance time; implements `sensors.Sensor`."""
+    """A sensor whose answers advance time; implements `sensors.GuidanceSensor`."""
 
     socket: SensorSocket
     sample_s: float = CYCLE_S
     is_open: bool = True
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
         """See `Sensor`."""
         del run
-        self.correct(told.first_s, told.samples * CYCLE_S)
+        self.correct(feedback.first_s, feedback.samples * CYCLE_S)
 
     def correct(self, first_s: float, sample_s: float) -> None:
         """See `Sensor`."""
@@ -210,7 +210,7 @@ class StepSensor(SilentSensor):
         """Send a last message."""
         self.socket.send(feedback)
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
+    def stream(self, stream: Sequence[Feedback]) -> None:
         """Send all messages."""
         for feedback in stream:
             self.socket.send(feedback)
@@ -222,24 +222,24 @@ class StepSensor(SilentSensor):
 
 @dataclass(slots=True, eq=False)
 class StepSensors:
-    """Implements `sensors.Sensors` in lock-step."""
+    """Implements `sensors.GuidanceSensors` in lock-step."""
 
     devices: SensorDevices
     _open: list[StepSensor] = field(default_factory=list)
     _ports: Ports = field(default_factory=Ports)
 
     def open(self, device: str) -> StepSensor:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         sensor = StepSensor(self._ports.to(self.devices.address(device)))
         self._open.append(sensor)
         return sensor
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         self._open.clear()
         self._ports.close()
 
-    def heard(self) -> list[socket.socket]:
+    def sockets(self) -> list[socket.socket]:
         """The sockets on which answers may arrive."""
         self._open = [one for one in self._open if one.is_open]
         return [one.socket.stream for one in self._open]
@@ -248,6 +248,6 @@ class StepSensors:
         """Read what has arrived; how much time [s] it lets pass."""
         passed_s = 0.0
         for one in self._open:
-            if one.socket.stream in ready and one.socket.hear():
+            if one.socket.stream in ready and one.socket.receive():
                 passed_s += one.sample_s
         return passed_s

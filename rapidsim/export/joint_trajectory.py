@@ -64,11 +64,11 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
     return path
 
 
-def _columns(one: RobotRun, times: Array) -> tuple[Array, Array, Array]:
+def _columns(robot_run: RobotRun, times: Array) -> tuple[Array, Array, Array]:
     """Joints (k, n) [rad, m], their speeds and accelerations at some instants (k,) [s]."""
-    units = np.array([joint.unit for joint in one.robot.joints])
-    samples = evaluate(one.trajectory, times)
-    speed, acceleration = joint_rates(one.trajectory, samples)
+    units = np.array([joint.unit for joint in robot_run.robot.joints])
+    samples = evaluate(robot_run.trajectory, times)
+    speed, acceleration = joint_rates(robot_run.trajectory, samples)
     return units * samples.joints, units * speed, units * acceleration
 
 

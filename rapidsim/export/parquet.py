@@ -8,10 +8,10 @@ from pathlib import Path
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from rapidsim.export.table import Block
+from rapidsim.export.table import RowBlock
 
 
-def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
     """Write rows; `move` is a 64-bit integer, `task` a string, everything else a double."""
     kinds = {"move": pa.int64(), "task": pa.string()}
     schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])

@@ -39,7 +39,7 @@ def write_persistents(
         for file in files
         if (found := [e for one in changes if one.declared.file == file.name for e in _edits(one)])
     }
-    return write_edits(edits, files, what="values of persistents")
+    return write_edits(edits, files, subject="values of persistents")
 
 
 def _in_encoding(edit: TextEdit, file: SourceFile) -> TextEdit:

@@ -11,7 +11,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_DT = 0.012
 """[s]"""
@@ -22,8 +22,8 @@ _SAME_INSTANT_S = 1e-9
 _MM_PER_M = 1000.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Block:
+@value_class(frozen=True, slots=True, eq=False)
+class RowBlock:
     """Some rows of the table."""
 
     move: list[int]
@@ -42,7 +42,7 @@ def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
     return ("time_s", "move", *joints, *external, *pose, "tcp_speed_mm_s")
 
 
-def blocks(simulation: Simulation, dt: float) -> Iterator[Block]:
+def blocks(simulation: Simulation, dt: float) -> Iterator[RowBlock]:
     """The rows: every `dt` [s] from 0, and the exact end.
 
     Raises:
@@ -66,11 +66,11 @@ def table_widths(simulation: Simulation) -> tuple[int, int]:
 
 
 def _block_of(
-    one: RobotRun, offset: int, times: Array, widths: tuple[int, int], *, several: bool
-) -> Block:
+    robot_run: RobotRun, offset: int, times: Array, widths: tuple[int, int], *, several: bool
+) -> RowBlock:
     """Rows of one robot, in the columns of the widest."""
-    own = block(one.trajectory.at(times), one.robot.external)
-    joints, external = len(one.robot.joints), len(one.robot.external)
+    own = block(robot_run.trajectory.at(times), robot_run.robot.external)
+    joints, external = len(robot_run.robot.joints), len(robot_run.robot.external)
     first_axis, rest = 1 + joints, 1 + joints + external
     numbers = (
         *own.numbers[:first_axis],
@@ -80,7 +80,7 @@ def _block_of(
         *own.numbers[rest:],
     )
     moves = [offset + move for move in own.move]
-    return Block(moves, numbers, one.task if several else None)
+    return RowBlock(moves, numbers, robot_run.task if several else None)
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:
@@ -104,10 +104,10 @@ def sample_times(simulation: Simulation, dt: float) -> Array:
     return times
 
 
-def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> Block:
+def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> RowBlock:
     """The rows at some times; `external` are the external axes."""
     pose = samples.base_from_tcp
-    return Block(
+    return RowBlock(
         samples.move.tolist(),
         (
             samples.times,

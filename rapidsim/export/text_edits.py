@@ -20,14 +20,14 @@ TextEdit = tuple[int, int, str]
 
 
 def write_edits(
-    edits: Mapping[str, Iterable[TextEdit]], files: Iterable[SourceFile], *, what: str
+    edits: Mapping[str, Iterable[TextEdit]], files: Iterable[SourceFile], *, subject: str
 ) -> tuple[Path, ...]:
     """Edit files.
 
     Args:
         edits: What to replace, by the name of the file; spans do not overlap.
         files: The program as it was read.
-        what: What is written, in the plural, for messages: "fixes".
+        subject: What is written, in the plural, for messages: "fixes".
 
     Returns:
         The files written.
@@ -37,7 +37,7 @@ def write_edits(
             written.
     """
     written = [
-        (Path(file.name), edited_bytes(file, edits[file.name], what=what))
+        (Path(file.name), edited_bytes(file, edits[file.name], subject=subject))
         for file in files
         if file.name in edits
     ]
@@ -49,22 +49,22 @@ def write_edits(
     return tuple(path for path, _ in written)
 
 
-def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, what: str) -> bytes:
+def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -> bytes:
     """The bytes of a file after replacing text.
 
     Raises:
         InputError: See `write_edits`.
     """
     if file.name == STANDARD_INPUT:
-        raise InputError(f"{what} cannot be written to standard input")
+        raise InputError(f"{subject} cannot be written to standard input")
     if packed_station(file.name) is not None:
         raise InputError(
-            f"{what} cannot be written into a packed station, to {file.name}",
+            f"{subject} cannot be written into a packed station, to {file.name}",
             "unpack it and name the folder of the backup",
         )
     data = input_bytes(Path(file.name))
     if decode(data) != (file.text, file.encoding):
-        raise InputError(f"{file.name} has changed since it was read; {what} were not written")
+        raise InputError(f"{file.name} has changed since it was read; {subject} were not written")
     if not os.access(file.name, os.W_OK):
         raise InputError(f"{file.name} cannot be written: it is read-only")
     body = file.text.encode(file.encoding, errors="replace")

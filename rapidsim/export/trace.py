@@ -19,7 +19,7 @@ import numpy as np
 
 from rapidsim.export.joint_trajectory import SUFFIX as JOINT_TRAJECTORY
 from rapidsim.export.joint_trajectory import write_joint_trajectory
-from rapidsim.export.table import DEFAULT_DT, Block, block, blocks, columns, table_widths
+from rapidsim.export.table import DEFAULT_DT, RowBlock, block, blocks, columns, table_widths
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention, euler_from_rotation
@@ -27,7 +27,7 @@ from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.output_files import whole_file
 from rapidsim.simulation.results.simulation import Simulation
 
-Writer = Callable[[Path, tuple[str, ...], Iterator[Block]], None]
+Writer = Callable[[Path, tuple[str, ...], Iterator[RowBlock]], None]
 
 
 def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT) -> Path:
@@ -67,7 +67,7 @@ def write_samples(samples: Samples, path: str | Path, convention: Convention) ->
     return _write(Path(path), names, iter([replace(plain, numbers=(*plain.numbers, *angles.T))]))
 
 
-def _write(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> Path:
+def _write(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> Path:
     writer = WRITERS.get(path.suffix.lower())
     if writer is None:
         known = ", ".join(WRITERS)
@@ -79,14 +79,14 @@ def _write(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> Path:
     return path
 
 
-def _write_csv(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+def _write_csv(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         file.write(",".join(names) + "\n")
         for block in rows:
             file.writelines(",".join(row) + "\n" for row in _texts(block))
 
 
-def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
     """An array of one object a row, one row a line."""
     keys = [f'"{name}":' for name in names]
     with path.open("w", encoding="utf-8", newline="") as file:
@@ -100,14 +100,14 @@ def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> No
         file.write("\n]\n")
 
 
-def _write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[Block]) -> None:
+def _write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
     require("pyarrow", "a trace as Parquet")
     from rapidsim.export.parquet import write_parquet  # noqa: PLC0415 - Not everybody has it.
 
     write_parquet(path, names, rows)
 
 
-def _texts(block: Block) -> Iterator[tuple[str, ...]]:
+def _texts(block: RowBlock) -> Iterator[tuple[str, ...]]:
     """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
     count = len(block.move)
     time_s, *rest = (

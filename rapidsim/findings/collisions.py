@@ -24,7 +24,7 @@ class LowClearance(Violation, code="C102"):
 
 
 class NotJudged(Violation, code="C103"):
-    what: str
+    subject: str
 
 
 class CollisionNotRun(Violation, code="C104"):
@@ -32,5 +32,5 @@ class CollisionNotRun(Violation, code="C104"):
     second: str
     percent: float
     deep: str
-    cure: str
+    suggestion: str
     """Empty where none was found."""

@@ -6,10 +6,10 @@ from rapidsim.diagnostics import Violation
 
 
 class CycleOverBudget(Violation, code="D701"):
-    taken: str
+    assumed: str
     budget_s: float
     model: str
-    """Version of the motion model that `taken` is of."""
+    """Version of the motion model that `assumed` is of."""
 
 
 class AvoidableStop(Violation, code="D702"):

@@ -7,4 +7,4 @@ from rapidsim.diagnostics import Violation
 
 class RampWaits(Violation, code="R113"):
     wanted: float
-    kept: float
+    achieved: float

@@ -17,28 +17,30 @@ _NAME_IT = "name yours with --robot or as `model` under [robot] in rapidsim.toml
 class UnreachableTarget(Violation, code="K601"):
     target: str
     robot: str
-    why: str
-    cure: str | None = None
+    reason: str
+    suggestion: str | None = None
     taken_by_default: bool = False
     """Whether nothing names the arm: then all targets out of its reach are one finding."""
-    others: int = 0
+    other_text: int = 0
     """How many more are told with it."""
 
     @property
-    def is_told_once(self) -> bool:
+    def is_reported_once(self) -> bool:
         """Where the arm is a guess, what is wrong is the guess."""
         return self.taken_by_default
 
-    def with_others(self, others: Sequence[Violation]) -> UnreachableTarget:
+    def with_others(self, merged: Sequence[Violation]) -> UnreachableTarget:
         """This one, and how many more there are."""
-        return UnreachableTarget(self.target, self.robot, self.why, self.cure, True, len(others))
+        return UnreachableTarget(
+            self.target, self.robot, self.reason, self.suggestion, True, len(merged)
+        )
 
     @property
     def message(self) -> str:
         """The first target, and how many more."""
-        if not self.others:
+        if not self.other_text:
             return super().message
-        more = f"{self.others} more target{'s' if self.others > 1 else ''}"
+        more = f"{self.other_text} more target{'s' if self.other_text > 1 else ''}"
         return super().message.replace("cannot be", f"and {more} cannot be", 1)
 
     @property
@@ -46,13 +48,13 @@ class UnreachableTarget(Violation, code="K601"):
         """What would bring it into reach, when that is known."""
         if self.taken_by_default:
             return f"nothing names the arm, {self.robot} is only the default: {_NAME_IT}"
-        return self.cure
+        return self.suggestion
 
 
 class JointOutOfRange(Violation, code="K602"):
     target: str
     robot: str
-    why: str
+    reason: str
     is_of_joints: bool = False
     """Whether the target gives positions of axes."""
 
@@ -65,17 +67,17 @@ class JointOutOfRange(Violation, code="K602"):
 class ConfigurationNotReachable(Violation, code="K603"):
     target: str
     stored: str
-    taken: str
+    assumed: str
     working: tuple[str, ...]
     past_limit: str = ""
     """What keeps the arm from the stored turn, in words; empty if no turn is near."""
-    goes_on: bool = False
+    continues: bool = False
     """Whether only cf1, cf4 or cf6 differ: then a run takes the nearest and goes on."""
 
     @property
     def severity(self) -> Severity:
         """A run that goes on is not stopped by it."""
-        return Severity.WARNING if self.goes_on else super().severity
+        return Severity.WARNING if self.continues else super().severity
 
     @property
     def message(self) -> str:
@@ -98,7 +100,7 @@ class MainAxesSwitched(Violation, code="K619"):
     target: str
     before: int
     after: int
-    why: str
+    reason: str
 
 
 class WristTurnsFar(Violation, code="K620"):
@@ -111,13 +113,13 @@ class ConfigurationChangesOnLine(Violation, code="K606"):
     target: str
     stored: str
     arrives: str
-    goes_on: bool = False
+    continues: bool = False
     """Whether only cf1, cf4 or cf6 differ: then a run goes on."""
 
     @property
     def severity(self) -> Severity:
         """A run that goes on is not stopped by it."""
-        return Severity.WARNING if self.goes_on else super().severity
+        return Severity.WARNING if self.continues else super().severity
 
 
 class PastLimitByRounding(Violation, code="K621"):
@@ -132,7 +134,7 @@ class PathNotReachable(Violation, code="K604"):
     target: str
     percent: float
     distance_mm: float
-    why: str
+    reason: str
     is_simulated: bool = True
     """Whether paths of the arm are simulated; if not, the controller may make this one."""
 
@@ -146,14 +148,14 @@ class PathThroughSingularity(Violation, code="K614"):
     target: str
     percent: float
     distance_mm: float
-    why: str
+    reason: str
 
 
 class PathConfiguration(Violation, code="K615"):
     target: str
     percent: float
     distance_mm: float
-    why: str
+    reason: str
 
 
 class TooLittleTime(Violation, code="K612"):
@@ -163,7 +165,7 @@ class TooLittleTime(Violation, code="K612"):
 
 class CircleUncertain(Violation, code="M506"):
     target: str
-    why: str
+    reason: str
 
 
 class ExternalAxisMissing(Violation, code="M520"):
@@ -179,16 +181,16 @@ class ExternalAxisUnknown(Violation, code="M521"):
 
 class NothingMovesTool(Violation, code="M522"):
     target: str
-    why: str
+    reason: str
 
 
 class CoordinationImpossible(Violation, code="M523"):
     target: str
-    why: str
+    reason: str
 
 
 class OrientationDeviates(Violation, code="K613"):
     target: str
     switch: str
     angle_deg: float
-    where: str
+    location: str

@@ -39,7 +39,7 @@ class ConfigurationQuarterOff(Violation, code="K622"):
 
 
 class Overload(Violation, code="M524"):
-    what: str
+    subject: str
     """With its verb."""
     mass_kg: float
     robot: str

@@ -7,13 +7,13 @@ from rapidsim.diagnostics import Diagnostic, Violation
 FAMILY_OF_RUNS = "R"
 
 
-def is_of_runs(found: Diagnostic) -> bool:
+def is_of_runs(finding: Diagnostic) -> bool:
     """Whether a finding is of this family."""
-    return found.code.startswith(FAMILY_OF_RUNS)
+    return finding.code.startswith(FAMILY_OF_RUNS)
 
 
 class UncaughtError(Violation, code="R101"):
-    what: str
+    subject: str
     event: str | None = None
     """The controller's event for the error."""
 
@@ -41,17 +41,17 @@ class AnswerNotAChoice(Violation, code="R105"):
 
 
 class EndlessWait(Violation, code="R106"):
-    what: str
-    cure: str | None = None
+    subject: str
+    suggestion: str | None = None
 
     @property
     def help(self) -> str | None:
         """What would end the wait; as a rule an input."""
-        return self.cure or super().help
+        return self.suggestion or super().help
 
 
 class NotDeclaredHere(Violation, code="R140"):
-    what: str
+    subject: str
 
 
 class RoutineNotSimulated(Violation, code="R104"):
@@ -82,15 +82,15 @@ class MessageDiscarded(Violation, code="R120"):
 
 
 class CutOff(Violation, code="R109"):
-    what: str
+    subject: str
 
 
 class TrapStorms(Violation, code="R110"):
-    what: str
+    subject: str
 
 
 class WorldZoneReached(Violation, code="R111"):
-    what: str
+    subject: str
 
 
 class OutputBeforeTarget(Violation, code="R117"):

@@ -9,5 +9,5 @@ class CornerTooFast(Violation, code="R116"):
     load: float
     limit: str
     """Such as `torque of axis 2`."""
-    others: str
+    other_text: str
     """How many more such corners there are; empty for none."""

@@ -9,13 +9,13 @@ class WristCircleFails(Violation, code="K616"):
     target: str
     percent: float
     distance_mm: float
-    why: str
-    cure: str | None = None
+    reason: str
+    suggestion: str | None = None
 
     @property
     def help(self) -> str:
         """What could be done about the cause, or about an axis at its limit or about to jump."""
-        return self.cure or (
+        return self.suggestion or (
             "start the circle in another posture, with that axis nearer to the middle of its "
             "range, take another pair of wrist axes, or use all axes, with "
             r"CirPathMode \PathFrame"

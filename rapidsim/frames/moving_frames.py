@@ -13,12 +13,12 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import cross, rotate, rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Twists:
     """Poses along a path and their derivatives, all shapes (k, ...): a_from_b.
 
@@ -120,7 +120,7 @@ class ExternalCourse(NamedTuple):
     second: Array
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Screw:
     """The motion of whatever one external axis carries, in base, with all axes at zero.
 

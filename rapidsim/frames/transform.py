@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Array = npt.NDArray[np.float64]
 _ALL = slice(None)
@@ -15,7 +15,7 @@ _ALL = slice(None)
 _ROUNDING = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Transform:
     """A rigid transform, or a batch of them: leading dimensions broadcast like NumPy's.
 

@@ -48,13 +48,13 @@ def _calls_so_far() -> int:
 
 
 class NotExecutable(Violation, code="E190"):
-    what: str
+    subject: str
 
 
 class NotExecutableError(Exception):
     """Raised by `load` instead of running a program incorrectly."""
 
-    def __init__(self, what: str, span: Span) -> None:
+    def __init__(self, subject: str, span: Span) -> None:
         """Say what cannot be run, in the words of the program, and where it stands."""
-        self.diagnostic = Diagnostic(NotExecutable(what), span)
+        self.diagnostic = Diagnostic(NotExecutable(subject), span)
         super().__init__(f"{span.file}:{span.line}: {self.diagnostic.violation.message}")

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, input_text
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SCHEMA = 1
 _OF_TIME = "DR"
@@ -24,18 +24,18 @@ Key = tuple[str, str, str]
 """Code, routine, statement."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Baseline:
     """Known findings."""
 
-    known: Counter[Key]
+    counts: Counter[Key]
     """How many there are of each."""
     motion_model: str
     """The version that they were found with."""
 
-    def outdated(self, motion_model: str, found: Iterable[Diagnostic]) -> str:
+    def outdated(self, motion_model: str, findings: Iterable[Diagnostic]) -> str:
         """The warning that it was made with another version, if that may matter; "" otherwise."""
-        codes = {code for code, _, _ in self.known} | {one.violation.code for one in found}
+        codes = {code for code, _, _ in self.counts} | {one.violation.code for one in findings}
         if motion_model == self.motion_model or not any(code[0] in _OF_TIME for code in codes):
             return ""
         return (
@@ -87,14 +87,14 @@ def read_baseline(file: Path) -> Baseline:
         raise InputError(f"{file} is not a baseline of rapidsim: {reason}", help) from error
 
 
-def told_apart(
-    diagnostics: Iterable[Diagnostic], known: Counter[Key]
+def split_by_baseline(
+    diagnostics: Iterable[Diagnostic], baseline_counts: Counter[Key]
 ) -> tuple[tuple[Diagnostic, ...], tuple[Diagnostic, ...]]:
     """Split findings into new and known ones.
 
     Of equal findings, the first ones are known.
     """
-    left = Counter(known)
+    left = Counter(baseline_counts)
     new: list[Diagnostic] = []
     old: list[Diagnostic] = []
     for diagnostic in sorted(diagnostics, key=lambda one: one.order):

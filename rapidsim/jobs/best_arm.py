@@ -71,7 +71,7 @@ def names_of(job: Job) -> tuple[str, ...]:
     A file of RobotStudio next to the path, or in the folder above, is a station.
     """
     names: dict[str, None] = {}
-    for path in job.asked.paths:
+    for path in job.request.paths:
         place = Path(path).resolve()
         folder = place if place.is_dir() else place.parent
         stations = (entry.name for above in (folder, folder.parent) for entry in _entries(above))
@@ -96,6 +96,8 @@ def _reason(job: Job, ranked: Sequence[RankedArm]) -> str:
     first = next(iter(job.station.robots), None)
     lacking = f"the catalogue has no {first.unknown}; " if first and first.unknown else ""
     best, *others = ranked
-    counts = f"{best.reached} of {best.tried} targets reached, {best.held} as stored"
-    next_ones = ", ".join(f"{one.name} {one.reached}/{one.held}" for one in others[:_RUNNERS_UP])
+    counts = f"{best.reached} of {best.tried} targets reached, {best.satisfied} as stored"
+    next_ones = ", ".join(
+        f"{one.name} {one.reached}/{one.satisfied}" for one in others[:_RUNNERS_UP]
+    )
     return f"{lacking}best of the catalogue: {counts}; next {next_ones}; --robot names another"

@@ -19,38 +19,40 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.runs import EndlessWait, UncaughtError, is_of_runs
+from rapidsim.jobs.api_options import api_request
 from rapidsim.jobs.baseline import read_baseline
+from rapidsim.jobs.bulk_representatives import findings_of_all
 from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.checked_program import Loaded, load_task
-from rapidsim.jobs.faultless_part import FaultlessPart, faultless_part
-from rapidsim.jobs.given_options import asked_in_python
+from rapidsim.jobs.checked_program import LoadedProgram, load_task
+from rapidsim.jobs.error_free_subset import ErrorFreeSubset, error_free_subset
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
 from rapidsim.jobs.selection import Selection, choose_selection
-from rapidsim.jobs.standing_rows import findings_of_all
-from rapidsim.jobs.undriven_inputs import find_never_driven, not_told
+from rapidsim.jobs.undriven_inputs import find_never_driven, unreported_waits
 from rapidsim.language.error_numbers import ERR_UNKINO, event_of
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError, written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
-from rapidsim.syntax.collection import seldom_collected
+from rapidsim.syntax.garbage_collection import gc_rarely
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
     from rapidsim.simulation.options import RunOptions
 
 CheckTogether: TypeAlias = Callable[
-    [Sequence[tuple[TaskFiles, Loaded]]], tuple[Diagnostic, ...] | None
+    [Sequence[tuple[TaskFiles, LoadedProgram]]], tuple[Diagnostic, ...] | None
 ]
 """Gives the errors of a run of all tasks, or None where that tells nothing."""
-TaskMoves: TypeAlias = Callable[[TaskFiles, Loaded, Callable[[], ReachReport]], ReachReport]
+TaskMoves: TypeAlias = Callable[[TaskFiles, LoadedProgram, Callable[[], ReachReport]], ReachReport]
 """Gives the report on the moves of a task, which is loaded: what it is given makes it, but it may
 be known."""
 
 
-def made_now(_task: TaskFiles, _loaded: Loaded, make: Callable[[], ReachReport]) -> ReachReport:
+def made_now(
+    _task: TaskFiles, _loaded: LoadedProgram, make: Callable[[], ReachReport]
+) -> ReachReport:
     """The report on the moves of a task, of which nothing is known."""
     return make()
 
@@ -77,16 +79,16 @@ def check(
         InputError: If something is missing, unreadable, or not RAPID.
         RobotError: If the catalogue has no such robot.
     """
-    asked = job(replace(asked_in_python(paths, robot, options), trial_run=run))
+    asked = job(replace(api_request(paths, robot, options), trial_run=run))
     result, baseline = check_job(asked), asked.station.check.baseline
-    return result if baseline is None else result.against(read_baseline(baseline).known)
+    return result if baseline is None else result.against(read_baseline(baseline).counts)
 
 
-@seldom_collected()
+@gc_rarely()
 def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     """Check a job with the requested rules and those of the settings."""
     station, selection = job.station, _selection(job)
-    rules = detectors_of(selection.wants)
+    rules = detectors_of(selection.includes)
     job, loaded = _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)
     result = check_tasks(
         job.tasks,
@@ -94,13 +96,13 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
         choose_move_check(job),
         even_without_moves=station.check.cycle_budget_s is not None,
         cell=job.cell,
-        together=_together(job),
+        check_cell=_cell_check(job),
         moves_of=moves_of,
         loaded=loaded,
     )
     undriven = find_never_driven(result.trees, station.io)
     if selection.is_looked_for(EndlessWait.rule.code):
-        undriven = not_told(undriven, result.diagnostics)
+        undriven = unreported_waits(undriven, result.diagnostics)
     unsuppressed = without_suppressed(
         (*result.diagnostics, *undriven, *misspelt_in(job, result.diagnostics)),
         result.trees,
@@ -108,7 +110,7 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
     )
     return replace(
         result,
-        diagnostics=tuple(_without_repeats(selection.kept(unsuppressed))),
+        diagnostics=tuple(_without_repeats(selection.filter(unsuppressed))),
         fail_on=station.check.fails_from,
         strict=job.is_strict,
         arm=job.robot,
@@ -117,7 +119,7 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
 
 def with_best_arm_of_files(job: Job) -> Job:
     """The job with the arm that suits its targets best, if none is named."""
-    rules = detectors_of(_selection(job).wants)
+    rules = detectors_of(_selection(job).includes)
     return _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)[0]
 
 
@@ -127,11 +129,11 @@ def programs_of(job: Job) -> list[Program]:
 
 
 def _with_arm(
-    job: Job, loaded: Sequence[Loaded], rules: Sequence[Find]
-) -> tuple[Job, tuple[Loaded, ...]]:
+    job: Job, loaded: Sequence[LoadedProgram], rules: Sequence[Find]
+) -> tuple[Job, tuple[LoadedProgram, ...]]:
     """The job with its arm, and its tasks as they were loaded to choose it."""
     has_moves = any(written_moves(one.files) for one in loaded)
-    if job.is_arm_named or not job.asked.reach or not has_moves:
+    if job.is_arm_named or not job.request.reach or not has_moves:
         return job, tuple(loaded)
     # A program without moves imports no arm.
     from rapidsim.jobs.best_arm import with_best_arm
@@ -143,32 +145,32 @@ def _with_arm(
         return with_best_arm(job, _programs(job, whole)), whole
 
 
-def _programs(job: Job, loaded: Iterable[Loaded]) -> list[Program]:
+def _programs(job: Job, loaded: Iterable[LoadedProgram]) -> list[Program]:
     """The programs of tasks; of one with errors, what is left without the erroneous statements."""
-    parts = (one.program or faultless_part(one, job.cell) for one in loaded)
-    found = (part.program if isinstance(part, FaultlessPart) else part for part in parts)
+    parts = (one.program or error_free_subset(one, job.cell) for one in loaded)
+    found = (part.program if isinstance(part, ErrorFreeSubset) else part for part in parts)
     return [program for program in found if program is not None]
 
 
 def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:
     """The report on the moves of one task of a job, as `check_job` makes it."""
-    rules = detectors_of(_selection(job).wants)
+    rules = detectors_of(_selection(job).includes)
     has_budget = job.station.check.cycle_budget_s is not None
     loaded = _loaded(task, rules, job.cell)
     return _checked(task, loaded, rules, choose_move_check(job), has_budget, job.cell, made_now)[1]
 
 
 def _selection(job: Job) -> Selection:
-    asked = job.asked
+    asked = job.request
     return choose_selection(job.station.check, asked.select, asked.extend_select, asked.ignore)
 
 
-def _together(job: Job) -> CheckTogether | None:
-    if len(job.tasks) < 2 or not (job.asked.reach and job.asked.trial_run):
+def _cell_check(job: Job) -> CheckTogether | None:
+    if len(job.tasks) < 2 or not (job.request.reach and job.request.trial_run):
         return None
-    from rapidsim.jobs.tasks_together import errors_together
+    from rapidsim.jobs.multitask_run import multitask_errors
 
-    return partial(errors_together, job)
+    return partial(multitask_errors, job)
 
 
 def check_tasks(
@@ -178,9 +180,9 @@ def check_tasks(
     *,
     even_without_moves: bool = False,
     cell: CellNames = NO_CELL,
-    together: CheckTogether | None = None,
+    check_cell: CheckTogether | None = None,
     moves_of: TaskMoves = made_now,
-    loaded: Sequence[Loaded] | None = None,
+    loaded: Sequence[LoadedProgram] | None = None,
 ) -> CheckResult:
     """Check tasks that have been read, each on its own, and then all of them.
 
@@ -191,7 +193,7 @@ def check_tasks(
         even_without_moves: Whether `moves` also checks programs without moves, for instance their
             cycle time.
         cell: What the configuration declares besides the modules.
-        together: Runs all tasks together; None runs none.
+        check_cell: Runs all tasks together; None runs none.
         moves_of: Whether reports on the moves of tasks are known.
         loaded: The tasks as loaded with these rules; None loads them.
     """
@@ -205,7 +207,7 @@ def check_tasks(
     looked_at = [(task, one) for task, one, _ in checked]
     disagreements = _disagreements([one for _, one in looked_at])
     of_moves = [diagnostic for *_, report in checked for diagnostic in report.diagnostics]
-    of_all = None if together is None or disagreements else together(looked_at)
+    of_all = None if check_cell is None or disagreements else check_cell(looked_at)
     if of_all is not None:
         of_moves = _as_all_tasks(of_moves, of_all)
     found = [
@@ -243,7 +245,7 @@ def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> 
     return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
 
 
-def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> Loaded:
+def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> LoadedProgram:
     """Load a task; long runs of moves as runs, as far as nothing is to be said of their statements.
 
     Only rules that are looked for by default are written to be content with these.
@@ -259,17 +261,17 @@ def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> Loaded:
 
 def _checked(
     task: TaskFiles,
-    loaded: Loaded,
+    loaded: LoadedProgram,
     rules: Sequence[Find],
     moves: CheckMoves | None,
     even_without_moves: bool,
     cell: CellNames,
     moves_of: TaskMoves,
-) -> tuple[Loaded, ReachReport]:
+) -> tuple[LoadedProgram, ReachReport]:
     """One task, and what is found of its moves."""
     name = task.name or DEFAULT_TASK
 
-    def report(loaded: Loaded) -> ReachReport:
+    def report(loaded: LoadedProgram) -> ReachReport:
         make = partial(_moves_checked, loaded, name, moves, even_without_moves, cell)
         return moves_of(task, loaded, make)
 
@@ -285,7 +287,7 @@ def _may_end_badly(program: Program) -> bool:
     return ENTRY in program.routines and can_fail(program)
 
 
-def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
+def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
     """What tasks declare differently and share."""
     programs = [one.program for one in tasks if one.program is not None]
     if len(programs) < 2:
@@ -296,7 +298,7 @@ def _disagreements(tasks: Sequence[Loaded]) -> tuple[Diagnostic, ...]:
 
 
 def _moves_checked(
-    loaded: Loaded, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
+    loaded: LoadedProgram, task: str, moves: CheckMoves | None, always: bool, cell: CellNames
 ) -> ReachReport:
     written = written_moves(loaded.files)
     why = "not requested" if moves is None else "the program cannot run as it is"
@@ -308,7 +310,7 @@ def _moves_checked(
         why = report
     part = None
     if written and moves is not None and loaded.program is None:
-        part = faultless_part(loaded, cell)
+        part = error_free_subset(loaded, cell)
     if part is not None and moves is not None:
         # The moves that are known without a run, for the program cannot run.
         report = moves(part.program, task, runs=False)

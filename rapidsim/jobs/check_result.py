@@ -8,18 +8,18 @@ from dataclasses import field, replace
 
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.findings.runs import FAMILY_OF_RUNS
-from rapidsim.jobs.baseline import Key, told_apart
+from rapidsim.jobs.baseline import Key, split_by_baseline
 from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _FAMILIES_OF_MOVES = "DKM"
 _SEVERITIES = tuple(Severity)
 """The worst first."""
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
     """The findings, and what was not checked."""
 
@@ -69,7 +69,7 @@ class CheckResult:
 
     def against(self, known: Counter[Key]) -> CheckResult:
         """The same result with the findings of a baseline marked as known."""
-        new, old = told_apart(self.diagnostics, known)
+        new, old = split_by_baseline(self.diagnostics, known)
         return replace(self, diagnostics=new, known=old)
 
     def __repr__(self) -> str:

@@ -12,16 +12,16 @@ from rapidsim.analysis.passes.flow_violations import UnreachableCode
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
 from rapidsim.files import SourceFile
-from rapidsim.jobs.runnable_part import runnable_part
+from rapidsim.jobs.stubbed_program import stubbed_program
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.violations import UnclosedBlock
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Loaded:
+@value_class(frozen=True, slots=True, eq=False)
+class LoadedProgram:
     """One task's files, their findings, and the program if it can run."""
 
     files: tuple[tree.File, ...]
@@ -39,7 +39,7 @@ def load(
     refers_late: bool = False,
     runs_of: int | None = None,
     keeps_data: bool = False,
-) -> Loaded:
+) -> LoadedProgram:
     """Parse and check the modules of one task; errors in them are findings, never raised.
 
     Args:
@@ -63,8 +63,8 @@ def load(
     if any(d.severity is Severity.ERROR for d in diagnostics):
         program = None
     elif program is None:
-        program = runnable_part(trees, diagnostics, names)
-    return Loaded(trees, program, diagnostics)
+        program = stubbed_program(trees, diagnostics, names)
+    return LoadedProgram(trees, program, diagnostics)
 
 
 def load_task(
@@ -74,7 +74,7 @@ def load_task(
     *,
     runs_of: int | None = None,
     keeps_data: bool = False,
-) -> Loaded:
+) -> LoadedProgram:
     """Parse and check a task, with what is known of its modules; see `load`."""
     return load(
         task.files,
@@ -88,7 +88,7 @@ def load_task(
 
 
 def _without_guesses(
-    found: Sequence[Diagnostic], of_syntax: Sequence[Diagnostic], files: Sequence[tree.File]
+    findings: Sequence[Diagnostic], of_syntax: Sequence[Diagnostic], files: Sequence[tree.File]
 ) -> Iterator[Diagnostic]:
     """The findings but for unreachable code where the end of a block is missing.
 
@@ -97,7 +97,7 @@ def _without_guesses(
     """
     unclosed = [one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock)]
     if not unclosed:
-        yield from found
+        yield from findings
         return
     starts = {
         file.source.file: [routine.start for module in file.modules for routine in module.routines]
@@ -109,6 +109,6 @@ def _without_guesses(
         return None if span is None else (span.file, bisect_right(starts[span.file], span.start))
 
     broken = {routine_around(span) for span in unclosed}
-    for one in found:
+    for one in findings:
         if not isinstance(one.violation, UnreachableCode) or routine_around(one.span) not in broken:
             yield one

@@ -12,12 +12,12 @@ from dataclasses import replace
 from itertools import combinations
 
 from rapidsim.files import InputError
-from rapidsim.jobs.text_words import words_of
+from rapidsim.jobs.text_identifiers import words_of
 from rapidsim.module_files import Backup, packed_station, read_tasks
 from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
 from rapidsim.station.tasks import StationTask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 # Neither LOCAL nor TASK, and no parameter.
 _SHARED = re.compile(
@@ -31,7 +31,7 @@ _WORLDS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Controller:
     """A controller and the names in its programs."""
 
@@ -79,7 +79,7 @@ def joined_station(backups: Sequence[tuple[str, Backup, Station]]) -> Station | 
     return _joined(controllers)
 
 
-def _refuse_packed(paths: Sequence[str], why: str) -> None:
+def _refuse_packed(paths: Sequence[str], reason: str) -> None:
     """Refuse the controllers of one packed station.
 
     Raises:
@@ -92,7 +92,7 @@ def _refuse_packed(paths: Sequence[str], why: str) -> None:
     raise InputError(
         f"{file} holds {len(paths)} controllers; name one: {', '.join(paths)}; check --each checks "
         "all",
-        f"they are no single cell: {why}",
+        f"they are no single cell: {reason}",
     )
 
 

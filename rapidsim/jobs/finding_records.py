@@ -13,7 +13,7 @@ from typing import Any
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
 from rapidsim.jobs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage, UncheckedMove
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Record = list[Any]
 """What JSON can hold."""
@@ -24,8 +24,8 @@ class NoRecordError(Exception):
     """What is read is no record of this version."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Found:
+@value_class(frozen=True, slots=True, eq=False)
+class StoredFindings:
     """What a record holds."""
 
     diagnostics: tuple[Diagnostic, ...]
@@ -38,27 +38,27 @@ class Found:
     """The arm on which moves were checked; None of one task."""
 
 
-def record_of(found: Found, sources: Iterable[Source]) -> Record:
+def record_of(stored: StoredFindings, sources: Iterable[Source]) -> Record:
     """What was found as a record.
 
     Args:
-        found: It.
+        stored: It.
         sources: Texts that need not be in it; others are.
     """
     places = _Places({one.file: one.text for one in sources})
-    coverage = found.coverage
-    diagnostics = [_diagnostic_record(one, places) for one in found.diagnostics]
+    coverage = stored.coverage
+    diagnostics = [_diagnostic_record(one, places) for one in stored.diagnostics]
     unchecked, unchecked_paths = (
         [[places.of(one.span), one.reason] for one in moves]
         for moves in (coverage.unchecked, coverage.unchecked_paths)
     )
     counts = [coverage.by_value, coverage.by_run, unchecked, coverage.main_left_out]
     counts += [coverage.paths, unchecked_paths]
-    arm = None if found.arm is None else [found.arm.name, found.arm.reason, found.arm.scale]
-    return [places.texts, diagnostics, counts, list(found.notices), found.lasts, arm]
+    arm = None if stored.arm is None else [stored.arm.name, stored.arm.reason, stored.arm.scale]
+    return [places.texts, diagnostics, counts, list(stored.notices), stored.lasts, arm]
 
 
-def found_in(record: object, sources: Iterable[Source]) -> Found:
+def read_findings(record: object, sources: Iterable[Source]) -> StoredFindings:
     """What a record holds, with these sources at its places.
 
     Raises:
@@ -70,12 +70,12 @@ def found_in(record: object, sources: Iterable[Source]) -> Found:
         raise NoRecordError(str(error)) from error
 
 
-def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
+def _found_in(record: Any, known: Mapping[str, Source]) -> StoredFindings:
     texts, diagnostics, counts, notices, lasts, arm = record
     by_value, by_run, unchecked, left_out, paths, unchecked_paths = counts
     sources = [known[name] if text is None else Source(name, text) for name, text in texts]
     spans = _Spans(sources)
-    return Found(
+    return StoredFindings(
         tuple(_diagnostic(one, spans) for one in diagnostics),
         Coverage(
             by_value,
@@ -94,10 +94,10 @@ def _found_in(record: Any, known: Mapping[str, Source]) -> Found:
 class _Places:
     """Spans as numbers: which text, first and last character."""
 
-    def __init__(self, known: Mapping[str, str]) -> None:
+    def __init__(self, places: Mapping[str, str]) -> None:
         self.texts: list[tuple[str, str | None]] = []
         """Name and text; None where `known` has it."""
-        self._known = known
+        self._known = places
         self._numbers: dict[tuple[str, str | None], int] = {}
 
     def of(self, span: Span) -> Sequence[int]:
@@ -121,15 +121,15 @@ class _Spans:
         return Span(self._sources[number], start, end)
 
 
-def _diagnostic_record(one: Diagnostic, places: _Places) -> Record:
-    fix = one.fix
+def _diagnostic_record(finding: Diagnostic, places: _Places) -> Record:
+    fix = finding.fix
     return [
-        _violation_record(one.violation),
-        one.span and places.of(one.span),
-        [[places.of(related.span), related.message] for related in one.related],
+        _violation_record(finding.violation),
+        finding.span and places.of(finding.span),
+        [[places.of(related.span), related.message] for related in finding.related],
         fix and [fix.title, [[places.of(edit.span), edit.text] for edit in fix.edits], fix.safe],
-        one.routine,
-        one.assumed,
+        finding.routine,
+        finding.assumed,
     ]
 
 

@@ -14,16 +14,16 @@ from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile
-from rapidsim.jobs.asked import DEFAULT_ENTRY, Asked
-from rapidsim.jobs.choices import choose_robot, choose_station
-from rapidsim.jobs.given_options import with_given
+from rapidsim.jobs.api_options import with_api_options
+from rapidsim.jobs.input_resolution import choose_robot, choose_station
 from rapidsim.jobs.robot_choice import RobotChoice
+from rapidsim.jobs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.jobs.selection import choose_settings
 from rapidsim.jobs.task_files import chosen_tasks
 from rapidsim.module_files import TaskFiles, single_programs
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.robot import Robot
@@ -33,11 +33,11 @@ OpenRobot = Callable[[str, float | None], "Robot"]
 """Makes an arm of its name and of the scale of a URDF file."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Job:
     """What to check or run."""
 
-    asked: Asked
+    request: RunRequest
     station: Station
     """With the signals and settings of check that hold for this job."""
     tasks: tuple[TaskFiles, ...]
@@ -60,7 +60,7 @@ class Job:
     def is_arm_guessed(self) -> bool:
         """Whether an arm stands in for one that nothing names or the catalogue lacks."""
         lacking = any(robot.unknown for robot in self.station.robots)
-        return not self.is_arm_named or (lacking and self.asked.robot is None)
+        return not self.is_arm_named or (lacking and self.request.robot is None)
 
     @property
     def unknown_arm(self) -> StationRobot | None:
@@ -68,7 +68,7 @@ class Job:
 
         Another arm is run only if the user names it.
         """
-        if self.asked.robot is not None:
+        if self.request.robot is not None:
             return None
         robots = self.station.robots
         return next((one for one in robots if one.unknown and not one.can_be_guessed), None)
@@ -90,7 +90,7 @@ class Job:
     @property
     def is_strict(self) -> bool:
         """Whether what is unknown, not simulated or not checked fails too."""
-        return self.asked.strict or self.station.check.strict
+        return self.request.strict or self.station.check.strict
 
     @property
     def cell(self) -> CellNames:
@@ -99,20 +99,20 @@ class Job:
         stubs = (file.name for file in self.files if os.path.realpath(file.name) in real)
         return replace(
             declared_names(self.station),
-            assumes=self.asked.assume_missing or self.station.check.assume_missing,
+            assumes=self.request.assume_missing or self.station.check.assume_missing,
             stubs=frozenset(stubs),
         )
 
     @property
     def tables(self) -> tuple[Path, ...]:
         """The files that define what happens to inputs."""
-        io = () if self.asked.io is None else (Path(self.asked.io),)
+        io = () if self.request.io is None else (Path(self.request.io),)
         return (*(() if self.station.file is None else (self.station.file,)), *io)
 
     def entry(self, task: str) -> str:
         """The procedure that a task begins with: the one requested, else that of the station."""
-        own = self.station.entry(task) if self.asked.entry == DEFAULT_ENTRY else None
-        return own or self.asked.entry
+        own = self.station.entry(task) if self.request.entry == DEFAULT_ENTRY else None
+        return own or self.request.entry
 
     @property
     def only_task(self) -> TaskFiles:
@@ -134,7 +134,7 @@ class Job:
         """
         if self.unknown_arm is not None and self.unknown_arm is self.station.robots[0]:
             self.require_arms()
-        given = self.asked.robot
+        given = self.request.robot
         if given is not None and not isinstance(given, str):
             return given
         arm = self.open_robot(self.robot.name, self.robot.scale)
@@ -144,41 +144,41 @@ class Job:
         return first.fitted(arm)
 
 
-def job(asked: Asked, *, open_robot: OpenRobot | None = None) -> Job:
+def job(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
     """Find the station near the files, read the files of its tasks, choose the robot.
 
     Args:
-        asked: The user's request.
+        request: The user's request.
         open_robot: Loads an arm by name and scale; None takes `rapidsim.load_robot`.
 
     Raises:
         InputError: If something is missing, unreadable, not RAPID, or contradicts itself.
     """
     # Each controller of a packed station is a path of its own.
-    paths = tuple(program for path in asked.paths for program in single_programs(path))
-    asked = replace(asked, paths=paths)
-    station = choose_station(asked.paths, asked.station)
-    if asked.cell is not None:
-        station = with_given(station, asked.cell)
-    if asked.io is not None:
+    paths = tuple(program for path in request.paths for program in single_programs(path))
+    request = replace(request, paths=paths)
+    station = choose_station(request.paths, request.station)
+    if request.cell is not None:
+        station = with_api_options(station, request.cell)
+    if request.io is not None:
         from rapidsim.station.read import read_io
 
-        station = replace(station, io=station.io.and_also(read_io(Path(asked.io))))
-    settings = choose_settings(asked.paths, station.check)
-    if asked.fail_on is not None:
-        settings = replace(settings, fail_on=asked.fail_on)
+        station = replace(station, io=station.io.and_also(read_io(Path(request.io))))
+    settings = choose_settings(request.paths, station.check)
+    if request.fail_on is not None:
+        settings = replace(settings, fail_on=request.fail_on)
     station = replace(station, check=settings)
-    tasks = chosen_tasks(asked.paths, station, asked.task)
+    tasks = chosen_tasks(request.paths, station, request.task)
     open_robot = open_robot or _of_the_catalogue
     remarks = (
         *station.remarks,
         *_remarks(tasks),
-        *_of_another_arm(asked, station, open_robot),
+        *_of_another_arm(request, station, open_robot),
         *_of_lacking_arms(station),
     )
     station = replace(station, remarks=remarks)
-    robot = choose_robot(asked.robot, station, asked.scale)
-    return Job(asked, station, tasks, robot, open_robot)
+    robot = choose_robot(request.robot, station, request.scale)
+    return Job(request, station, tasks, robot, open_robot)
 
 
 def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
@@ -192,12 +192,12 @@ def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
             yield f"task {task.name}: left out, as backinfo.txt does not list them: {names}"
 
 
-def _of_another_arm(asked: Asked, station: Station, open_robot: OpenRobot) -> Iterator[str]:
+def _of_another_arm(request: RunRequest, station: Station, open_robot: OpenRobot) -> Iterator[str]:
     """What is said of shapes and bounds of the station's arm where another one is asked for."""
     first = next(iter(station.robots), None)
-    if first is None or not first.is_special or not isinstance(asked.robot, str):
+    if first is None or not first.is_special or not isinstance(request.robot, str):
         return
-    arm = open_robot(asked.robot, asked.scale)
+    arm = open_robot(request.robot, request.scale)
     if not _is_arm_of(first, arm, open_robot):
         yield f"shapes and joint limits given for {first.name} are not used for {arm.name}"
 
@@ -224,7 +224,7 @@ def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
 
 def read_again(job: Job) -> Job:
     """The job with its files read again."""
-    return replace(job, tasks=chosen_tasks(job.asked.paths, job.station, job.asked.task))
+    return replace(job, tasks=chosen_tasks(job.request.paths, job.station, job.request.task))
 
 
 def _of_the_catalogue(name: str, scale: float | None) -> Robot:

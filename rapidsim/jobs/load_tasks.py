@@ -10,28 +10,28 @@ from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
-from rapidsim.jobs.checked_program import Loaded, load_task
-from rapidsim.jobs.standing_rows import findings_of_all
-from rapidsim.library.traits import Does
+from rapidsim.jobs.bulk_representatives import findings_of_all
+from rapidsim.jobs.checked_program import LoadedProgram, load_task
+from rapidsim.library.traits import Trait
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import written_moves
 from rapidsim.station.tasks import DEFAULT_TASK
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class SharedPersistentTypes(Violation, code="N208"):
     data: str
     of: str
-    other: str
+    other_name: str
 
 
 MOST_STATEMENTS = 1000
 """More alike moves than these are executed as runs; for fewer it is not worth looking for them."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoadedTask:
     """A task whose program can run."""
 
@@ -53,7 +53,7 @@ class LoadedTask:
         return frozenset(one.name.lower() for one in persistents if effects.is_written(one))
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoadedTasks:
     """The tasks of a cell, and the findings in their files."""
 
@@ -85,7 +85,7 @@ def load_tasks(
     return LoadedTasks(named, diagnostics)
 
 
-def _in_runs(task: TaskFiles, cell: CellNames) -> Loaded:
+def _in_runs(task: TaskFiles, cell: CellNames) -> LoadedProgram:
     """A task with long runs of moves as columns, if nothing is to be said of the moves."""
     loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=True)
     modules = [module for file in loaded.files for module in file.modules]
@@ -99,7 +99,7 @@ def _in_runs(task: TaskFiles, cell: CellNames) -> Loaded:
 
 
 def _can_execute(
-    program: Program | None, modules: Sequence[tree.Module], runs: Iterable[tree.Run]
+    program: Program | None, modules: Sequence[tree.Module], runs: Iterable[tree.BulkStatements]
 ) -> bool:
     """Whether the program of the modules executes their runs; one with errors executes nothing."""
     if program is None:
@@ -109,18 +109,18 @@ def _can_execute(
     return is_whole and all(_is_move(run, program) for run in runs)
 
 
-def _is_move(run: tree.Run, program: Program) -> bool:
+def _is_move(run: tree.BulkStatements, program: Program) -> bool:
     """Whether the statements of a run are moves, which a routine of the program might hide."""
     symbol = program.symbol_of.get(run.like)
-    return isinstance(symbol, LibrarySymbol) and Does.MOVE in symbol.routine.does
+    return isinstance(symbol, LibrarySymbol) and Trait.MOVE in symbol.routine.traits
 
 
 def shared_findings(programs: Sequence[Program]) -> tuple[Diagnostic, ...]:
     """Findings for persistents that tasks would share if they agreed on their type."""
     return tuple(
         Diagnostic(
-            SharedPersistentTypes(one.other.name, one.other.type.name, one.first.type.name),
-            _name_span(one.other),
+            SharedPersistentTypes(one.symbol.name, one.symbol.type.name, one.first.type.name),
+            _name_span(one.symbol),
             (Related(_name_span(one.first), "declared here in another task"),),
         )
         for one in disagreements(programs)

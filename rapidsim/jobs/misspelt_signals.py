@@ -14,8 +14,8 @@ from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.files import SourceFile, input_text
 from rapidsim.jobs.job import Job
-from rapidsim.jobs.text_words import words_of
-from rapidsim.library.traits import Does
+from rapidsim.jobs.text_identifiers import words_of
+from rapidsim.library.traits import Trait
 
 
 class MisspeltSignal(Violation, code="I804"):
@@ -30,18 +30,18 @@ class MisspeltSignal(Violation, code="I804"):
         return "declare it in [signals] if the name is intended"
 
 
-def misspelt_in(job: Job, found: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
+def misspelt_in(job: Job, findings: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
     """Misspelt signal names in the files of a job; none if only one of its tasks is checked."""
-    if job.asked.task is not None or not job.tables:
+    if job.request.task is not None or not job.tables:
         return ()
-    return tuple(find_misspelt(job.station.io, job.files, job.tables, found))
+    return tuple(find_misspelt(job.station.io, job.files, job.tables, findings))
 
 
 def find_misspelt(
     io: CellIo,
     files: Iterable[SourceFile],
     tables: Sequence[Path],
-    found: Iterable[Diagnostic],
+    findings: Iterable[Diagnostic],
 ) -> Iterator[Diagnostic]:
     """Signals in connections or stimuli that no declaration, program or other table mentions.
 
@@ -49,16 +49,18 @@ def find_misspelt(
         io: Signals and what drives them.
         files: All programs of the cell.
         tables: The files with these tables; a backup's have been checked by its controller.
-        found: The findings of the programs, for the undeclared signals that they use.
+        findings: The findings of the programs, for the undeclared signals that they use.
     """
     used = frozenset[str]().union(*(words_of(file.text) for file in files))
-    if any(Does.LOAD in does(installed_symbol(name)) for name in used):
+    if any(Trait.LOAD in does(installed_symbol(name)) for name in used):
         # Modules that come while the program runs may use more.
         return
     declared = [signal.name for signal in io.signals]
     known = used | {name.lower() for name in declared}
     written, read = ({name.lower() for name in names} for names in (io.written, io.read))
-    undeclared = (one.violation.signal for one in found if isinstance(one.violation, UnknownSignal))
+    undeclared = (
+        one.violation.signal for one in findings if isinstance(one.violation, UnknownSignal)
+    )
     candidates = [*declared, *undeclared, *(name for name in io.wired if name.lower() in known)]
     for name in io.wired:
         key = name.lower()

@@ -11,7 +11,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.runs import is_of_runs
 from rapidsim.jobs.job import Job
-from rapidsim.jobs.pointed_targets import pointed_at_targets
+from rapidsim.jobs.target_attribution import attribute_to_targets
 from rapidsim.reach.checked_moves import ReachReport
 
 
@@ -66,9 +66,11 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             entry=job.entry(task),
             queue=next((one.queue for one in station.tasks if one.name == task), None),
         )
-        is_guess = not job.is_arm_named or bool(robot and robot.unknown and job.asked.robot is None)
+        is_guess = not job.is_arm_named or bool(
+            robot and robot.unknown and job.request.robot is None
+        )
         budget_s = station.check.cycle_budget_s
-        trial_run = job.asked.trial_run and runs
+        trial_run = job.request.trial_run and runs
         report = check_reach(
             program,
             arm,
@@ -78,16 +80,16 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             by_default=is_guess,
         )
         # What a run of main has found stands at the instruction.
-        pointed = pointed_at_targets(report.diagnostics, (program,))
+        pointed = attribute_to_targets(report.diagnostics, (program,))
         found = of_unnamed_arm(pointed) if is_guess else pointed
         return replace(report, diagnostics=found)
 
-    return check_moves if job.asked.reach else None
+    return check_moves if job.request.reach else None
 
 
-def of_unnamed_arm(found: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+def of_unnamed_arm(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
     """The findings when it is not known whether the program is for the arm.
 
     Errors that end a run do not depend on the arm.
     """
-    return tuple(one if is_of_runs(one) else replace(one, assumed=True) for one in found)
+    return tuple(one if is_of_runs(one) else replace(one, assumed=True) for one in findings)

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from rapidsim.files import InputError
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _Thing = TypeVar("_Thing")
 _Result = TypeVar("_Result")
@@ -24,12 +24,12 @@ _Result = TypeVar("_Result")
 class DefectError(Exception):
     """A defect of rapidsim as one process tells it another: what failed, and where."""
 
-    def __init__(self, what: str, place: str, told: str) -> None:
+    def __init__(self, subject: str, place: str, report: str) -> None:
         """Take it in a line, its file and line, and its traceback."""
-        super().__init__(what, place, told)
-        self.what = what
+        super().__init__(subject, place, report)
+        self.what = subject
         self.place = place
-        self.told = told
+        self.report = report
 
 
 def number_of_cores() -> int:
@@ -108,7 +108,7 @@ def _begin(begin: Callable[[], object] | None) -> None:
         begin()
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Answer(Generic[_Result]):
     """What came of the work: a value, or what it raised."""
 

@@ -18,7 +18,7 @@ from rapidsim.jobs.run_files import simulate
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
 from rapidsim.simulation.options import RunOptions
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MODULE = "Questions.mod"
 ANSWERS = "rapidsim_answers.txt"
@@ -56,7 +56,7 @@ _NUMBER = re.compile(r"ERRNO (\d+)")
 _LONGEST = 80
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Protocol:
     """What one controller answered."""
 
@@ -139,7 +139,7 @@ def arm_of(protocol: Protocol) -> str | None:
     return name if deviation <= _SAME_ARM else None
 
 
-def answered_here(robot: str) -> Protocol:
+def run_protocol(robot: str) -> Protocol:
     """What a run answers.
 
     Args:

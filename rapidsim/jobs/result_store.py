@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FOLDER_VARIABLE = "RAPIDSIM_CACHE_DIR"
 MOST_BYTES = 200_000_000
@@ -36,7 +36,7 @@ def cache_folder(environment: Mapping[str, str], platform: str = sys.platform) -
     return Path(environment.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "rapidsim"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ResultStore:
     """Texts by their keys, in the files of a folder."""
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_ROBOT = "irb1600-6-1.2"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RobotChoice:
     """A robot, and what determined it."""
 

@@ -19,17 +19,17 @@ from rapidsim.interpreter.runtime.values import Value, is_signal
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.load_tasks import LoadedTask
 from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
-from rapidsim.language.annotations import Mode
-from rapidsim.language.single import single
+from rapidsim.language.annotations import ParameterMode
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
 from rapidsim.library.text import MAX_STRING, source_text
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MODULE = "rapidsim_calls"
-_OUT = (Mode.INOUT, Mode.VAR, Mode.PERS)
+_OUT = (ParameterMode.INOUT, ParameterMode.VAR, ParameterMode.PERS)
 
 
 class CallError(Exception):
@@ -48,7 +48,7 @@ class CallError(Exception):
         return self.message
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Returned:
     """The result of a routine."""
 
@@ -59,7 +59,7 @@ class Returned:
     is_function: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Argument:
     """One argument as text: its declaration, and how it stands in the call."""
 
@@ -94,7 +94,7 @@ def call_routine(
     text = _module(routine, given, entry, result)
     program = _with_call(task.program, text)
     only = LoadedJob(
-        replace(ready.job, asked=replace(job.asked, entry=entry)),
+        replace(ready.job, request=replace(job.request, entry=entry)),
         ready.robot,
         (replace(task, program=program),),
         ready.diagnostics,
@@ -170,15 +170,15 @@ def _argument(
     if not has_value(parameter.type):
         raise InputError(f"{what}: data of type {parameter.type.name} cannot be passed in")
     name = f"rapidsim_argument_{number}"
-    held = _held(value, parameter.type, what)
-    storage = "PERS" if parameter.mode is Mode.PERS else "VAR"
+    held = _to_rapid(value, parameter.type, what)
+    storage = "PERS" if parameter.mode is ParameterMode.PERS else "VAR"
     sizes = "" if not isinstance(held, list) else f"{{{','.join(map(str, _sizes(held)))}}}"
     of = parameter.type.element if isinstance(parameter.type, ArrayOf) else parameter.type
     text = f"{storage} {of.name} {name}{sizes}:={source_text(held, parameter.type)};"
     return _Argument(name, text, before + name, parameter.mode in _OUT)
 
 
-def _held(value: object, of: Type, what: str) -> Value:
+def _to_rapid(value: object, of: Type, subject: str) -> Value:
     """A value from outside as RAPID holds it.
 
     Raises:
@@ -197,13 +197,13 @@ def _held(value: object, of: Type, what: str) -> Value:
             return value
         case Record(components=components, python=python) if _is_row(value, len(components)):
             parts = zip(components, value, strict=True)  # type: ignore[call-overload]
-            return tuple.__new__(python, [_held(x, part.type, what) for part, x in parts])
+            return tuple.__new__(python, [_to_rapid(x, part.type, subject) for part, x in parts])
         case ArrayOf(element=element, dimensions=(size, *inner)) if _is_row(value, size):
             part: Type = ArrayOf(element, tuple(inner)) if inner else element
-            return [_held(x, part, what) for x in value]  # type: ignore[attr-defined]
+            return [_to_rapid(x, part, subject) for x in value]  # type: ignore[attr-defined]
     shown = repr(value)
     shown = shown if len(shown) < 60 else f"{shown[:57]}..."
-    raise InputError(f"{what}: {shown} is no {of.name}")
+    raise InputError(f"{subject}: {shown} is no {of.name}")
 
 
 def _is_row(value: object, count: int | None) -> bool:
@@ -218,12 +218,12 @@ def _sizes(rows: object) -> Iterator[int]:
         rows = rows[0] if rows else None
 
 
-def _module(routine: RoutineSymbol, given: Sequence[_Argument], entry: str, result: str) -> str:
-    passed = [one.passed for one in given]
+def _module(routine: RoutineSymbol, bound: Sequence[_Argument], entry: str, result: str) -> str:
+    passed = [one.passed for one in bound]
     required = [one for one in passed if not one.startswith("\\")]
     rest = "".join(one for one in passed if one.startswith("\\"))
     arguments = f"{','.join(required)}{rest}"
-    lines = [one.declaration for one in given if one.declaration]
+    lines = [one.declaration for one in bound if one.declaration]
     if routine.result is None:
         call = f"{routine.name} {arguments};"
     else:

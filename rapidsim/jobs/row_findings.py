@@ -20,17 +20,17 @@ _OF_EACH_USE = (UndefinedName, UnseenName, UnresolvedReference, AssumedData)
 
 
 def repeat_findings(
-    files: Sequence[tree.File], found: Sequence[Diagnostic]
+    files: Sequence[tree.File], findings: Sequence[Diagnostic]
 ) -> tuple[Diagnostic, ...] | None:
     """The findings about all statements, in order; None if one cannot be repeated.
 
     Args:
         files: The files of a task.
-        found: The findings about the statements of their trees, in order.
+        findings: The findings about the statements of their trees, in order.
     """
     runs = {file.source.file: _Runs(file) for file in files}
     repeated: list[Diagnostic] = []
-    for one in found:
+    for one in findings:
         spans = tuple(_spans(one))
         touched = [run for span in spans if (run := runs[span.file].around(span)) is not None]
         if not touched:
@@ -40,9 +40,9 @@ def repeat_findings(
             return None
         repeated += (_moved(one, row) for row in run.rows())
     if not repeated:
-        return tuple(found)
+        return tuple(findings)
     position = {file.source.file: k for k, file in reversed(list(enumerate(files)))}
-    every = [*found, *repeated]
+    every = [*findings, *repeated]
     every.sort(key=lambda one: (position.get(one.order[0], -1), one.order[1]))
     return tuple(every)
 
@@ -56,7 +56,7 @@ class _Runs:
         self._runs = sorted(runs, key=lambda run: run.start)
         self._starts = [run.like.start for run in self._runs]
 
-    def around(self, span: Span) -> tree.Run | None:
+    def around(self, span: Span) -> tree.BulkStatements | None:
         """The run that a span begins or ends in, the statement that represents it included."""
         for offset in (span.start, max(span.start, span.end - 1)):
             position = bisect_right(self._starts, offset) - 1
@@ -65,16 +65,16 @@ class _Runs:
         return None
 
 
-def _spans(one: Diagnostic) -> Iterator[Span]:
-    if one.span is not None:
-        yield one.span
-    for related in one.related:
+def _spans(finding: Diagnostic) -> Iterator[Span]:
+    if finding.span is not None:
+        yield finding.span
+    for related in finding.related:
         yield related.span
-    for edit in one.fix.edits if one.fix else ():
+    for edit in finding.fix.edits if finding.fix else ():
         yield edit.span
 
 
-def _are_beyond_target(spans: Iterable[Span], run: tree.Run) -> bool:
+def _are_beyond_target(spans: Iterable[Span], run: tree.BulkStatements) -> bool:
     """Whether spans lie in the statement that represents a run, after the target."""
     like = run.like
     if not isinstance(like, tree.Call):
@@ -83,14 +83,14 @@ def _are_beyond_target(spans: Iterable[Span], run: tree.Run) -> bool:
     return all(begin <= span.start and span.end <= like.end for span in spans)
 
 
-def _moved(one: Diagnostic, row: tree.RunRow) -> Diagnostic:
+def _moved(finding: Diagnostic, row: tree.BulkRow) -> Diagnostic:
     """A finding about the statement in the tree, about a row that it represents."""
 
     def moved(span: Span) -> Span:
         return Span(span.source, row.moved(span.start), row.moved(span.end))
 
-    assert one.span is not None
-    fix = one.fix
+    assert finding.span is not None
+    fix = finding.fix
     if fix is not None:
         fix = replace(fix, edits=tuple(replace(edit, span=moved(edit.span)) for edit in fix.edits))
-    return replace(one, span=moved(one.span), fix=fix)
+    return replace(finding, span=moved(finding.span), fix=fix)

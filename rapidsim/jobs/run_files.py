@@ -12,29 +12,29 @@ from pathlib import Path
 
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.files import InputError, seen_from_here
+from rapidsim.files import InputError, relative_to_cwd
 from rapidsim.interpreter.limits import NotExecutableError
+from rapidsim.jobs.api_options import api_request
 from rapidsim.jobs.best_arm import with_best_arm
 from rapidsim.jobs.entry import require_entry
-from rapidsim.jobs.given_options import asked_in_python
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
 from rapidsim.jobs.misspelt_signals import misspelt_in
 from rapidsim.jobs.move_checks import of_unnamed_arm
-from rapidsim.jobs.pointed_targets import pointed_at_targets
 from rapidsim.jobs.run_options import run_options
+from rapidsim.jobs.target_attribution import attribute_to_targets
 from rapidsim.jobs.task_files import program_name, program_title
 from rapidsim.jobs.task_setups import task_setups
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.reach.valueless_persistents import doubt_valueless
-from rapidsim.simulation.collected import FinishedRun
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.progress import Progress
+from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import run_tasks
 from rapidsim.simulation.task_run import TaskSetup
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _UNATTENDED = {"CI", "PYTEST_CURRENT_TEST"}
 """Variables of the environment that say that nobody looks at the home folder."""
@@ -84,13 +84,13 @@ def simulate(
         ProgramRejectedError: If checking finds an error.
         RobotError: If the catalogue has no such robot.
     """
-    asked = asked_in_python(paths, robot, options)
+    asked = api_request(paths, robot, options)
     limit_s = asked.max_time_s if max_time is None else max_time
     asked = replace(asked, io=None if io is None else fspath(io), max_time_s=limit_s)
     return run_job(job(asked)).simulation
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class LoadedJob:
     """A job with its files checked and its robot loaded."""
 
@@ -106,7 +106,7 @@ class LoadedJob:
         return {task.name: task.program for task in self.tasks}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PreparedRun:
     """A run with everything it needs."""
 
@@ -179,13 +179,13 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
         require_entry(program, job.entry(name))
     bare = task_setups(loaded.tasks, job.station, loaded.robot, job.open_robot)
     setups = tuple(replace(setup, entry=job.entry(setup.name)) for setup in bare)
-    home, ramdisk = _home(job.asked.home, job.asked.paths), job.asked.ramdisk
+    home, ramdisk = _home(job.request.home, job.request.paths), job.request.ramdisk
     if ramdisk is not None and not Path(ramdisk).is_dir():
         raise InputError(f"--ramdisk: {ramdisk} is not a folder")
     options = replace(
         run_options(job), home=home, ramdisk=None if ramdisk is None else Path(ramdisk)
     )
-    title = program_title(job.asked.paths)
+    title = program_title(job.request.paths)
     diagnostics = loaded.diagnostics
     return PreparedRun(setups, options, diagnostics, title, job.is_strict, job.is_arm_guessed)
 
@@ -213,10 +213,10 @@ def executed(
 def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
     """A run with the findings of its check, under the names that the user knows."""
     run = finished.simulation
-    written = (replace(one, path=str(seen_from_here(Path(one.path)))) for one in run.home_files)
+    written = (replace(one, path=str(relative_to_cwd(Path(one.path)))) for one in run.home_files)
     programs = [setup.program for setup in prepared.setups]
     sure = tuple(doubt_valueless(one, programs) for one in run.diagnostics)
-    found = pointed_at_targets(sure, programs)
+    found = attribute_to_targets(sure, programs)
     if prepared.is_arm_guessed:
         found = of_unnamed_arm(found)
     diagnostics = (*prepared.diagnostics, *found)

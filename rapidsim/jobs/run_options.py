@@ -9,7 +9,7 @@ from rapidsim.simulation.options import RunOptions
 
 def run_options(job: Job) -> RunOptions:
     """The options requested, else those of the station; nothing about files."""
-    asked, station = job.asked, job.station
+    asked, station = job.request, job.station
     return RunOptions(
         program_files=tuple(file.name for file in job.files),
         model=station.model,

@@ -9,10 +9,10 @@ from pathlib import Path, PurePath
 from rapidsim.diagnostics import Diagnostic, Rule
 from rapidsim.jobs.selectors import expect_rules, is_selected
 from rapidsim.station.check import CheckSettings, find_project_settings
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Selection:
     """What to check and show."""
 
@@ -24,7 +24,7 @@ class Selection:
     ignore: tuple[str, ...]
     """Rules that are left out."""
 
-    def wants(self, rule: Rule) -> bool:
+    def includes(self, rule: Rule) -> bool:
         """Whether a rule is checked."""
         return is_selected(rule, self.select, self.ignore, self.also)
 
@@ -36,12 +36,12 @@ class Selection:
             for one in self.ignore
         )
 
-    def kept(self, diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    def filter(self, diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
         """The findings that are shown."""
         return tuple(
             diagnostic
             for diagnostic in diagnostics
-            if self.wants(diagnostic.violation.rule) and not self._is_left_out(diagnostic)
+            if self.includes(diagnostic.violation.rule) and not self._is_left_out(diagnostic)
         )
 
     def _is_left_out(self, diagnostic: Diagnostic) -> bool:

@@ -8,10 +8,10 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import does
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.controller.cell.description import CellIo, SignalKind
-from rapidsim.jobs.text_words import words_of
+from rapidsim.jobs.text_identifiers import words_of
 from rapidsim.jobs.undriven_inputs import waited_for
-from rapidsim.library.traits import Does
-from rapidsim.station.draft import SuggestedStimulus
+from rapidsim.library.traits import Trait
+from rapidsim.station.template import SuggestedStimulus
 from rapidsim.syntax import tree
 
 _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
@@ -70,11 +70,13 @@ def _set_output(statement: tree.Statement) -> str | None:
     if not isinstance(statement, tree.Call):
         return None
     traits = does(installed_symbol(statement.name.key))
-    required = [one.value for one in statement.arguments if isinstance(one, tree.Required)]
+    required = [one.value for one in statement.arguments if isinstance(one, tree.RequiredArgument)]
     match required:
-        case [tree.Reference(name=name)] if traits & (Does.SWITCH_ON | Does.SWITCH_OFF):
-            return f"{name.text} = {1 if Does.SWITCH_ON in traits else 0}"
-        case [tree.Reference(name=name), tree.Number(value=value)] if Does.OUTPUT in traits:
+        case [tree.DataReference(name=name)] if traits & (Trait.SWITCH_ON | Trait.SWITCH_OFF):
+            return f"{name.text} = {1 if Trait.SWITCH_ON in traits else 0}"
+        case [tree.DataReference(name=name), tree.NumberLiteral(value=value)] if (
+            Trait.OUTPUT in traits
+        ):
             return f"{name.text} = {value:g}"
         case _:
             return None

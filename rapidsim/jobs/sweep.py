@@ -19,14 +19,14 @@ import numpy as np
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.euler import Convention, euler_from_rotation, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job, job
 from rapidsim.jobs.processes import in_processes
 from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.reach.placements import reach_from
 from rapidsim.station.robot import StationRobot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MM_PER_M = 1000.0
 _POSITION = ("base.x", "base.y", "base.z")
@@ -41,7 +41,7 @@ _AT_ONCE = 8
 """Variants that a process is given at a time."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Axis:
     """A parameter that varies, and its values."""
 
@@ -49,8 +49,8 @@ class Axis:
     values: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+@value_class(frozen=True, slots=True)
+class VariantOutcome:
     """The outcome of running a variant."""
 
     end: str
@@ -58,7 +58,7 @@ class Outcome:
     findings: int
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Sweep:
     """Variants (k,) and the results of each."""
 
@@ -75,7 +75,7 @@ class Sweep:
     """Shape (k,); see `PlacedReach`."""
     margin_measure: str
     """RAPID's unit of margins: `deg or mm` where an axis of the arm slides."""
-    runs: tuple[Outcome | None, ...]
+    runs: tuple[VariantOutcome | None, ...]
     """None for a variant that was not run."""
 
     @property
@@ -161,7 +161,7 @@ def sweep(
         exact=made.station.exact_configuration,
     )
     works = (reach.unreachable == 0) & (reach.other_configuration == 0)
-    runs: list[Outcome | None] = [None] * len(number)
+    runs: list[VariantOutcome | None] = [None] * len(number)
     if run:
         rows = np.flatnonzero(works).tolist()
         for row, outcome in zip(rows, _outcomes(ready, places[rows], processes), strict=True):
@@ -179,9 +179,9 @@ def sweep(
     )
 
 
-def _placed(made: Job, keys: Sequence[str], values: Array) -> Transform:
+def _placed(found_job: Job, keys: Sequence[str], values: Array) -> Transform:
     """Where the base stands (k,), from values (k, axes); what does not vary is the station's."""
-    stands = made.station.world_from_base or Transform.identity()
+    stands = found_job.station.world_from_base or Transform.identity()
     position = np.tile(stands.translation, (len(values), 1))
     angles = np.tile(euler_from_rotation(stands.rotation, Convention.ZYX), (len(values), 1))
     for column, key in zip(values.T, keys, strict=True):
@@ -195,39 +195,39 @@ def _placed(made: Job, keys: Sequence[str], values: Array) -> Transform:
     return Transform(rotation_from_euler(angles, Convention.ZYX), position)
 
 
-def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[Outcome]:
+def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[VariantOutcome]:
     """Run the job with the robot in places (k,), in their order."""
     each = list(zip(places.rotation, places.translation, strict=True))
     if processes == 1 or len(each) < 2:
         return starmap(partial(_outcome, ready), each)
-    prepare = partial(_prepare, ready.job.asked)
+    prepare = partial(_prepare, ready.job.request)
     at_once = min(_AT_ONCE, -(-len(each) // processes))
-    return in_processes(_outcome_here, each, processes, begin=prepare, at_once=at_once)
+    return in_processes(_variant_outcome, each, processes, begin=prepare, at_once=at_once)
 
 
-_here: Callable[[Array, Array], Outcome] | None = None
+_here: Callable[[Array, Array], VariantOutcome] | None = None
 """In a process of a sweep: runs its job."""
 
 
-def _prepare(asked: Asked) -> None:
+def _prepare(request: RunRequest) -> None:
     """Load the job once in each process."""
     global _here
-    _here = partial(_outcome, loaded(job(asked)))
+    _here = partial(_outcome, loaded(job(request)))
 
 
-def _outcome_here(place: tuple[Array, Array]) -> Outcome:
+def _variant_outcome(place: tuple[Array, Array]) -> VariantOutcome:
     assert _here is not None
     return _here(*place)
 
 
-def _outcome(ready: LoadedJob, rotation: Array, translation: Array) -> Outcome:
+def _outcome(ready: LoadedJob, rotation: Array, translation: Array) -> VariantOutcome:
     made = ready.job
     robot = made.station.robots[0] if made.station.robots else StationRobot()
     placed = replace(robot, world_from_base=Transform(rotation, translation))
     station = replace(made.station, robots=(placed, *made.station.robots[1:]))
     with TemporaryDirectory(prefix="rapidsim-sweep-") as home:
         # What one variant writes is no input of another.
-        asked = replace(made.asked, home=str(Path(home)))
-        varied = replace(ready, job=replace(made, station=station, asked=asked))
+        asked = replace(made.request, home=str(Path(home)))
+        varied = replace(ready, job=replace(made, station=station, request=asked))
         finished = executed(prepared(varied)).simulation
-    return Outcome(finished.end.value, finished.time_s, len(finished.diagnostics))
+    return VariantOutcome(finished.end.value, finished.time_s, len(finished.diagnostics))

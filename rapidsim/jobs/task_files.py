@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.files import InputError, did_you_mean, require_inside, seen_from_here
+from rapidsim.files import InputError, did_you_mean, relative_to_cwd, require_inside
 from rapidsim.module_files import (
     TaskFiles,
     named_tasks,
@@ -112,7 +112,7 @@ def _folders(paths: Sequence[str]) -> tuple[Path, ...]:
 
 
 def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
-    return tuple(str(seen_from_here(module)) for module in modules)
+    return tuple(str(relative_to_cwd(module)) for module in modules)
 
 
 def program_name(paths: Sequence[str]) -> str:

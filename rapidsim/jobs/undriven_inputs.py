@@ -10,7 +10,7 @@ from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.controller.cell.description import CellIo, SignalKind
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.runs import EndlessWait
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
@@ -47,23 +47,25 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
                         yield Diagnostic(violation, span, routine=routine.name.text)
 
 
-def not_told(undriven: Iterable[Diagnostic], told: Iterable[Diagnostic]) -> Iterator[Diagnostic]:
+def unreported_waits(
+    undriven: Iterable[Diagnostic], reported: Iterable[Diagnostic]
+) -> Iterator[Diagnostic]:
     """The waits except those at which a run has ended: that finding says more."""
-    ends = [one.span for one in told if isinstance(one.violation, EndlessWait) and one.span]
+    ends = [one.span for one in reported if isinstance(one.violation, EndlessWait) and one.span]
     for one in undriven:
         span = one.span
         if span is None or not any(span.begins_in(end) for end in ends):
             yield one
 
 
-def waited_for(statement: tree.Statement) -> tuple[tree.Name, tree.Number] | None:
+def waited_for(statement: tree.Statement) -> tuple[tree.Name, tree.NumberLiteral] | None:
     """The signal and the value that a statement waits for."""
     if not isinstance(statement, tree.Call):
         return None
-    required = [one.value for one in statement.arguments if isinstance(one, tree.Required)]
+    required = [one.value for one in statement.arguments if isinstance(one, tree.RequiredArgument)]
     match required[:1] + required[-1:]:
-        case [tree.Reference(name=name), tree.Number() as value]:
-            waits = Does.WAIT in does(installed_symbol(statement.name.key))
+        case [tree.DataReference(name=name), tree.NumberLiteral() as value]:
+            waits = Trait.WAIT in does(installed_symbol(statement.name.key))
             return (name, value) if waits else None
         case _:
             return None

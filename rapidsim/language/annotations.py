@@ -34,12 +34,12 @@ from rapidsim.language.path_events import Trigger, ZoneShape
 from rapidsim.language.reference import Reference
 from rapidsim.language.sockets import SocketState
 from rapidsim.language.symbols import DataName
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 T = TypeVar("T")
 
 
-class Mode(Enum):
+class ParameterMode(Enum):
     """How an argument is passed."""
 
     IN = "IN"
@@ -58,7 +58,7 @@ class Marker(Enum):
     """Pass the type of another argument."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Only:
     """What a parameter of type anytype takes, where that is not everything."""
 
@@ -148,10 +148,10 @@ SignalAo = Annotated[Signal, types.SIGNAL_AO]
 SignalGi = Annotated[Signal, types.SIGNAL_GI]
 SignalGo = Annotated[Signal, types.SIGNAL_GO]
 
-InOut = Annotated[Reference[T], Mode.INOUT]
-Var = Annotated[Reference[T], Mode.VAR]
-Pers = Annotated[Reference[T], Mode.PERS]
-Ref = Annotated[T, Mode.REF]
+InOut = Annotated[Reference[T], ParameterMode.INOUT]
+Var = Annotated[Reference[T], ParameterMode.VAR]
+Pers = Annotated[Reference[T], ParameterMode.PERS]
+Ref = Annotated[T, ParameterMode.REF]
 
 Deferred = Annotated[Callable[[], T], Marker.DEFERRED]
 ArgumentType = Annotated[types.Type, Marker.ARGUMENT_TYPE]

@@ -31,7 +31,7 @@ class Cameras(Protocol):
         """Take the next picture of the script; how long until its results are there [s]."""
         ...
 
-    def found(self, camera: Camera) -> int:
+    def result_count(self, camera: Camera) -> int:
         """How many results can be fetched now."""
         ...
 

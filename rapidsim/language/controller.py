@@ -46,13 +46,13 @@ from rapidsim.language.texts import Texts
 class ClockService(Protocol):
     """Virtual time of a task, and what generated code touches to let it pass."""
 
-    left: int
+    ticks_left: int
     """Ticks of the current slice that are left; a loop takes one each turn and calls `service` when
     it falls below zero."""
     place: Place
     """The statement being executed; set before each call that may report."""
 
-    deeds: int
+    effect_count: int
     """How often the program has done more than read."""
 
     program_state: Callable[[], Iterable[object]]
@@ -64,7 +64,7 @@ class ClockService(Protocol):
         """Whether any interrupt waits for a persistent to change."""
         ...
 
-    def look_at_persistents(self) -> None:
+    def serve_persistent_changes(self) -> None:
         """Serve the interrupts of persistents the program has changed since the last look."""
         ...
 
@@ -88,7 +88,7 @@ class ClockService(Protocol):
         """Virtual time [s] of the statement that runs."""
         ...
 
-    def stays_until(self, time_s: float) -> None:
+    def hold_until(self, time_s: float) -> None:
         """What the statement that runs tells the program stays as it is until a time [s].
 
         A loop that does nothing but look at such values is taken to where one changes.
@@ -112,7 +112,7 @@ class ClockService(Protocol):
         ...
 
 
-class Execution(Protocol):
+class ExecutionControl(Protocol):
     """Whether the program executes."""
 
     def stop(self, reason: str) -> None:
@@ -375,7 +375,7 @@ ACCEPTED, STUB = "accepted without effect", "what its stub says"
 """How notes begin: for what only changes what no run shows, for routines of stub modules."""
 
 
-class Honesty(Protocol):
+class FidelityReporter(Protocol):
     """How a routine reports that it did less than a controller would."""
 
     def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
@@ -388,7 +388,7 @@ class Controller:
     """The controller of one task, with a service for each concern."""
 
     clock: ClockService
-    execution: Execution
+    execution: ExecutionControl
     motion: Motion
     path_control: PathControl
     path_recorder: PathRecorder
@@ -405,7 +405,7 @@ class Controller:
     errors: ErrorReports
     tasks: TaskService
     sync_moves: SyncMoves
-    honesty: Honesty
+    fidelity: FidelityReporter
     equipment: Equipment
     axis_signals: AxisSignals
     smart_gripper: SmartGripper
@@ -422,7 +422,7 @@ class Controller:
 CONCERNS: Mapping[type, str] = MappingProxyType(
     {
         ClockService: "clock",
-        Execution: "execution",
+        ExecutionControl: "execution",
         Motion: "motion",
         PathControl: "path_control",
         PathRecorder: "path_recorder",
@@ -439,7 +439,7 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         ErrorReports: "errors",
         TaskService: "tasks",
         SyncMoves: "sync_moves",
-        Honesty: "honesty",
+        FidelityReporter: "fidelity",
         Equipment: "equipment",
         AxisSignals: "axis_signals",
         SmartGripper: "smart_gripper",
@@ -452,8 +452,8 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
 """Under which name a `Controller` has the concern of each protocol."""
 
 
-def one_for_all(one: Any) -> Controller:
+def uniform_controller(implementation: Any) -> Controller:
     """A controller whose concerns are all one object: where nothing runs, and in tests."""
-    whole = Controller(**dict.fromkeys(CONCERNS.values(), one))
-    whole.symbols = whole.modules = one
+    whole = Controller(**dict.fromkeys(CONCERNS.values(), implementation))
+    whole.symbols = whole.modules = implementation
     return whole

@@ -12,7 +12,7 @@ from dataclasses import field
 from typing import Annotated, NamedTuple
 
 from rapidsim.language import types
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 UNUSED_AXIS = 8999999488.0
 """An external axis that is not connected: 9E9, as the single that `num` makes of it."""
@@ -300,7 +300,7 @@ class RmqHeader(NamedTuple):
     dim3: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Signal:
     """The value of a signal variable: which signal it means; "" where none is connected."""
 
@@ -309,7 +309,7 @@ class Signal:
     """Whether the name itself is the signal's, so that AliasIO cannot give it another."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ClockState:
     """The value of a clock: time counted before, and since when it runs; virtual seconds."""
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from enum import Enum
 from typing import Protocol, TypeAlias
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 def robot_name(number: int) -> str:
@@ -43,7 +43,7 @@ Configured: TypeAlias = Mapping[str, Mapping[str, Sequence[Mapping[str, str]]]]
 a switch is "true"."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class MechanicalUnitFacts:
     """What a program may ask of a mechanical unit."""
 
@@ -190,7 +190,7 @@ class IndependentAxis(Protocol):
         """Let it leave the path where it stands."""
         ...
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Let the path move it again."""
         ...
 

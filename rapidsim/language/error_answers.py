@@ -7,7 +7,7 @@ from enum import StrEnum
 from typing import Protocol
 
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class ErrorOutcome(StrEnum):
@@ -24,7 +24,7 @@ class ErrorOutcome(StrEnum):
     ENDED = "ended the program"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class AnsweredError:
     """An error of one number at one place, and what one ERROR clause did about it."""
 

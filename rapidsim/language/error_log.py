@@ -7,7 +7,7 @@ gives them: 80001 is number 1 of domain 8.
 
 from __future__ import annotations
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ANY = 0.0
 """COMMON_ERR among domains, TYPE_ALL among types."""
@@ -16,7 +16,7 @@ STATE, WARNING, ERROR = 1.0, 2.0, 3.0
 """Types of entries."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoggedError:
     """One entry."""
 

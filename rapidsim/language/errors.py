@@ -45,7 +45,7 @@ class Stopped(BaseException):
         self.reason = reason
 
 
-class CutOff(Stopped):
+class RunLimitReached(Stopped):
     """A limit of the run is reached: no clause of the program runs any more, UNDO neither."""
 
 

@@ -11,7 +11,7 @@ from typing import Final, Protocol
 
 from rapidsim.language.data import EgmMinMax, Pose, ToolData, WobjData
 from rapidsim.language.moves import Move
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DISCONNECTED: Final = 0.0
 CONNECTED: Final = 1.0
@@ -31,7 +31,7 @@ class Purpose(Enum):
     PATH_CORRECTION = auto()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SensorSetup:
     """EGMSetupUC and its like: who guides."""
 
@@ -44,7 +44,7 @@ class SensorSetup:
     """Signals that guide in place of a device, R1 or x first; empty for one that nothing guides."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PoseFrames:
     """The frames poses refer to; types are those of egmframetype."""
 
@@ -54,7 +54,7 @@ class PoseFrames:
     sensor_type: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Activation:
     """EGMActJoint and EGMActPose: what the sensor sends, and when the robot counts as there."""
 
@@ -73,13 +73,13 @@ class Activation:
     streams: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class GuidanceTerms:
     """EGMRunJoint and EGMRunPose: which axes, how strongly, until when."""
 
     chosen: tuple[bool, ...]
     """J1..J7 or x..rz; none of them means all."""
-    goes_back: bool
+    moves_back: bool
     waits: bool
     condition_s: float
     ramp_in_s: float
@@ -133,7 +133,7 @@ class Guidance(Protocol):
         """Wait until the robot that is guided is there; raises as `guide` does."""
         ...
 
-    def end_guidance(self, identity: int, *, goes_back: bool, ramp_out_s: float) -> None:
+    def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
         """End the guidance; returns when the robot stands."""
         ...
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from rapidsim.language.types import Type
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 NO_USER_DEF = -1.0
 r"""What \UserDef gives of a message that was sent without it."""
@@ -27,7 +27,7 @@ class Slot(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class MessageKind:
     """What a task waits for or has ordered: a type behind its aliases, and array dimensions."""
 
@@ -46,7 +46,7 @@ class MessageKind:
         return same_name and self.dimensions == other.dimensions
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Message:
     """One message: the value of an rmqmessage."""
 

@@ -6,10 +6,10 @@ from typing import Protocol
 
 from rapidsim.diagnostics import Source
 from rapidsim.language.errors import RapidError
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoadSession:
     """A file that StartLoad has read; what a variable of type `loadsession` holds."""
 
@@ -19,7 +19,7 @@ class LoadSession:
     """What was read; or why nothing was, which WaitLoad raises."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SavedModule:
     """A module as it would be saved now."""
 

@@ -29,7 +29,7 @@ from rapidsim.language.data import (
     WobjData,
     ZoneData,
 )
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LEAST_RAMP_PERCENT = 10.0
 CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)
@@ -39,7 +39,7 @@ NO_LIMIT = -1.0
 NO_OFFSETS = ExtJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class Place:
     """Where a statement stands, for events and reports."""
 
@@ -75,7 +75,7 @@ class Interpolation(Enum):
         return self in (Interpolation.LINE, Interpolation.CIRCLE)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class StopTime:
     """The shortest time at a stop point."""
 
@@ -84,7 +84,7 @@ class StopTime:
     """Whether the program waits with the robot."""
 
 
-class Sensed(Enum):
+class SensorInfluence(Enum):
     """Whether a sensor affects the path of a move."""
 
     NEVER = auto()
@@ -94,7 +94,7 @@ class Sensed(Enum):
     CORRECTED = auto()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Move:
     """One move instruction with its arguments evaluated."""
 
@@ -116,7 +116,7 @@ class Move:
     """The argument \\Inpos, where it gives a time."""
     programmed: RobTarget | None = None
     """The target as programmed, where \\Corr moves it."""
-    sensed: Sensed = Sensed.NEVER
+    sensed: SensorInfluence = SensorInfluence.NEVER
     """Whether a sensor corrects its path."""
 
 
@@ -142,7 +142,7 @@ class CirclePathMode(Enum):
     WRIST56 = r"\Wrist56"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class MotionSettings:
     """What VelSet, AccSet, ConfL and their like have set; these are the values after PP to main."""
 

@@ -66,15 +66,17 @@ class PathRecorder(Protocol):
         """Record no further moves; with `clear`, forget all."""
         ...
 
-    def may_go_back(self, identifier: int | None) -> bool:
+    def can_move_backward(self, identifier: int | None) -> bool:
         """Whether there is a recorded way back to a place, None for the first."""
         ...
 
-    def may_go_forth(self, identifier: int | None) -> bool:
+    def can_move_forward(self, identifier: int | None) -> bool:
         """Whether the robot has gone back and can go forward to a place."""
         ...
 
-    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_backward(
+        self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
+    ) -> None:
         """Go back on the recorded path to a place.
 
         Args:
@@ -87,7 +89,9 @@ class PathRecorder(Protocol):
         """
         ...
 
-    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_forward(
+        self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
+    ) -> None:
         """Go forward again to a place; None for where the way back began.
 
         Raises:
@@ -122,7 +126,7 @@ class Searches(Protocol):
     def search(
         self,
         move: Move,
-        found: Callable[[], float] | str,
+        stop_condition: Callable[[], float] | str,
         flank: Flank,
         stop: SearchStop,
     ) -> RobTarget:
@@ -140,7 +144,7 @@ class Searches(Protocol):
     def search_joints(
         self,
         move: Move,
-        found: Callable[[], float] | str,
+        stop_condition: Callable[[], float] | str,
         flank: Flank,
         stop: SearchStop,
     ) -> JointTarget:

@@ -9,10 +9,10 @@ from collections.abc import Callable
 
 from rapidsim.language.data import JointTarget, Pos
 from rapidsim.language.reference import Reference
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SetOutput:
     """An output takes a value, at once or after a delay."""
 
@@ -21,14 +21,14 @@ class SetOutput:
     delay_s: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RaiseInterrupt:
     """An interrupt is raised."""
 
     interrupt: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CheckSignal:
     """A signal is checked; an interrupt is raised if it is not as required."""
 
@@ -39,7 +39,7 @@ class CheckSignal:
     """The robot is stopped first."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RampOutput:
     """An analog output ramps linearly to a value."""
 
@@ -50,7 +50,7 @@ class RampOutput:
     by_time: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FollowSpeed:
     """From here on an analog output is the speed of the TCP [mm/s] times a factor; 0 ends it."""
 
@@ -60,14 +60,14 @@ class FollowSpeed:
     """How far [s] the output leads the speed."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CallProcedure:
     """A procedure runs as a trap would."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Trigger:
     """Where on a move something happens, and what."""
 
@@ -83,7 +83,7 @@ class Trigger:
     inhibited_value: Reference[object] | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Cuboid:
     """A box between two corners, along the axes of the world [mm]."""
 
@@ -91,7 +91,7 @@ class Cuboid:
     high: Pos
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Cylinder:
     """A cylinder along the z axis of the world [mm]; below its centre if the height is negative."""
 
@@ -100,7 +100,7 @@ class Cylinder:
     height: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Sphere:
     """A sphere [mm]."""
 
@@ -108,7 +108,7 @@ class Sphere:
     radius: float
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class AxisRange:
     """Positions of the axes between two joint targets [deg]."""
 
@@ -116,7 +116,7 @@ class AxisRange:
     high: JointTarget
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ZoneShape:
     """The value of `shapedata`: a volume, meant inside or outside."""
 

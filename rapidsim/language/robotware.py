@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _VERSION = re.compile(r"(\d{1,3})\.(\d{1,3})(?:\.\d+)*")
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@value_class(frozen=True, slots=True, order=True)
 class RobotWare:
     """A version, as far as the language depends on it."""
 

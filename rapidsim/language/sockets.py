@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sized
 from typing import Final, NamedTuple, Protocol
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 CREATED: Final = 1.0
 CONNECTED: Final = 2.0
@@ -53,7 +53,7 @@ class Listener(Protocol):
     port: int
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SocketState:
     """A socket that SocketCreate has made and SocketClose has not ended."""
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Protocol
 
 from rapidsim.language.types import Type
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class DataName:
     """Data that a module declares; what a variable of type `datapos` holds."""
 
@@ -16,8 +16,8 @@ class DataName:
     module: str
 
 
-@dataclass(frozen=True, slots=True)
-class Search:
+@value_class(frozen=True, slots=True)
+class DataSearch:
     """Which data to look for."""
 
     type: str
@@ -34,13 +34,13 @@ class Search:
 class Symbols(Protocol):
     """The data that the modules of a task declare."""
 
-    def read(self, name: str, of: Type, where: DataName | None) -> object:
+    def read(self, name: str, of: Type, data_name: DataName | None) -> object:
         """A copy of a value.
 
         Args:
             name: As in the program, in any case; with an element or component behind it.
             of: The type it must have.
-            where: The data of that name that are meant, where several modules have some.
+            data_name: The data of that name that are meant, where several modules have some.
 
         Raises:
             RapidError: ERR_SYM_ACCESS if there are no such data, ERR_SYMBOL_TYPE or ERR_INVDIM if
@@ -48,18 +48,18 @@ class Symbols(Protocol):
         """
         ...
 
-    def write(self, name: str, of: Type, where: DataName | None, value: object) -> None:
+    def write(self, name: str, of: Type, data_name: DataName | None, value: object) -> None:
         """Change a value; raises as `read` does, and ERR_SYM_ACCESS for constants."""
         ...
 
-    def search(self, search: Search) -> tuple[DataName, ...]:
+    def search(self, search: DataSearch) -> tuple[DataName, ...]:
         """All matching data, in the order they are written."""
         ...
 
-    def begin_search(self, search: Search | None) -> None:
-        """Look for data; `next_found` gives them one by one. None finds nothing."""
+    def begin_search(self, search: DataSearch | None) -> None:
+        """Look for data; `next_match` gives them one by one. None finds nothing."""
         ...
 
-    def next_found(self) -> DataName | None:
+    def next_match(self) -> DataName | None:
         """The next data of the search; None when there are no more."""
         ...

@@ -90,7 +90,7 @@ class TaskService(Protocol):
         """Let the robot that a task without one watches go on, or all."""
         ...
 
-    def robot_held(self) -> tuple[bool, bool]:
+    def is_robot_held(self) -> tuple[bool, bool]:
         """Whether the robot's own task keeps it where it is, and whether one that watches does."""
         ...
 
@@ -103,13 +103,13 @@ class SyncMoves(Protocol):
         """Names of the tasks that move together, this one among them; empty while it is alone."""
         ...
 
-    def move_together(
+    def sync_move_on(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
     ) -> bool:
         """Wait for some tasks at a stop point; from there their robots move together."""
         ...
 
-    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+    def sync_move_off(self, name: str, *, max_time: float | None = None) -> bool:
         """Wait for the tasks that move together at a stop point; from there each moves alone."""
         ...
 

@@ -12,7 +12,7 @@ from dataclasses import field
 from enum import Enum
 from typing import TypeAlias
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Kind(Enum):
@@ -28,7 +28,7 @@ class Kind(Enum):
     """Nothing declares the type, so it may be anything."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Atomic:
     """A type without components."""
 
@@ -38,7 +38,7 @@ class Atomic:
     """For a semi-value type, the name of the type its value has."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Component:
     """One named component of a record."""
 
@@ -46,7 +46,7 @@ class Component:
     type: Type
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Record:
     """A type of ordered, named components; its values are instances of `python`."""
 
@@ -56,7 +56,7 @@ class Record:
     """Each task has its own for a record of the user; the type is the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Alias:
     """Another name for a type."""
 
@@ -64,7 +64,7 @@ class Alias:
     of: Atomic | Record
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ArrayOf:
     """An array of one to three dimensions; None is a dimension taken from the argument."""
 

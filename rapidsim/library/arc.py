@@ -20,10 +20,10 @@ from rapidsim.language.arc_data import SeamData, TrackData, WeaveData, WeldData
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import FINE, RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.moves import Interpolation
-from rapidsim.library.honesty import ignored
-from rapidsim.library.motion import MoveOptions, asked, each_way
+from rapidsim.library.fidelity_notes import note_ignored_options
+from rapidsim.library.motion import MoveOptions, build_move, move_variants
 from rapidsim.library.table import table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 INSTEAD = "a move with the speed of the weld and the times of the seam, without an arc"
 
@@ -54,7 +54,7 @@ class ArcOptions(MoveOptions, total=False):
 
 
 def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
-    def body_of(name: str, way: Interpolation) -> Callable[..., None]:
+    def body_of(name: str, interpolation: Interpolation) -> Callable[..., None]:
         def body(
             controller: Controller,
             to_point: RobTarget,
@@ -65,14 +65,16 @@ def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
             tool: Pers[ToolData],
             **options: Unpack[ArcOptions],
         ) -> None:
-            controller.honesty.not_simulated(name, INSTEAD)
+            controller.fidelity.not_simulated(name, INSTEAD)
             _report(controller, name, options)
-            stands_s = _stands_s(phase, seam)
+            stands_s = _dwell_s(phase, seam)
             if phase is not Phase.START and weld.weld_speed > 0.0:
                 speed = SpeedData(weld.weld_speed, *speed[1:])
             stops = phase is Phase.END or stands_s > 0.0
             to = FINE if stops else zone
-            controller.motion.move(asked(controller, name, way, to_point, speed, to, tool, options))
+            controller.motion.move(
+                build_move(controller, name, interpolation, to_point, speed, to, tool, options)
+            )
             if stands_s > 0.0:
                 controller.clock.wait(stands_s, in_position=True)
 
@@ -81,7 +83,7 @@ def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
     return body_of
 
 
-def _stands_s(phase: Phase, seam: SeamData) -> float:
+def _dwell_s(phase: Phase, seam: SeamData) -> float:
     """How long the torch waits at the end of a move [s]."""
     if phase is Phase.START:
         return seam.preflow_time + seam.ign_move_delay + seam.heat_time
@@ -98,7 +100,7 @@ def _report(controller: Controller, name: str, options: ArcOptions) -> None:
         r"\Time": options.get("time"),
         r"\T1": options.get("t1"),
     }
-    ignored(controller.honesty, name, left_out)
+    note_ignored_options(controller.fidelity, name, left_out)
 
 
 _ORDER = (
@@ -110,13 +112,13 @@ ARC = table(
     *(
         row
         for phase in Phase
-        for row in each_way(
+        for row in move_variants(
             f"Arc*{phase.value}",
             _arc(phase),
             _ORDER,
             ", welding",
-            ways="LC",
-            does=Does.WAIT,
+            interpolations="LC",
+            does=Trait.WAIT,
             treated_as=INSTEAD,
         )
     )

@@ -24,7 +24,7 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.library.mechanical_units import system_unit_named
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 CHANNELS = 12
 LONGEST_SAMPLE_S = 5.0
@@ -51,11 +51,11 @@ def define_test_signal(
         )
     quantity = _SAMPLED.get(signal_id)
     if quantity is None:
-        controller.honesty.not_simulated(f"the test signal {signal_id:g}", "it reads 0")
+        controller.fidelity.not_simulated(f"the test signal {signal_id:g}", "it reads 0")
         controller.axis_signals.stop_sampling(number)
         return
     if sample_time > LONGEST_SAMPLE_S:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             f"TestSignDefine with a SampleTime of {sample_time:g} s", f"{LONGEST_SAMPLE_S:g} s"
         )
     interval_s = min(max(sample_time, 0.0), LONGEST_SAMPLE_S)
@@ -67,7 +67,7 @@ def read_test_signal(controller: Controller, channel: Num) -> Num:
     number = _channel(channel)
     value = controller.axis_signals.last_sample(number)
     if value is None:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             f"TestSignRead of channel {number}, which has no signal that is simulated", "0"
         )
         return 0.0
@@ -89,6 +89,6 @@ def _channel(channel: float) -> int:
 
 AXIS_SIGNALS = table(
     routine("TestSignDefine", define_test_signal),
-    routine("TestSignRead", read_test_signal, does=Does.READ_CELL),
+    routine("TestSignRead", read_test_signal, does=Trait.READ_CELL),
     routine("TestSignReset", reset_test_signals),
 )

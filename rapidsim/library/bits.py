@@ -11,7 +11,7 @@ from rapidsim.language.annotations import ArgumentType, Bool, Byte, Dnum, InOut,
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_NOTINTVAL, rapid_error
 from rapidsim.language.types import NUM, Type, resolved
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 BYTE_BITS = 8
 DNUM_BITS = 52
@@ -142,8 +142,8 @@ BITS = table(
     routine("BitLSh", bit_l_sh),
     routine("BitRSh", bit_r_sh),
     routine("BitCheck", bit_check),
-    routine("BitSet", bit_set, does=Does.INSTANT),
-    routine("BitClear", bit_clear, does=Does.INSTANT),
+    routine("BitSet", bit_set, does=Trait.INSTANT),
+    routine("BitClear", bit_clear, does=Trait.INSTANT),
     routine("BitAndDnum", bit_and_dnum),
     routine("BitOrDnum", bit_or_dnum),
     routine("BitXOrDnum", bit_x_or_dnum),

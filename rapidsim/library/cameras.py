@@ -25,7 +25,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.option_data import CameraTarget
 from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _NOT_THERE = "skipped: the station has no [[camera]] of that name"
 
@@ -121,7 +121,7 @@ def cam_get_result(
     cameras = controller.cameras
 
     def is_decided() -> bool:
-        return bool(cameras.found(found)) or not cameras.expects(found)
+        return bool(cameras.result_count(found)) or not cameras.expects(found)
 
     if not controller.signals.wait_until(is_decided, max_time=max_time, poll_s=_LOOKS_EVERY_S):
         raise rapid_error(ERR_CAM_MAXTIME, f"no result of {found.name} in {max_time or 0.0:g} s")
@@ -137,7 +137,7 @@ def cam_number_of_results(
     """The number of results that can be fetched."""
     del scene_id
     found = _camera(controller, "CamNumberOfResults", camera)
-    return 0.0 if found is None else float(controller.cameras.found(found))
+    return 0.0 if found is None else float(controller.cameras.result_count(found))
 
 
 def cam_flush(controller: Controller, camera: Var[CameraDev]) -> None:
@@ -166,7 +166,7 @@ def _camera(controller: Controller, routine: str, camera: Reference[object]) -> 
     """The camera that is meant; None, and said, where the station has none of that name."""
     found = controller.cameras.camera(_name(controller, camera))
     if found is None:
-        controller.honesty.not_simulated(routine, _NOT_THERE)
+        controller.fidelity.not_simulated(routine, _NOT_THERE)
     return found
 
 
@@ -250,7 +250,9 @@ def cam_get_exposure(
         return 0.0
     of = _BRIGHTNESS if brightness else _CONTRAST if contrast else _TIME
     if of not in found.exposure:
-        controller.honesty.not_simulated(f"CamGetExposure of {found.name}", "0: nothing has set it")
+        controller.fidelity.not_simulated(
+            f"CamGetExposure of {found.name}", "0: nothing has set it"
+        )
     return found.exposure.get(of, 0.0)
 
 
@@ -280,20 +282,22 @@ CAMERAS = table(
     routine("CamGetName", cam_get_name),
     routine("CamGetParameter", cam_get_parameter, r"Camera ParName \NumVar|\BoolVar|\StrVar"),
     routine(
-        "CamGetResult", cam_get_result, r"Camera CamTarget \SceneId \MaxTime", does=Does.GIVE_UP
+        "CamGetResult", cam_get_result, r"Camera CamTarget \SceneId \MaxTime", does=Trait.GIVE_UP
     ),
-    routine("CamLoadJob", cam_load_job, r"Camera JobName \KeepTargets \MaxTime", does=Does.GIVE_UP),
+    routine(
+        "CamLoadJob", cam_load_job, r"Camera JobName \KeepTargets \MaxTime", does=Trait.GIVE_UP
+    ),
     routine("CamNumberOfResults", cam_number_of_results),
     routine(
         "CamReqImage",
         cam_req_image,
         r"Camera \SceneId \KeepTargets \AwaitComplete",
-        does=Does.WAIT,
+        does=Trait.WAIT,
     ),
     routine("CamSetExposure", cam_set_exposure),
     routine("CamSetParameter", cam_set_parameter, r"Camera ParName \NumVal|\BoolVal|\StrVal"),
     routine("CamSetProgramMode", cam_set_program_mode),
     routine("CamSetRunMode", cam_set_run_mode),
     routine("CamStartLoadJob", cam_start_load_job),
-    routine("CamWaitLoadJob", cam_wait_load_job, does=Does.WAIT),
+    routine("CamWaitLoadJob", cam_wait_load_job, does=Trait.WAIT),
 )

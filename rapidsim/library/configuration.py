@@ -33,14 +33,14 @@ from rapidsim.language.reference import Reference
 from rapidsim.language.types import BOOL, NUM, STRING, Type, resolved
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, parsed_number
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 END_OF_LIST = -1.0
 """The constant of that name."""
 _SWITCHES = {"true": True, "false": False}
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Instance:
     domain: str
     of: str
@@ -58,7 +58,7 @@ def read_cfg_data(
     of: ArgumentType = NUM,
 ) -> None:
     """Read an attribute of a system parameter."""
-    found = _found(controller, instance_path, list_no)
+    found = _instance_at(controller, instance_path, list_no)
     text = _text(found, instance_path, attribute)
     cfg_data.value = _value(text, of, f"{instance_path}, {attribute}")
 
@@ -73,7 +73,7 @@ def write_cfg_data(
     of: ArgumentType = NUM,
 ) -> None:
     """Change an attribute of a system parameter, of the same kind as it has."""
-    found = _found(controller, instance_path, list_no)
+    found = _instance_at(controller, instance_path, list_no)
     _value(_text(found, instance_path, attribute), of, f"{instance_path}, {attribute}")
     match cfg_data:
         case bool():
@@ -91,10 +91,10 @@ def save_cfg_data(
     """Save system parameters to a file: the run has none of its own to save."""
     del domain
     named = file_path if file is None else f"{file_path}/{file}"
-    controller.honesty.not_simulated("SaveCfgData", f"{named} is not written")
+    controller.fidelity.not_simulated("SaveCfgData", f"{named} is not written")
 
 
-def _found(controller: Equipment, path: str, list_no: Reference[float] | None) -> _Instance:
+def _instance_at(controller: Equipment, path: str, list_no: Reference[float] | None) -> _Instance:
     """The instance that a path means; with a list number the next of several."""
     parts = [part for part in path.split("/") if part]
     if len(parts) not in (3, 4):
@@ -125,14 +125,14 @@ def _found(controller: Equipment, path: str, list_no: Reference[float] | None) -
     return fitting[number]
 
 
-def _text(found: _Instance, path: str, attribute: str) -> str:
-    text = found.attributes.get(attribute.lower())
+def _text(instance: _Instance, path: str, attribute: str) -> str:
+    text = instance.attributes.get(attribute.lower())
     if text is None:
         raise rapid_error(ERR_CFG_NOTFND, f"{path} says nothing of {attribute}")
     return text
 
 
-def _value(text: str, of: Type, what: str) -> object:
+def _value(text: str, of: Type, subject: str) -> object:
     """What a text of the configuration is as a value of a type."""
     wanted = resolved(of)
     value = (
@@ -143,7 +143,7 @@ def _value(text: str, of: Type, what: str) -> object:
         else parsed_number(text)
     )
     if value is None:
-        raise rapid_error(ERR_CFG_ILLTYPE, f"{what} is `{text}`, which is no {of.name}")
+        raise rapid_error(ERR_CFG_ILLTYPE, f"{subject} is `{text}`, which is no {of.name}")
     return value
 
 

@@ -36,7 +36,7 @@ def wait_wobj(
     unit = wobj.value.ufmec
     conveyor = controller.equipment.conveyor(unit)
     if conveyor is None:
-        controller.honesty.not_simulated("WaitWObj", _NO_CONVEYOR)
+        controller.fidelity.not_simulated("WaitWObj", _NO_CONVEYOR)
         return
     if unit.lower() in controller.motion.settings.inactive_units:
         raise rapid_error(ERR_CNV_NOT_ACT, f"the conveyor {unit} is not active")
@@ -61,7 +61,7 @@ def drop_wobj(controller: Controller, wobj: Pers[WobjData]) -> None:
     """Disconnect the work object, so that the next object can be waited for."""
     conveyor = controller.equipment.conveyor(wobj.value.ufmec)
     if conveyor is None:
-        controller.honesty.not_simulated("DropWObj", _NO_CONVEYOR)
+        controller.fidelity.not_simulated("DropWObj", _NO_CONVEYOR)
         return
     conveyor.drop()
 

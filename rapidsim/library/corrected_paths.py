@@ -13,9 +13,14 @@ from typing import Final, Unpack
 from rapidsim.language.annotations import Num, Pers, Var
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget, SpeedData, ToolData, ZoneData
-from rapidsim.language.moves import Interpolation, Sensed
-from rapidsim.library.guidance_arguments import CorrectedOptions, EgmIdent, known, sample_s
-from rapidsim.library.motion import asked, each_way
+from rapidsim.language.moves import Interpolation, SensorInfluence
+from rapidsim.library.guidance_arguments import (
+    CorrectedOptions,
+    EgmIdent,
+    identity_number,
+    sample_s,
+)
+from rapidsim.library.motion import build_move, move_variants
 from rapidsim.library.table import routine
 
 PATH_SAMPLE_MS: Final = 48.0
@@ -32,15 +37,15 @@ def egm_act_move(
 ) -> None:
     """Say where a sensor is that corrects paths, and how often it does."""
     if sensor_frame != IDENTITY_POSE:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             "EGMActMove SensorFrame", "the sensor is taken to measure in path coordinates"
         )
     controller.guidance.activate_path(
-        known(egmid, "EGMActMove"), sample_s(sample_rate, PATH_SAMPLE_MS, PATH_STEP_MS)
+        identity_number(egmid, "EGMActMove"), sample_s(sample_rate, PATH_SAMPLE_MS, PATH_STEP_MS)
     )
 
 
-def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
+def _corrected(name: str, interpolation: Interpolation) -> Callable[..., None]:
     """The body of a move whose path a sensor corrects."""
 
     def body(
@@ -52,22 +57,22 @@ def _corrected(name: str, way: Interpolation) -> Callable[..., None]:
         tool: Pers[ToolData],
         **options: Unpack[CorrectedOptions],
     ) -> None:
-        sensed = Sensed.NOT_HERE if options.get("no_corr") else Sensed.CORRECTED
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        sensed = SensorInfluence.NOT_HERE if options.get("no_corr") else SensorInfluence.CORRECTED
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         move = replace(move, sensed=sensed)
         put = partial(controller.motion.move, move)
-        controller.guidance.correct(lambda: known(egmid, name), move, put)
+        controller.guidance.correct(lambda: identity_number(egmid, name), move, put)
 
     return body
 
 
 CORRECTED_PATHS = (
     routine("EGMActMove", egm_act_move, r"EGMid SensorFrame \SampleRate"),
-    *each_way(
+    *move_variants(
         "EGMMove*",
         _corrected,
         r"EGMid ToPoint Speed Zone Tool \WObj \TLoad \NoCorr",
-        besides=", on a path that a sensor corrects",
-        ways="LC",
+        suffix=", on a path that a sensor corrects",
+        interpolations="LC",
     ),
 )

@@ -20,7 +20,7 @@ from rapidsim.language.annotations import (
 from rapidsim.language.controller import Controller
 from rapidsim.language.cyclic_bools import CyclicBools
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
@@ -50,7 +50,7 @@ def remove_cyclic_bool(controller: Controller, flag: Bool | String) -> None:
 
 def remove_all_cyclic_bool(controller: Controller, *, all_tasks: Switch = False) -> None:
     """Stop updating all persistents."""
-    ignored(controller.honesty, "RemoveAllCyclicBool", {r"\AllTasks": all_tasks})
+    note_ignored_options(controller.fidelity, "RemoveAllCyclicBool", {r"\AllTasks": all_tasks})
     for name in controller.cyclic_bools.names():
         controller.cyclic_bools.remove(name)
 
@@ -63,7 +63,9 @@ def is_cyclic_bool(
     task_name: String | None = None,
 ) -> Bool:
     """Whether a persistent, given itself or by its name, is kept equal to a condition."""
-    ignored(controller.honesty, "IsCyclicBool", {r"\TaskRef": task_ref, r"\TaskName": task_name})
+    note_ignored_options(
+        controller.fidelity, "IsCyclicBool", {r"\TaskRef": task_ref, r"\TaskName": task_name}
+    )
     kept = [name.lower() for name in controller.cyclic_bools.names()]
     return _name(controller, flag).lower() in kept
 

@@ -3,7 +3,7 @@ r"""Routines that are known but not simulated: `declared.txt`, read when first n
 The file gives each its header as RAPID would write it, or `...` for parameters that no source
 gives; after `=>` what is done instead. Without `=>` an instruction is skipped and a function
 returns the value data of its type start with. After `@` stands what the header does not say of what
-it does, in the words of `Does`, or what puts back what it sets. Each use is reported to the
+it does, in the words of `Trait`, or what puts back what it sets. Each use is reported to the
 controller.
 """
 
@@ -17,16 +17,16 @@ from pathlib import Path
 from types import MappingProxyType
 
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.controller import Controller
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.types import Type
 from rapidsim.library.motion import MOTION
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.substitutes import SUBSTITUTES
 from rapidsim.library.table import WHOLE, LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
-from rapidsim.library.traits import NOTHING, Does
+from rapidsim.library.traits import NO_TRAITS, Trait
 
 BUILT_IN = "built in"
 """What stands after `=>` for routines that the interpreter itself carries out."""
@@ -101,7 +101,7 @@ def _row(line: str) -> LibraryRoutine:
     treated_as = instead or ("skipped" if result is None else _returned(TYPES[result]))
 
     def body(controller: Controller, *arguments: object, **options: object) -> object:
-        controller.honesty.not_simulated(name, treated_as)
+        controller.fidelity.not_simulated(name, treated_as)
         if (substitute := SUBSTITUTES.get(treated_as)) is not None:
             given = _by_name(row.signature, arguments) | options
             substitute(controller, given)
@@ -111,12 +111,12 @@ def _row(line: str) -> LibraryRoutine:
     return row
 
 
-def _stated(words: str, instead: str | None) -> Does:
+def _stated(words: str, replacement: str | None) -> Trait:
     """What a line says that a routine does; a move in its stead does the same."""
-    substitute = MOTION.get((instead or "").lower())
-    does = NOTHING if substitute is None else substitute.stated
+    substitute = MOTION.get((replacement or "").lower())
+    does = NO_TRAITS if substitute is None else substitute.stated
     for word in words.split():
-        does |= Does[word]
+        does |= Trait[word]
     return does
 
 
@@ -157,7 +157,13 @@ def _merged(alternatives: list[Parameter]) -> Parameter:
     """One required parameter that takes either type: `VAR signaldi Signal | PERS bool PersBool`."""
     first = alternatives[0]
     modes = {alternative.mode for alternative in alternatives}
-    mode = first.mode if len(modes) == 1 else Mode.IN if Mode.IN in modes else Mode.INOUT
+    mode = (
+        first.mode
+        if len(modes) == 1
+        else ParameterMode.IN
+        if ParameterMode.IN in modes
+        else ParameterMode.INOUT
+    )
     of = tuple(found for alternative in alternatives for found in alternative.types)
     return Parameter(first.name, first.python, of, mode)
 
@@ -169,6 +175,6 @@ def _parameter(text: str, optional: bool) -> Parameter:
     if match["stars"]:
         assert not isinstance(of, types.ArrayOf)
         of = types.ArrayOf(of, (None,) * match["stars"].count("*"))
-    mode = Mode[match["mode"]] if match["mode"] else Mode.IN
+    mode = ParameterMode[match["mode"]] if match["mode"] else ParameterMode.IN
     name = match["name"]
     return Parameter(name, name.lower(), (of,), mode, optional, optional, of == types.SWITCH)

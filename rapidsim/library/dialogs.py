@@ -23,7 +23,7 @@ from rapidsim.language.annotations import (
     Switch,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller, FidelityReporter
 from rapidsim.language.data import ListItem
 from rapidsim.language.error_numbers import (
     ERR_UI_INITVALUE,
@@ -31,10 +31,10 @@ from rapidsim.language.error_numbers import (
     ERR_UI_NOTINT,
     rapid_error,
 )
-from rapidsim.library.honesty import ignored
-from rapidsim.library.questions import BREAKS, Breaks, answered
+from rapidsim.library.fidelity_notes import note_ignored_options
+from rapidsim.library.questions import BREAKS, QuestionBreakOptions, answered
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 NO_RESULT, OK_RESULT = 0.0, 1.0
 """The constants resUnkwn and resOK."""
@@ -54,7 +54,7 @@ _BUTTONS: tuple[tuple[tuple[str, float], ...], ...] = (
 )
 
 
-class Options(Breaks, total=False):
+class Options(QuestionBreakOptions, total=False):
     """What every dialog may have besides."""
 
     icon: IconData
@@ -70,7 +70,7 @@ class Text(TypedDict, total=False):
     wrap: Switch
 
 
-class Asked(Options, Text, total=False):
+class DialogOptions(Options, Text, total=False):
     """A dialog with a text and everything else."""
 
 
@@ -91,7 +91,7 @@ def ui_msg_box(
 ) -> None:
     """Show a message with buttons."""
     del wrap, image
-    _report(controller.honesty, "UIMsgBox", options)
+    _report(controller.fidelity, "UIMsgBox", options)
     lines = (header, msg_line1, msg_line2, msg_line3, msg_line4, msg_line5)
     prompt = " / ".join(line for line in lines if line)
     if buttons == NO_BUTTONS:
@@ -109,14 +109,14 @@ def ui_message_box(
     btn_array: list[String] | None = None,
     default_btn: BtnRes | None = None,
     image: String | None = None,
-    **asked: Unpack[Asked],
+    **asked: Unpack[DialogOptions],
 ) -> BtnRes:
     r"""Show a message with buttons; returns the button, or its number in the program's own list.
 
     Ended without an answer, it returns \DefaultBtn.
     """
     del image
-    _report(controller.honesty, "UIMessageBox", asked)
+    _report(controller.fidelity, "UIMessageBox", asked)
     if buttons == NO_BUTTONS:
         controller.operator.show(_prompt(asked))
         return NO_RESULT
@@ -132,10 +132,10 @@ def ui_num_entry(
     min_value: Num | None = None,
     max_value: Num | None = None,
     as_integer: Switch = False,
-    **asked: Unpack[Asked],
+    **asked: Unpack[DialogOptions],
 ) -> Num:
     """Ask for a number within limits."""
-    _report(controller.honesty, "UINumEntry", asked)
+    _report(controller.fidelity, "UINumEntry", asked)
     return _number(controller, "UINumEntry", asked, init_value, min_value, max_value, as_integer)
 
 
@@ -146,18 +146,18 @@ def ui_dnum_entry(
     min_value: Dnum | None = None,
     max_value: Dnum | None = None,
     as_integer: Switch = False,
-    **asked: Unpack[Asked],
+    **asked: Unpack[DialogOptions],
 ) -> Dnum:
     """Ask for a number within limits, in double precision."""
-    _report(controller.honesty, "UIDnumEntry", asked)
+    _report(controller.fidelity, "UIDnumEntry", asked)
     return _number(controller, "UIDnumEntry", asked, init_value, min_value, max_value, as_integer)
 
 
 def ui_alpha_entry(
-    controller: Controller, *, init_string: String | None = None, **asked: Unpack[Asked]
+    controller: Controller, *, init_string: String | None = None, **asked: Unpack[DialogOptions]
 ) -> String:
     """Ask for a text."""
-    _report(controller.honesty, "UIAlphaEntry", asked)
+    _report(controller.fidelity, "UIAlphaEntry", asked)
     proposal = init_string or ""
 
     def ask(ends: bool) -> str | None:
@@ -178,7 +178,7 @@ def ui_list_view(
     **options: Unpack[Options],
 ) -> Num:
     """Ask for one line of a list; returns its number. The first button ends the choice."""
-    _report(controller.honesty, "UIListView", options)
+    _report(controller.fidelity, "UIListView", options)
 
     def ask(ends: bool) -> int | None:
         lines = [item.text for item in list_items]
@@ -198,7 +198,7 @@ def ui_num_tune(
     *,
     min_value: Num | None = None,
     max_value: Num | None = None,
-    **asked: Unpack[Asked],
+    **asked: Unpack[DialogOptions],
 ) -> Num:
     """Let the operator change a number step by step, within limits."""
     return _tuned(controller, "UINumTune", asked, init_value, increment, min_value, max_value)
@@ -211,7 +211,7 @@ def ui_dnum_tune(
     *,
     min_value: Dnum | None = None,
     max_value: Dnum | None = None,
-    **asked: Unpack[Asked],
+    **asked: Unpack[DialogOptions],
 ) -> Dnum:
     """Let the operator change a number step by step, within limits, in double precision."""
     return _tuned(controller, "UIDnumTune", asked, init_value, increment, min_value, max_value)
@@ -232,7 +232,7 @@ def ui_msg_write(
 ) -> None:
     """Show a message and continue."""
     del wrap, icon, image, pers_bool, pers_bool_name, abort_value
-    ignored(controller.honesty, "UIMsgWrite", {r"\UIActiveSignal": ui_active_signal})
+    note_ignored_options(controller.fidelity, "UIMsgWrite", {r"\UIActiveSignal": ui_active_signal})
     lines = message if isinstance(message, list) else [message]
     controller.operator.show(" / ".join(line for line in (header, *lines) if line))
 
@@ -244,21 +244,21 @@ def ui_msg_write_abort() -> None:
 def _tuned(
     controller: Controller,
     name: str,
-    asked: Asked,
+    options: DialogOptions,
     initial: float,
     step: float,
     least: float | None,
     most: float | None,
 ) -> float:
     del step
-    _report(controller.honesty, name, asked)
-    return _number(controller, name, asked, initial, least, most, False)
+    _report(controller.fidelity, name, options)
+    return _number(controller, name, options, initial, least, most, False)
 
 
 def _pressed(
     controller: Controller,
     name: str,
-    options: Breaks,
+    options: QuestionBreakOptions,
     prompt: str,
     buttons: float | None,
     own: list[str] | None,
@@ -281,11 +281,11 @@ def _buttons(buttons: float | None) -> tuple[tuple[str, float], ...]:
 def _number(
     controller: Controller,
     name: str,
-    asked: Asked,
+    options: DialogOptions,
     initial: float | None,
     least: float | None,
     most: float | None,
-    whole: bool,
+    is_integer: bool,
 ) -> float:
     low = -float("inf") if least is None else least
     high = float("inf") if most is None else most
@@ -293,29 +293,29 @@ def _number(
         raise rapid_error(ERR_UI_MAXMIN, f"{name}: the least value {low:g} is above {high:g}")
     if initial is not None and not low <= initial <= high:
         raise rapid_error(ERR_UI_INITVALUE, f"{name}: {initial:g} is not within {low:g}..{high:g}")
-    if whole and initial is not None and initial != round(initial):
+    if is_integer and initial is not None and initial != round(initial):
         raise rapid_error(ERR_UI_NOTINT, f"{name}: {initial:g} is not a whole number")
 
     def ask(ends: bool) -> float | None:
-        return controller.operator.ask_number(_prompt(asked), ends=ends)
+        return controller.operator.ask_number(_prompt(options), ends=ends)
 
-    answer = answered(controller, name, asked, ask, None)
+    answer = answered(controller, name, options, ask, None)
     if answer is None:
         return initial or 0.0
-    taken = min(max(float(round(answer)) if whole else answer, low), high)
+    taken = min(max(float(round(answer)) if is_integer else answer, low), high)
     if taken != answer:
         # The operator could not have pressed OK with such a number.
-        controller.honesty.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
+        controller.fidelity.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
     return taken
 
 
-def _prompt(asked: Asked) -> str:
-    lines = [asked.get("header"), asked.get("message"), *(asked.get("msg_array") or ())]
+def _prompt(options: DialogOptions) -> str:
+    lines = [options.get("header"), options.get("message"), *(options.get("msg_array") or ())]
     return " / ".join(line for line in lines if line)
 
 
-def _report(controller: Honesty, name: str, options: Options) -> None:
-    ignored(controller, name, {r"\UIActiveSignal": options.get("ui_active_signal")})
+def _report(controller: FidelityReporter, name: str, options: Options) -> None:
+    note_ignored_options(controller, name, {r"\UIActiveSignal": options.get("ui_active_signal")})
 
 
 _BREAKS = rf"{BREAKS} \UIActiveSignal"
@@ -351,9 +351,9 @@ DIALOGS = table(
         "UIMsgWrite",
         ui_msg_write,
         r"Header Message \Wrap \Icon \Image \PersBool|\PersBoolName \AbortValue \UIActiveSignal",
-        does=Does.TELL,
+        does=Trait.TELL,
     ),
-    routine("UIMsgWriteAbort", ui_msg_write_abort, does=Does.TELL),
+    routine("UIMsgWriteAbort", ui_msg_write_abort, does=Trait.TELL),
     routine(
         "UIListView",
         ui_list_view,

@@ -23,10 +23,10 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.library.poses import composed, inverted, rounded, single_pos
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def in_object(controller: Motion, point: RobTarget) -> RobTarget:
@@ -154,5 +154,5 @@ DISPLACEMENT = table(
     routine("EOffsOn", e_offs_on, r"\ExeP ProgPoint", sets=_OFFSETS, back="EOffsOff"),
     routine("EOffsSet", e_offs_set, "EAxOffs", sets=_OFFSETS, back="EOffsOff"),
     routine("EOffsOff", e_offs_off, sets=_OFFSETS, back="EOffsOff"),
-    routine("ORobT", o_rob_t, r"OrgPoint \InPDisp|\InEOffs", does=Does.READ_TASK),
+    routine("ORobT", o_rob_t, r"OrgPoint \InPDisp|\InEOffs", does=Trait.READ_TASK),
 )

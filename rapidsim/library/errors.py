@@ -20,11 +20,11 @@ from rapidsim.language.error_log import (
 )
 from rapidsim.language.error_numbers import ERR_ARGVALERR, MAX_RETRIES, NUMBERS, rapid_error
 from rapidsim.language.errors import RaisedError, RaisedToUser
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.predefined import ERRSTR_CONTEXT, ERRSTR_TASK, TYPES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import number_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
@@ -102,7 +102,7 @@ def skip_warn() -> None:
     """Remove the last warning from the event log; the run still reports it."""
 
 
-def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
+def error_texts(controller: Controller, texts: Sequence[str]) -> list[str]:
     """The texts of an error, with the task and the place in the program that asks."""
     place = controller.clock.place
     file_name = PurePath(place.span.file).name
@@ -110,7 +110,7 @@ def error_texts(controller: Controller, given: Sequence[str]) -> list[str]:
         ERRSTR_TASK: controller.tasks.task_name,
         ERRSTR_CONTEXT: f"{place.routine}, {file_name}:{place.span.line}",
     }
-    return [meant.get(text, text) for text in given if text]
+    return [meant.get(text, text) for text in texts if text]
 
 
 def reset_retry_count(controller: Controller) -> None:
@@ -142,7 +142,7 @@ def raise_to_user(
     """
     if not (continue_ or break_off):
         raise rapid_error(ERR_ARGVALERR, r"RaiseToUser needs \Continue or \BreakOff")
-    ignored(controller.honesty, "RaiseToUser", {r"\Continue": continue_})
+    note_ignored_options(controller.fidelity, "RaiseToUser", {r"\Continue": continue_})
     numbers = controller.error_numbers
     number = numbers.errno if error_number is None else error_number
     names = [name for name, value in NUMBERS.items() if value == number]
@@ -162,15 +162,15 @@ ERRORS = table(
     routine("ResetRetryCount", reset_retry_count),
     routine("RemainingRetries", remaining_retries),
     routine("ExecHandler", exec_handler),
-    routine("RaiseToUser", raise_to_user, r"\Continue \BreakOff \ErrorNumber", does=Does.LEAVE),
+    routine("RaiseToUser", raise_to_user, r"\Continue \BreakOff \ErrorNumber", does=Trait.LEAVE),
     routine("BookErrNo", book_err_no),
-    routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Does.TELL),
-    routine("SkipWarn", skip_warn, does=Does.TELL),
-    routine("ErrRaise", err_raise, does=Does.LEAVE),
+    routine("ErrWrite", err_write, r"\W|\I Header Reason \RL2 \RL3 \RL4", does=Trait.TELL),
+    routine("SkipWarn", skip_warn, does=Trait.TELL),
+    routine("ErrRaise", err_raise, does=Trait.LEAVE),
     routine(
         "ErrLog",
         err_log,
         r"ErrorId \W|\I Argument1 Argument2 Argument3 Argument4 Argument5",
-        does=Does.TELL,
+        does=Trait.TELL,
     ),
 )

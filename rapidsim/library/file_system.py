@@ -35,7 +35,7 @@ from rapidsim.language.types import NUM
 from rapidsim.library.files import opened_device
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import parsed_value, source_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _ENCODING = "iso-8859-1"
 _DISK_NOTE = "a disk of 1 GB that holds the home folder alone"
@@ -129,7 +129,7 @@ def fs_size(
     r"""The size of the disk, or the free space on it, in bytes, kB or MB."""
     if not (total or free):
         raise NotAllowed(r"FSSize needs \Total or \Free")
-    controller.honesty.not_simulated("FSSize", _DISK_NOTE)
+    controller.fidelity.not_simulated("FSSize", _DISK_NOTE)
     used = controller.files.bytes_in(name) if free else 0
     unit = 1024.0 if kbyte else 1024.0**2 if mbyte else 1.0
     return float(int((DISK_BYTES - used) / unit))
@@ -178,9 +178,9 @@ FILE_SYSTEM = table(
         "IsFile",
         is_file,
         r"Path \Directory|\Fifo|\RegFile|\BlockSpec|\CharSpec",
-        does=Does.READ_CELL,
+        does=Trait.READ_CELL,
     ),
-    routine("FileSize", file_size, does=Does.READ_CELL),
+    routine("FileSize", file_size, does=Trait.READ_CELL),
     routine("FSSize", fs_size, r"Name \Total|\Free \Kbyte \Mbyte", treated_as=_DISK_NOTE),
     routine("WriteAnyBin", write_any_bin),
     routine("ReadAnyBin", read_any_bin),

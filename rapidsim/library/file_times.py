@@ -17,7 +17,7 @@ from rapidsim.language.annotations import Dnum, Num, String, StringDig, Switch, 
 from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED, rapid_error
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _EPOCH = datetime(1970, 1, 1)
 
@@ -33,7 +33,7 @@ def file_time(
 ) -> Num:
     """When a file was written, in seconds since 1970."""
     del modify_time, access_time, stat_c_time
-    return _told(_file_seconds(controller, path), str_dig)
+    return _seconds(_file_seconds(controller, path), str_dig)
 
 
 def file_time_dnum(
@@ -47,24 +47,24 @@ def file_time_dnum(
 ) -> Dnum:
     """When a file was written, in seconds since 1970."""
     del modify_time, access_time, stat_c_time
-    return _told(_file_seconds(controller, path), str_dig)
+    return _seconds(_file_seconds(controller, path), str_dig)
 
 
 def mod_time(
     controller: Controller, object_: String, *, str_dig: Var[StringDig] | None = None
 ) -> Num:
     """When the file of a loaded module was written, in seconds since 1970."""
-    return _told(_module_seconds(controller, object_), str_dig)
+    return _seconds(_module_seconds(controller, object_), str_dig)
 
 
 def mod_time_dnum(
     controller: Controller, object_: String, *, str_dig: Var[StringDig] | None = None
 ) -> Dnum:
     """When the file of a loaded module was written, in seconds since 1970."""
-    return _told(_module_seconds(controller, object_), str_dig)
+    return _seconds(_module_seconds(controller, object_), str_dig)
 
 
-def _told(seconds: int, digits: Var[StringDig] | None) -> float:
+def _seconds(seconds: int, digits: Var[StringDig] | None) -> float:
     if digits is not None:
         digits.value = str(seconds)
     return float(seconds)
@@ -93,8 +93,8 @@ def _since_epoch(controller: Controller, at_s: float) -> int:
 _PATH = r"Path \ModifyTime|\AccessTime|\StatCTime \StrDig"
 
 FILE_TIMES = table(
-    routine("FileTime", file_time, _PATH, does=Does.READ_CELL),
-    routine("FileTimeDnum", file_time_dnum, _PATH, does=Does.READ_CELL),
-    routine("ModTime", mod_time, does=Does.READ_CELL),
-    routine("ModTimeDnum", mod_time_dnum, does=Does.READ_CELL),
+    routine("FileTime", file_time, _PATH, does=Trait.READ_CELL),
+    routine("FileTimeDnum", file_time_dnum, _PATH, does=Trait.READ_CELL),
+    routine("ModTime", mod_time, does=Trait.READ_CELL),
+    routine("ModTimeDnum", mod_time_dnum, does=Trait.READ_CELL),
 )

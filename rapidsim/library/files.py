@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from rapidsim.language.annotations import Bool, Dnum, InOut, IoDev, Num, String, Switch, Var
-from rapidsim.language.controller import Honesty
+from rapidsim.language.controller import FidelityReporter
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
@@ -23,11 +23,11 @@ from rapidsim.language.error_numbers import (
 )
 from rapidsim.language.files import FileMode, Files, OpenFile
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.library.operator import option_text
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING, parsed_number
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _ENCODING = "iso-8859-1"
 END_OF_FILE = "EOF"
@@ -119,7 +119,7 @@ def write_str_bin(io_device: Var[IoDev], str_: String) -> None:
 
 
 def read_str(
-    controller: Honesty,
+    controller: FidelityReporter,
     io_device: Var[IoDev],
     *,
     delim: String | None = None,
@@ -222,8 +222,8 @@ def _write(io_device: Reference[OpenFile | None], text: str) -> None:
 
 
 FILES = table(
-    routine("Open", open_, r"Object \File IODevice \Read|\Write|\Append \Bin", does=Does.OPEN),
-    routine("Close", close, does=Does.CLOSE),
+    routine("Open", open_, r"Object \File IODevice \Read|\Write|\Append \Bin", does=Trait.OPEN),
+    routine("Close", close, does=Trait.CLOSE),
     routine("Rewind", rewind),
     routine("ClearIOBuff", clear_io_buff),
     routine("Write", write, r"IODevice String \Num|\Bool|\Pos|\Orient|\Dnum \NoNewLine"),

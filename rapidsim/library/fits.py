@@ -23,7 +23,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.reference import Reference
 from rapidsim.library.poses import from_axes, single_pos, unit
 from rapidsim.library.table import routine, table
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array
@@ -34,7 +34,7 @@ _MOST_POINTS = 100
 """The most points that a circle or a sphere may be fitted to."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Circle:
     centre: Array
     normal: Array
@@ -65,7 +65,7 @@ def def_acc_frame(
     turn = np.diag([1.0, 1.0, np.sign(np.linalg.det(right.T @ left.T))])
     rotation = right.T @ turn @ left.T
     trans = two.mean(0) - rotation @ one.mean(0)
-    _tell(np.linalg.norm(one @ rotation.T + trans - two, axis=1), max_err, mean_err)
+    _write_errors(np.linalg.norm(one @ rotation.T + trans - two, axis=1), max_err, mean_err)
     return _pose(trans, rotation)
 
 
@@ -89,7 +89,7 @@ def fit_circle(
     center.value = Pos(*circle.centre.tolist())
     normal.value = Pos(*circle.normal.tolist())
     radius.value = circle.radius
-    _tell_fit(circle.errors, rms, max_err, index_worst)
+    _write_fit(circle.errors, rms, max_err, index_worst)
 
 
 def fit_sphere(
@@ -119,7 +119,7 @@ def fit_sphere(
     radius.value = float(np.sqrt(rest + np.dot(centre, centre)))
     center.value = Pos(*(measured.mean(0) + centre).tolist())
     errors = np.abs(np.linalg.norm(centred - centre, axis=1) - radius.value)
-    _tell_fit(errors, rms, max_err, index_worst)
+    _write_fit(errors, rms, max_err, index_worst)
 
 
 def calc_rot_ax_frame_z(
@@ -140,7 +140,7 @@ def calc_rot_ax_frame_z(
     x = measured[0] - circle.centre
     x = x - (x @ z) * z
     x = x / np.linalg.norm(x)
-    _tell(circle.errors, max_err, mean_err)
+    _write_errors(circle.errors, max_err, mean_err)
     return _pose(circle.centre, np.column_stack([x, np.cross(z, x), z]))
 
 
@@ -166,7 +166,7 @@ def m_tool_tcp_calib(
     if rank < rows.shape[1]:
         raise rapid_error(ERR_FRAME, "the four positions turn the tool too little")
     trans, place = solution[:3], solution[3:]
-    _tell(np.linalg.norm(rotations @ trans + places - place, axis=1), max_err, mean_err)
+    _write_errors(np.linalg.norm(rotations @ trans + places - place, axis=1), max_err, mean_err)
     frame = tool.value.tframe._replace(trans=single_pos(tuple(trans.tolist())))
     tool.value = tool.value._replace(tframe=frame)
 
@@ -225,7 +225,7 @@ def _circle(points: Array, on_line: float = ERR_FRAME) -> _Circle:
     return _Circle(points.mean(0) + a * axes[0] + b * axes[1], normal, radius, errors)
 
 
-def _tell_fit(
+def _write_fit(
     errors: Array,
     rms: Reference[float] | None,
     max_err: Reference[float] | None,
@@ -239,7 +239,7 @@ def _tell_fit(
         index_worst.value = float(errors.argmax() + 1)
 
 
-def _tell(errors: Array, max_err: Reference[float], mean_err: Reference[float]) -> None:
+def _write_errors(errors: Array, max_err: Reference[float], mean_err: Reference[float]) -> None:
     max_err.value = float(errors.max())
     mean_err.value = float(errors.mean())
 

@@ -6,13 +6,13 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types.
 from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, String, Switch, SymNum
-from rapidsim.language.controller import Controller, Execution
+from rapidsim.language.controller import Controller, ExecutionControl
 from rapidsim.language.equipment import robot_name
 from rapidsim.language.errors import CycleEnded
 from rapidsim.language.tasks import TaskService
-from rapidsim.library.honesty import ignored, not_in_undo
+from rapidsim.library.fidelity_notes import note_ignored_options, reject_in_undo
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 OPERATING_AUTOMATIC = 1.0
 """The constant OP_AUTO."""
@@ -25,13 +25,13 @@ def stop(
 ) -> None:
     """Stop the program once the robot is at rest; the run ends unless it can be restarted."""
     del no_regain
-    not_in_undo(controller, "Stop")
-    ignored(controller.honesty, "Stop", {r"\AllMoveTasks": all_move_tasks})
+    reject_in_undo(controller, "Stop")
+    note_ignored_options(controller.fidelity, "Stop", {r"\AllMoveTasks": all_move_tasks})
     controller.clock.wait(0.0, in_position=True)
     controller.execution.stop("Stop")
 
 
-def break_(controller: Execution) -> None:
+def break_(controller: ExecutionControl) -> None:
     """Stop the program at once; the run ends unless it can be restarted."""
     controller.stop("Break")
 
@@ -42,7 +42,11 @@ def exit_cycle() -> None:
 
 
 def system_stop_action(
-    controller: Execution, *, stop: Switch = False, stop_block: Switch = False, halt: Switch = False
+    controller: ExecutionControl,
+    *,
+    stop: Switch = False,
+    stop_block: Switch = False,
+    halt: Switch = False,
 ) -> None:
     """Stop the whole system; the run ends unless it can be restarted."""
     del stop, stop_block, halt
@@ -81,14 +85,14 @@ def linked_m_exe() -> None:
 
 
 FLOW = table(
-    routine("Stop", stop, does=Does.WAIT),
-    routine("Break", break_, does=Does.WAIT),
-    routine("ExitCycle", exit_cycle, does=Does.LEAVE),
+    routine("Stop", stop, does=Trait.WAIT),
+    routine("Break", break_, does=Trait.WAIT),
+    routine("ExitCycle", exit_cycle, does=Trait.LEAVE),
     routine(
         "SystemStopAction",
         system_stop_action,
         r"\Stop|\StopBlock|\Halt",
-        does=Does.LEAVE | Does.WAIT,
+        does=Trait.LEAVE | Trait.WAIT,
     ),
     routine("OpMode", op_mode),
     routine("RunMode", run_mode),

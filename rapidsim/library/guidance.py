@@ -18,8 +18,8 @@ from rapidsim.language import types
 from rapidsim.language.annotations import (
     Dnum,
     MecUnit,
-    Mode,
     Num,
+    ParameterMode,
     Pers,
     String,
     Switch,
@@ -39,6 +39,7 @@ from rapidsim.language.guidance import (
 )
 from rapidsim.language.reference import Reference
 from rapidsim.library.corrected_paths import CORRECTED_PATHS
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.guidance_arguments import (
     EXTERNAL,
     JOINTS,
@@ -53,13 +54,12 @@ from rapidsim.library.guidance_arguments import (
     JointSwitches,
     PoseBands,
     PoseSwitches,
-    known,
+    identity_number,
     sample_s,
 )
-from rapidsim.library.honesty import ignored
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 EgmFrameType = Annotated[float, types.Alias("egmframetype", types.NUM)]
 EgmState = Annotated[float, types.Alias("egmstate", types.NUM)]
@@ -112,7 +112,7 @@ def egm_setup_uc(
         _purpose(joint=joint, pose=pose, path_corr=path_corr),
         silence_s,
     )
-    controller.set_up(known(egmid, "EGMSetupUC"), setup)
+    controller.set_up(identity_number(egmid, "EGMSetupUC"), setup)
 
 
 def egm_setup_ai(
@@ -180,7 +180,7 @@ def egm_act_joint(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], Mode.INOUT] | None = None,
+    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -189,13 +189,13 @@ def egm_act_joint(
 ) -> None:
     """Make the sensor's goals joints, with the bands within which they are reached."""
     del tload
-    ignored(
-        controller.honesty,
+    note_ignored_options(
+        controller.fidelity,
         "EGMActJoint",
         {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
     )
     controller.guidance.activate(
-        known(egmid, "EGMActJoint"),
+        identity_number(egmid, "EGMActJoint"),
         Activation(
             tuple(bands.get(name) for name in JOINTS),  # type: ignore[misc]
             tool.value if tool else None,
@@ -223,7 +223,7 @@ def egm_act_pose(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
     tload: Pers[LoadData] | None = None,
-    data_from_sensor: Annotated[list[Dnum], Mode.INOUT] | None = None,
+    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT] | None = None,
     lp_filter: Num | None = None,
     sample_rate: Num | None = None,
     max_pos_deviation: Num | None = None,
@@ -232,13 +232,13 @@ def egm_act_pose(
 ) -> None:
     """Make the sensor's goals poses of the TCP, with their frames and bands."""
     del tload
-    ignored(
-        controller.honesty,
+    note_ignored_options(
+        controller.fidelity,
         "EGMActPose",
         {r"\MaxPosDeviation": max_pos_deviation, **_exchanged(bands)},
     )
     controller.guidance.activate(
-        known(egmid, "EGMActPose"),
+        identity_number(egmid, "EGMActPose"),
         Activation(
             tuple(bands.get(name) for name in POSE_AXES),  # type: ignore[misc]
             tool.value if tool else None,
@@ -268,7 +268,7 @@ def egm_run_joint(
     **chosen: Unpack[JointSwitches],
 ) -> None:
     """Let the sensor move the joints until they have reached its goal."""
-    ignored(controller.honesty, "EGMRunJoint", _exchanged(chosen))
+    note_ignored_options(controller.fidelity, "EGMRunJoint", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in JOINTS],
         mode,
@@ -277,7 +277,7 @@ def egm_run_joint(
         pos_corr_gain,
         None,
     )
-    controller.guidance.guide(known(egmid, "EGMRunJoint"), terms)
+    controller.guidance.guide(identity_number(egmid, "EGMRunJoint"), terms)
 
 
 def egm_run_pose(
@@ -294,7 +294,7 @@ def egm_run_pose(
     **chosen: Unpack[PoseSwitches],
 ) -> None:
     """Let the sensor move the TCP until it has reached its goal."""
-    ignored(controller.honesty, "EGMRunPose", _exchanged(chosen))
+    note_ignored_options(controller.fidelity, "EGMRunPose", _exchanged(chosen))
     terms = _terms(
         [bool(chosen.get(name)) for name in POSE_AXES],
         mode,
@@ -303,12 +303,12 @@ def egm_run_pose(
         pos_corr_gain,
         offset,
     )
-    controller.guidance.guide(known(egmid, "EGMRunPose"), terms)
+    controller.guidance.guide(identity_number(egmid, "EGMRunPose"), terms)
 
 
 def egm_wait_cond(controller: Guidance, egmid: Var[EgmIdent]) -> None:
     r"""Wait until the robot has reached the sensor's goal, after a run with \NoWaitCond."""
-    controller.await_condition(known(egmid, "EGMWaitCond"))
+    controller.await_condition(identity_number(egmid, "EGMWaitCond"))
 
 
 def egm_stop(
@@ -320,19 +320,21 @@ def egm_stop(
 ) -> None:
     """End the guidance: the robot stays where it is, or goes back to where it began."""
     ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
-    controller.end_guidance(known(egmid, "EGMStop"), goes_back=mode == RAMP_DOWN, ramp_out_s=ramp_s)
+    controller.end_guidance(
+        identity_number(egmid, "EGMStop"), moves_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
+    )
 
 
 def egm_stream_start(
     controller: Guidance, egmid: Var[EgmIdent], *, sample_rate: Num | None = None
 ) -> None:
     """Start streaming the robot's position to the sensor."""
-    controller.stream(known(egmid, "EGMStreamStart"), sample_s(sample_rate))
+    controller.stream(identity_number(egmid, "EGMStreamStart"), sample_s(sample_rate))
 
 
 def egm_stream_stop(controller: Guidance, egmid: Var[EgmIdent]) -> None:
     """Stop streaming."""
-    controller.stream(known(egmid, "EGMStreamStop"), None)
+    controller.stream(identity_number(egmid, "EGMStreamStop"), None)
 
 
 def _guide_by(
@@ -347,10 +349,10 @@ def _guide_by(
     kind = routine_name[-2:]
     given = {name: signals.get(f"{kind.lower()}_{name}") for name in (*SIGNALS, *EXTERNAL)}
     external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in EXTERNAL}
-    ignored(controller.honesty, routine_name, external)
+    note_ignored_options(controller.fidelity, routine_name, external)
     names = tuple(_name_of(given[name]) for name in SIGNALS)
     setup = SensorSetup(routine_name, configuration, purpose, math.inf, names)
-    controller.guidance.set_up(known(egmid, routine_name), setup)
+    controller.guidance.set_up(identity_number(egmid, routine_name), setup)
 
 
 def _name_of(signal: object) -> str:
@@ -429,12 +431,12 @@ def _axes(kind: str) -> str:
     return " ".join(rf"\{kind}{name.upper()}" for name in EXTERNAL)
 
 
-_GUIDES = Does.WAIT | Does.LEAVE_PATH
+_GUIDES = Trait.WAIT | Trait.LEAVE_PATH
 
 GUIDANCE = table(
     routine("EGMGetId", egm_get_id, "EGMid"),
     routine("EGMReset", egm_reset, "EGMid", does=_GUIDES),
-    routine("EGMGetState", egm_get_state, "EGMid", does=Does.READ_TASK),
+    routine("EGMGetState", egm_get_state, "EGMid", does=Trait.READ_TASK),
     routine(
         "EGMSetupUC",
         egm_setup_uc,

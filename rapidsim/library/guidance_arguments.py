@@ -10,7 +10,7 @@ from typing import Annotated, Final, TypedDict
 from rapidsim.language import types
 from rapidsim.language.annotations import (
     Dnum,
-    Mode,
+    ParameterMode,
     SignalAi,
     SignalAo,
     SignalDi,
@@ -38,7 +38,7 @@ POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 class Exchange(TypedDict, total=False):
     """Data and signals of the program that go to the sensor or come from it."""
 
-    data_to_sensor: Annotated[list[Dnum], Mode.INOUT]
+    data_to_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
     do_to_sensor: Var[SignalDo]
     di_from_sensor: Var[SignalDi]
 
@@ -46,7 +46,7 @@ class Exchange(TypedDict, total=False):
 class RunExchange(Exchange, total=False):
     """The same of EGMRunJoint and EGMRunPose."""
 
-    data_from_sensor: Annotated[list[Dnum], Mode.INOUT]
+    data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
 
 
 class JointBands(Exchange, total=False):
@@ -146,7 +146,7 @@ class PoseSwitches(RunExchange, total=False):
     rz: Switch
 
 
-def known(egmid: Reference[int | None], instruction: str) -> int:
+def identity_number(egmid: Reference[int | None], instruction: str) -> int:
     """The number that EGMGetId has given."""
     if egmid.value is None:
         raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
@@ -154,10 +154,10 @@ def known(egmid: Reference[int | None], instruction: str) -> int:
 
 
 def sample_s(
-    milliseconds: float | None, otherwise_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
+    milliseconds: float | None, default_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
 ) -> float:
     """How often a sensor is talked to [s]; SampleRate is a time."""
-    value = otherwise_ms if milliseconds is None else milliseconds
+    value = default_ms if milliseconds is None else milliseconds
     if not step_ms <= value <= _LONGEST_SAMPLE_MS or value % step_ms:
         raise rapid_error(
             ERR_ARGVALERR, f"SampleRate is {value:g} ms; it must be a multiple of {step_ms:g} ms"

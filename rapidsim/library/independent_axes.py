@@ -41,7 +41,7 @@ def ind_a_move(
     ramp: Num | None = None,
 ) -> None:
     """Send an independent axis to a position."""
-    moved, unit, now_s = _taken(controller, "IndAMove", mec_unit, axis)
+    moved, unit, now_s = _make_independent(controller, "IndAMove", mec_unit, axis)
     target = _position("IndAMove", unit, axis, to_abs_pos, to_abs_num)
     moved.move_to(target, _forward("IndAMove", speed), _acceleration(moved, ramp), now_s)
 
@@ -61,7 +61,7 @@ def ind_r_move(
 ) -> None:
     """Turn an independent axis to a position within one revolution."""
     del short
-    moved, unit, now_s = _taken(controller, "IndRMove", mec_unit, axis)
+    moved, unit, now_s = _make_independent(controller, "IndRMove", mec_unit, axis)
     if not moved.turns:
         raise rapid_error(ERR_AXIS_PAR, f"IndRMove: axis {axis:g} of {unit.name} does not turn")
     at = moved.position(now_s)
@@ -82,7 +82,7 @@ def ind_d_move(
     ramp: Num | None = None,
 ) -> None:
     """Move an independent axis by so much, from where it is."""
-    moved, _, now_s = _taken(controller, "IndDMove", mec_unit, axis)
+    moved, _, now_s = _make_independent(controller, "IndDMove", mec_unit, axis)
     moved.move_to(
         moved.position(now_s) + delta,
         _forward("IndDMove", speed),
@@ -100,7 +100,7 @@ def ind_c_move(
     ramp: Num | None = None,
 ) -> None:
     """Let an independent axis move on and on, backwards at a negative speed."""
-    moved, _, now_s = _taken(controller, "IndCMove", mec_unit, axis)
+    moved, _, now_s = _make_independent(controller, "IndCMove", mec_unit, axis)
     moved.move_at(speed, _acceleration(moved, ramp), now_s)
 
 
@@ -122,7 +122,7 @@ def ind_reset(
     now_s = controller.clock.now()
     if one.is_independent and one.speed(now_s):
         raise rapid_error(ERR_AXIS_MOVING, f"IndReset: axis {axis:g} of {unit.name} moves")
-    one.let_go()
+    one.release()
     _leave_out(controller, unit, unit.axes[int(axis) - 1], left_out=False)
 
 
@@ -146,12 +146,12 @@ def ind_speed(
     return one.speed(now_s) == 0.0 if zero_speed else one.has_speed(now_s)
 
 
-def _taken(
+def _make_independent(
     controller: Controller, name: str, mec_unit: Var[MecUnit], axis: float
 ) -> tuple[IndependentAxis, MechanicalUnitFacts, float]:
     """The axis, independent from now on; its unit; and what time it is [s]."""
     unit, one = _axis(controller, name, mec_unit, axis)
-    controller.honesty.not_simulated(name, _TREATED_AS)
+    controller.fidelity.not_simulated(name, _TREATED_AS)
     joints = controller.motion.current_joints()
     at = unit.axes[int(axis) - 1]
     now_s = controller.clock.now()

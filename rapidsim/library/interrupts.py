@@ -32,7 +32,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.reference import Box, Reference
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 EDGE = 2.0
 """The constant `edge`: any change."""
@@ -258,9 +258,9 @@ INTERRUPTS = table(
     routine("ISignalAI", i_signal_ai, rf"{_ONCE} {_ANALOG}"),
     routine("ISignalAO", i_signal_ao, rf"{_ONCE} {_ANALOG}"),
     routine("IPers", i_pers, rf"{_ONCE} Name Interrupt"),
-    routine("IDelete", i_delete, does=Does.DISCONNECT),
+    routine("IDelete", i_delete, does=Trait.DISCONNECT),
     routine("ISleep", i_sleep),
     routine("IWatch", i_watch),
-    routine("IDisable", i_disable, does=Does.HOLD_INTERRUPTS, back="IEnable"),
+    routine("IDisable", i_disable, does=Trait.HOLD_INTERRUPTS, back="IEnable"),
     routine("IEnable", i_enable, back="IEnable"),
 )

@@ -24,7 +24,7 @@ from rapidsim.language.data import Signal
 from rapidsim.language.equipment import Equipment
 from rapidsim.library.predefined import DATA
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def _named(name: str) -> float:
@@ -87,7 +87,7 @@ def get_signal_origin(
 IO_DEVICES = table(
     routine("IOEnable", io_enable),
     routine("IODisable", io_disable),
-    routine("IOUnitState", io_unit_state, r"UnitName \Phys|\Logic", does=Does.READ_CELL),
+    routine("IOUnitState", io_unit_state, r"UnitName \Phys|\Logic", does=Trait.READ_CELL),
     routine("IOBusState", io_bus_state, r"BusName State \Phys|\Logic"),
     routine("IOBusStart", io_bus_start),
     routine("GetSignalOrigin", get_signal_origin),

@@ -29,7 +29,7 @@ from rapidsim.language.modules import LoadSession, SavedModule
 from rapidsim.library.files import joined_path
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import means_another
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 LARGEST_FILE = 10_000_000
 """Bytes of one program file; a larger one does not fit into the program memory."""
@@ -110,7 +110,7 @@ def un_load(
     path = joined_path(file_path, file)
     modules = controller.modules.loaded_from(path)
     if err_if_changed and any(module.text != module.loaded_text for module in modules):
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             r"UnLoad \ErrIfChanged", "values of persistents are no change of a module"
         )
     if save and len(modules) == 1:
@@ -151,7 +151,7 @@ def save(
 ) -> None:
     """Save a module to a file, with the present values of its persistents."""
     if means_another(controller.tasks, task_ref, task_name):
-        controller.honesty.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
+        controller.fidelity.not_simulated(r"Save \TaskRef, \TaskName", "skipped")
         return
     module = controller.modules.saved(module_name)
     path = module.loaded_from if file_path is None else joined_path(file_path, file)
@@ -163,9 +163,9 @@ def save(
     _write(controller.files, module, path)
 
 
-def _session(session: LoadSession | None, otherwise: float) -> LoadSession:
+def _session(session: LoadSession | None, default: float) -> LoadSession:
     if session is None:
-        raise rapid_error(otherwise, "no StartLoad has begun with this load session")
+        raise rapid_error(default, "no StartLoad has begun with this load session")
     return session
 
 
@@ -184,13 +184,13 @@ def _write(controller: Files, module: SavedModule, path: str) -> None:
 
 
 LOADING = table(
-    routine("Load", load, r"\Dynamic FilePath \File \CheckRef", does=Does.LOAD),
-    routine("StartLoad", start_load, r"\Dynamic FilePath \File LoadNo", does=Does.LOAD),
-    routine("WaitLoad", wait_load, r"\UnloadPath \UnloadFile LoadNo \CheckRef", does=Does.WAIT),
+    routine("Load", load, r"\Dynamic FilePath \File \CheckRef", does=Trait.LOAD),
+    routine("StartLoad", start_load, r"\Dynamic FilePath \File LoadNo", does=Trait.LOAD),
+    routine("WaitLoad", wait_load, r"\UnloadPath \UnloadFile LoadNo \CheckRef", does=Trait.WAIT),
     routine("CancelLoad", cancel_load),
     routine("UnLoad", un_load, r"\ErrIfChanged|\Save FilePath \File"),
     routine("EraseModule", erase_module),
     routine("CheckProgRef", check_prog_ref),
-    routine("ModExist", mod_exist, does=Does.READ_TASK),
+    routine("ModExist", mod_exist, does=Trait.READ_TASK),
     routine("Save", save, r"\TaskRef|\TaskName ModuleName \FilePath \File"),
 )

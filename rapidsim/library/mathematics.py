@@ -20,10 +20,10 @@ from rapidsim.language.error_numbers import (
     ERR_OVERFLOW,
     rapid_error,
 )
-from rapidsim.language.single import LARGEST_EXACT_INTEGER, LARGEST_SINGLE, single
+from rapidsim.language.single_precision import LARGEST_EXACT_INTEGER, LARGEST_SINGLE, single
 from rapidsim.language.types import DNUM, NUM, Type, resolved
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 LARGEST_EXACT_DNUM = 4503599627370496.0
 """2**52: the largest whole number that dnum functions take."""
@@ -239,21 +239,23 @@ def _within_one(value: float, function: str) -> float:
     return value
 
 
-def _finite(compute: Callable[[], float], what: str) -> float:
+def _finite(compute: Callable[[], float], subject: str) -> float:
     try:
         return compute()
     except OverflowError:
-        raise rapid_error(ERR_OVERFLOW, f"{what} is too large for any number") from None
+        raise rapid_error(ERR_OVERFLOW, f"{subject} is too large for any number") from None
 
 
-def _to_decimals(value: float, decimals: float | None, whole: Callable[[float], int]) -> float:
+def _to_decimals(
+    value: float, decimals: float | None, round_value: Callable[[float], int]
+) -> float:
     places = 0 if decimals is None else int(decimals)
     if not 0 <= places <= 15:
         raise rapid_error(ERR_ARGVALERR, f"{places} decimals; 0 to 15 are possible")
     scale = 10.0**places
     if abs(value) * scale > LARGEST_EXACT_DNUM:
         return value
-    return math.copysign(whole(abs(value) * scale) / scale, value)
+    return math.copysign(round_value(abs(value) * scale) / scale, value)
 
 
 def _check_whole(value: float, largest: float, beyond: float = ERR_INT_MAXVAL) -> None:
@@ -271,12 +273,12 @@ MATHEMATICS = table(
     routine("Pow", pow_),
     routine("PowDnum", pow_dnum),
     routine("Exp", exp),
-    routine("Sin", sin, does=Does.ANGLES),
-    routine("SinDnum", sin_dnum, does=Does.ANGLES),
-    routine("Cos", cos, does=Does.ANGLES),
-    routine("CosDnum", cos_dnum, does=Does.ANGLES),
-    routine("Tan", tan, does=Does.ANGLES),
-    routine("TanDnum", tan_dnum, does=Does.ANGLES),
+    routine("Sin", sin, does=Trait.ANGLES),
+    routine("SinDnum", sin_dnum, does=Trait.ANGLES),
+    routine("Cos", cos, does=Trait.ANGLES),
+    routine("CosDnum", cos_dnum, does=Trait.ANGLES),
+    routine("Tan", tan, does=Trait.ANGLES),
+    routine("TanDnum", tan_dnum, does=Trait.ANGLES),
     routine("ASin", a_sin),
     routine("ASinDnum", a_sin_dnum),
     routine("ACos", a_cos),
@@ -294,9 +296,9 @@ MATHEMATICS = table(
     routine("NumToDnum", num_to_dnum),
     routine("DnumToNum", dnum_to_num),
     routine("TryInt", try_int, "DataObj|DataObj2"),
-    routine("Add", add, "Name|Dname AddValue|AddDvalue", does=Does.INSTANT),
-    routine("Incr", incr, "Name|Dname", does=Does.INSTANT | Does.COUNT_UP),
-    routine("Decr", decr, "Name|Dname", does=Does.INSTANT),
-    routine("Clear", clear, "Name|Dname", does=Does.INSTANT),
+    routine("Add", add, "Name|Dname AddValue|AddDvalue", does=Trait.INSTANT),
+    routine("Incr", incr, "Name|Dname", does=Trait.INSTANT | Trait.COUNT_UP),
+    routine("Decr", decr, "Name|Dname", does=Trait.INSTANT),
+    routine("Clear", clear, "Name|Dname", does=Trait.INSTANT),
     routine("TestAndSet", test_and_set, "Object"),
 )

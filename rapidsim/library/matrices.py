@@ -10,15 +10,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Annotated
 
-from rapidsim.language.annotations import Dnum, Mode, Num, Switch
+from rapidsim.language.annotations import Dnum, Num, ParameterMode, Switch
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_ARRAY_SIZE, rapid_error
 from rapidsim.library.table import routine, table
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array
 
-Rows = Annotated[list[list[Dnum]], Mode.VAR]
-Values = Annotated[list[Dnum], Mode.VAR]
+Rows = Annotated[list[list[Dnum]], ParameterMode.VAR]
+Values = Annotated[list[Dnum], ParameterMode.VAR]
 
 
 def matrix_solve(

@@ -17,7 +17,7 @@ from rapidsim.language.equipment import MechanicalUnitFacts
 from rapidsim.language.error_numbers import ERR_AXIS_PAR, rapid_error
 from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _THE_ROBOT = "rob_id"
 """Name of the task's own robot, folded."""
@@ -88,7 +88,7 @@ def get_joint_data(
         speed.value = _of_axis(controller.motion.current_speeds(), unit, at)
     for name, given in ((r"\Torque", torque), (r"\ExtTorque", ext_torque)):
         if given is not None:
-            controller.honesty.not_simulated(f"GetJointData {name}", "0")
+            controller.fidelity.not_simulated(f"GetJointData {name}", "0")
             given.value = 0.0
 
 
@@ -97,14 +97,14 @@ def _of_axis(joints: JointTarget, unit: MechanicalUnitFacts, at: int) -> float:
 
 
 def unit_named(
-    controller: Controller, given: Reference[object] | None, parameter: str = "mechunit"
+    controller: Controller, reference: Reference[object] | None, parameter: str = "mechunit"
 ) -> MechanicalUnitFacts:
     """The unit that an argument means; the robot where it is not given."""
     units = controller.equipment.mechanical_units()
     name = _THE_ROBOT
-    if given is not None:
+    if reference is not None:
         written = controller.clock.place.arguments.get(parameter, "")
-        name = given.value if isinstance(given.value, str) else written
+        name = reference.value if isinstance(reference.value, str) else written
     if name.lower() == _THE_ROBOT:
         name = next((unit.name for unit in units if unit.is_robot), name)
     named = (unit for unit in units if unit.name.lower() == name.lower())
@@ -112,10 +112,10 @@ def unit_named(
 
 
 def system_unit_named(
-    controller: Controller, given: Reference[object], parameter: str = "mechunit"
+    controller: Controller, reference: Reference[object], parameter: str = "mechunit"
 ) -> MechanicalUnitFacts:
     """The unit of any task that an argument names; without axes if no task has it."""
-    own = unit_named(controller, given, parameter)
+    own = unit_named(controller, reference, parameter)
     wanted = own.name.lower()
     units = (unit for unit in controller.equipment.system_units() if unit.name.lower() == wanted)
     return own if own.axes else next(units, own)
@@ -128,13 +128,13 @@ MECHANICAL_UNITS = table(
         "GetNextMechUnit",
         get_next_mech_unit,
         rf"ListNumber UnitName {_FACTS}",
-        does=Does.READ_TASK,
+        does=Trait.READ_TASK,
     ),
-    routine("GetMecUnitName", get_mec_unit_name, does=Does.READ_TASK),
+    routine("GetMecUnitName", get_mec_unit_name, does=Trait.READ_TASK),
     routine(
         "GetJointData",
         get_joint_data,
         r"\MechUnit Axis \Position \Speed \Torque \ExtTorque",
-        does=Does.READ_TASK,
+        does=Trait.READ_TASK,
     ),
 )

@@ -25,7 +25,7 @@ from rapidsim.language.annotations import (
     String,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty
+from rapidsim.language.controller import Controller, FidelityReporter
 from rapidsim.language.data import RmqHeader
 from rapidsim.language.error_numbers import (
     ERR_RMQ_DIM,
@@ -41,11 +41,11 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.messages import NO_USER_DEF, Message, MessageKind, Messages, Slot
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.sockets import DEFAULT_TIME_S, WAIT_FOR_EVER_S
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import parsed_value, value_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def rmq_find_slot(controller: Messages, slot: Var[RmqSlot], name: String) -> None:
@@ -106,7 +106,7 @@ def rmq_read_wait(
 ) -> None:
     """Take the next message, waiting for it, 60 s by default."""
     if controller.messages.is_synchronous is None:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             "RMQReadWait", "as in synchronous mode: nothing says the mode of the task's queue"
         )
     _require(controller, "RMQReadWait", synchronous=True, in_trap=False)
@@ -145,7 +145,7 @@ def rmq_get_msg_header(
 
 
 def rmq_get_msg_data(
-    controller: Honesty,
+    controller: FidelityReporter,
     message: Var[RmqMessage],
     data: Var[AnyType],
     *,
@@ -153,7 +153,7 @@ def rmq_get_msg_data(
     of: ArgumentType = NUM,
 ) -> None:
     """The data of a message, into data of the same type and dimensions."""
-    ignored(controller, "RMQGetMsgData", {r"\Index": index})
+    note_ignored_options(controller, "RMQGetMsgData", {r"\Index": index})
     found, wanted = _received(message), _kind(data, of)
     sent = found.kind
     same = sent.data_type.lower() == wanted.data_type.lower()
@@ -171,7 +171,7 @@ def rmq_get_msg_data(
     if value is None:
         raise rapid_error(ERR_RMQ_INVMSG, f"`{found.text}` is no {wanted.data_type}")
     if isinstance(data, list):
-        data[:] = _kept(value)
+        data[:] = _copy(value)
     else:
         data.value = value
 
@@ -211,7 +211,7 @@ def _message(
     element = _element(of)
     if not _has_value(element):
         raise NotAllowed(f"data of type {element.name} cannot be sent: they have no value")
-    value = _kept(_value_of(data))
+    value = _copy(_value_of(data))
     number = NO_USER_DEF if user_def is None else user_def
     text = value_text(value, of)
     return Message(_kind(data, of), text, controller.queue, number, value, element)
@@ -244,9 +244,9 @@ def _value_of(data: Any) -> Any:
     return data if isinstance(data, list) else data.value
 
 
-def _kept(value: Any) -> Any:
+def _copy(value: Any) -> Any:
     """A value that shares nothing that can change."""
-    return [_kept(one) for one in value] if isinstance(value, list) else value
+    return [_copy(one) for one in value] if isinstance(value, list) else value
 
 
 def _connected(slot: Reference[Any]) -> Slot:
@@ -269,9 +269,9 @@ def _limit(seconds: float | None) -> float | None:
     return None if seconds >= WAIT_FOR_EVER_S else seconds
 
 
-def _out_of_time(what: str, seconds: float | None) -> Exception:
+def _out_of_time(subject: str, seconds: float | None) -> Exception:
     limit = DEFAULT_TIME_S if seconds is None else seconds
-    return rapid_error(ERR_RMQ_TIMEOUT, f"{what} came within {limit:g} s")
+    return rapid_error(ERR_RMQ_TIMEOUT, f"{subject} came within {limit:g} s")
 
 
 MESSAGES = table(
@@ -282,12 +282,12 @@ MESSAGES = table(
     routine("RMQGetMsgData", rmq_get_msg_data, r"Message Data \Index"),
     routine("RMQGetMsgHeader", rmq_get_msg_header, r"Message \Header \SenderId \UserDef"),
     routine("RMQGetSlotName", rmq_get_slot_name),
-    routine("RMQReadWait", rmq_read_wait, r"Message \TimeOut", does=Does.GIVE_UP),
+    routine("RMQReadWait", rmq_read_wait, r"Message \TimeOut", does=Trait.GIVE_UP),
     routine("RMQSendMessage", rmq_send_message, r"Slot SendData \UserDef"),
     routine(
         "RMQSendWait",
         rmq_send_wait,
         r"Slot SendData \UserDef Message ReceiveDataType \Timeout",
-        does=Does.GIVE_UP,
+        does=Trait.GIVE_UP,
     ),
 )

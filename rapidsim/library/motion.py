@@ -1,6 +1,6 @@
 r"""Move instructions: they make a `Move` of their arguments and give it to the controller.
 
-All moves are made here (`asked`), also those of other chapters, which do more on their way.
+All moves are made here (`build_move`), also those of other chapters, which do more on their way.
 
 Program displacement and offsets of external axes are applied here, so that the controller sees
 targets in the work object. \V, \T and \Z replace what speed and zone say; \Inpos makes any zone a
@@ -17,7 +17,7 @@ from types import MappingProxyType
 from typing import TypedDict, Unpack
 
 from rapidsim.language.annotations import IdentNo, Num, Pers, Switch
-from rapidsim.language.controller import Controller, Honesty, Motion
+from rapidsim.language.controller import Controller, FidelityReporter, Motion
 from rapidsim.language.data import (
     WOBJ0,
     JointTarget,
@@ -31,12 +31,12 @@ from rapidsim.language.data import (
 )
 from rapidsim.language.moves import Interpolation, Move, StopTime
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.library.displacement import in_object, with_axis_offsets
-from rapidsim.library.honesty import ignored, not_in_undo
+from rapidsim.library.fidelity_notes import note_ignored_options, reject_in_undo
 from rapidsim.library.path_offset import offset
 from rapidsim.library.table import LibraryRoutine, routine, table
-from rapidsim.library.traits import NOTHING, Does
+from rapidsim.library.traits import NO_TRAITS, Trait
 
 
 class MoveOptions(TypedDict, total=False):
@@ -56,7 +56,7 @@ class MoveOptions(TypedDict, total=False):
     tload: Pers[LoadData]
 
 
-def asked(
+def build_move(
     controller: Controller,
     name: str,
     interpolation: Interpolation,
@@ -80,12 +80,12 @@ def asked(
         options: All others that were given.
         sync_id: What the instruction makes of its option to move in step with other robots.
     """
-    not_in_undo(controller, name)
+    reject_in_undo(controller, name)
     left_out = {
         r"\ID": options.get("id_"),
         r"\TLoad": options.get("tload"),
     }
-    ignored(controller.honesty, name, left_out)
+    note_ignored_options(controller.fidelity, name, left_out)
     cir_point, wobj, inpos = options.get("cir_point"), options.get("wobj"), options.get("inpos")
     no_object = WOBJ0 if tool is not None else controller.motion.active_wobj()
     used_tool = controller.motion.active_tool() if tool is None else tool.value
@@ -95,7 +95,7 @@ def asked(
         to = in_object(controller.motion, to)
         cir_point = None if cir_point is None else in_object(controller.motion, cir_point)
         if options.get("corr") and controller.motion.corrections:
-            controller.honesty.not_simulated(
+            controller.fidelity.not_simulated(
                 rf"{name} \Corr", "offset by what is written when the instruction executes"
             )
             programmed = to
@@ -112,7 +112,7 @@ def asked(
         duration_s=options.get("t"),
         concurrent=options.get("conc", False),
         sync_id=sync_id,
-        stop=_stop(controller.honesty, inpos),
+        stop=_stop(controller.fidelity, inpos),
         programmed=programmed,
     )
 
@@ -130,7 +130,9 @@ def move(name: str, interpolation: Interpolation) -> Callable[..., None]:
     ) -> None:
         sync_id = options.pop("id_", None)
         controller.motion.move(
-            asked(controller, name, interpolation, to_point, speed, zone, tool, options, sync_id)
+            build_move(
+                controller, name, interpolation, to_point, speed, zone, tool, options, sync_id
+            )
         )
 
     return body
@@ -148,7 +150,7 @@ def move_abs_j(
     to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
     how, sync_id = Interpolation.AXES, options.pop("id_", None)
     controller.motion.move(
-        asked(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id)
+        build_move(controller, "MoveAbsJ", how, to, speed, zone, tool, options, sync_id)
     )
 
 
@@ -163,7 +165,7 @@ def move_ext_j(
     to = with_offsets(controller.motion, to_joint_pos, wanted=options.get("use_eoffs", False))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
     controller.motion.move(
-        asked(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
+        build_move(controller, "MoveExtJ", how, to, speed, zone, None, options, sync_id)
     )
 
 
@@ -173,7 +175,7 @@ def with_offsets(controller: Motion, to: JointTarget, *, wanted: bool) -> JointT
     return JointTarget(to.robax, with_axis_offsets(to.extax, offsets))
 
 
-def _stop(controller: Honesty, inpos: StopPointData | None) -> StopTime | None:
+def _stop(controller: FidelityReporter, inpos: StopPointData | None) -> StopTime | None:
     r"""What \Inpos asks for beside the stop itself."""
     if inpos is None:
         return None
@@ -224,13 +226,13 @@ _WAYS: Mapping[str, tuple[Interpolation, str]] = MappingProxyType(
 """By the letter in an instruction's name."""
 
 
-def each_way(
+def move_variants(
     name: str,
     body_of: Callable[[str, Interpolation], Callable[..., None]],
     order: str,
-    besides: str = "",
-    ways: str = "JLC",
-    does: Does = NOTHING,
+    suffix: str = "",
+    interpolations: str = "JLC",
+    does: Trait = NO_TRAITS,
     treated_as: str | None = None,
 ) -> Iterator[LibraryRoutine]:
     r"""The rows of an instruction that moves to a pose, one a way to move.
@@ -239,32 +241,32 @@ def each_way(
         name: With `*` for the letter of the way, as in `Move*DO`.
         body_of: Makes the function, of the name and the way.
         order: That of the move on a line; an arc has a CirPoint more, a joint move no \Corr.
-        besides: What it does beside, to stand after how it moves.
-        ways: The letters.
+        suffix: What it does beside, to stand after how it moves.
+        interpolations: The letters.
         does: The same for whoever asks, on all ways.
         treated_as: What is done instead, where they are not simulated with all they do.
     """
-    for letter in ways:
+    for letter in interpolations:
         own = name.replace("*", letter)
         interpolation, moves = _WAYS[letter]
         body = body_of(own, interpolation)
-        body.__doc__ = f"{moves}{besides}."
+        body.__doc__ = f"{moves}{suffix}."
         if interpolation is Interpolation.JOINT:
             joint = order.replace(r" \Corr", "")
             yield routine(own, body, joint, does=does, treated_as=treated_as)
         elif interpolation is Interpolation.CIRCLE:
             to = order.replace("ToPoint", "CirPoint ToPoint")
-            led = does | Does.CARTESIAN
+            led = does | Trait.CARTESIAN
             yield routine(own, body, to, does=led, treated_as=treated_as)
         else:
-            led = does | Does.CARTESIAN
+            led = does | Trait.CARTESIAN
             yield routine(own, body, order, does=led, treated_as=treated_as)
 
 
 _AFTER_POINT = r"Speed \V|\T Zone \Z \Inpos Tool \WObj"
 
 MOTION = table(
-    *each_way("Move*", move, rf"\Conc ToPoint \ID {_AFTER_POINT} \Corr \TLoad"),
+    *move_variants("Move*", move, rf"\Conc ToPoint \ID {_AFTER_POINT} \Corr \TLoad"),
     routine("MoveAbsJ", move_abs_j, rf"\Conc ToJointPos \ID \NoEOffs {_AFTER_POINT} \TLoad"),
     routine("MoveExtJ", move_ext_j, r"\Conc ToJointPos \ID \UseEOffs Speed \T Zone \Inpos"),
 )

@@ -9,7 +9,13 @@ import math
 from dataclasses import replace
 
 from rapidsim.language.annotations import Bool, MecUnit, Num, Pers, Switch, Var
-from rapidsim.language.controller import ACCEPTED, ClockService, Controller, Honesty, Motion
+from rapidsim.language.controller import (
+    ACCEPTED,
+    ClockService,
+    Controller,
+    FidelityReporter,
+    Motion,
+)
 from rapidsim.language.data import (
     MAX_LINEAR_AXIS_SPEED_MM_S,
     MAX_REORIENT_SPEED_DEG_S,
@@ -74,11 +80,11 @@ def speed_refresh(controller: Controller, override: Num) -> None:
             ERR_SPEED_REFRESH_LIM, f"a speed override of {override:g} %; 0..100 are possible"
         )
     if override < LEAST_REFRESH_PERCENT:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             f"SpeedRefresh {override:g}", f"{LEAST_REFRESH_PERCENT:g} %, so that the run goes on"
         )
     if controller.motion.is_moving():
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             "SpeedRefresh while the robot moves", "the moves under way keep their speed"
         )
     controller.motion.settings = replace(
@@ -146,8 +152,8 @@ def motion_sup(
     )
 
 
-def _without_effect(controller: Controller, name: str, why: str) -> None:
-    controller.honesty.not_simulated(name, f"{ACCEPTED}: {why}")
+def _without_effect(controller: Controller, name: str, reason: str) -> None:
+    controller.fidelity.not_simulated(name, f"{ACCEPTED}: {reason}")
 
 
 def conf_j(controller: Motion, *, on: Switch = False, off: Switch = False) -> None:
@@ -210,7 +216,7 @@ def path_acc_lim(
     speeding_up = _limit("AccMax", acc_max) if acc_lim else None
     braking = _limit("DecelMax", decel_max) if decel_lim else None
     if speeding_up != braking:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             "PathAccLim with two different limits", "the smaller one counts for both"
         )
     controller.motion.settings = replace(
@@ -273,25 +279,25 @@ def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
     )
 
 
-def max_rob_speed(controller: Honesty) -> Num:
+def max_rob_speed(controller: FidelityReporter) -> Num:
     """The highest TCP speed [mm/s]."""
     controller.not_simulated("MaxRobSpeed", _OF_VMAX)
     return MAX_TCP_SPEED_MM_S
 
 
-def max_rob_reorient_speed(controller: Honesty) -> Num:
+def max_rob_reorient_speed(controller: FidelityReporter) -> Num:
     """The highest speed of reorientation [deg/s]."""
     controller.not_simulated("MaxRobReorientSpeed", _OF_VMAX)
     return MAX_REORIENT_SPEED_DEG_S
 
 
-def max_ext_linear_speed(controller: Honesty) -> Num:
+def max_ext_linear_speed(controller: FidelityReporter) -> Num:
     """The highest speed of linear external axes [mm/s]."""
     controller.not_simulated("MaxExtLinearSpeed", _OF_VMAX)
     return MAX_LINEAR_AXIS_SPEED_MM_S
 
 
-def max_ext_reorient_speed(controller: Honesty) -> Num:
+def max_ext_reorient_speed(controller: FidelityReporter) -> Num:
     """The highest speed of rotating external axes [deg/s]."""
     controller.not_simulated("MaxExtReorientSpeed", _OF_VMAX)
     return MAX_ROTATING_AXIS_SPEED_DEG_S

@@ -16,10 +16,10 @@ from rapidsim.language.data import Orient, Pos
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
-from rapidsim.library.questions import BREAKS, Breaks, answered
+from rapidsim.library.questions import BREAKS, QuestionBreakOptions, answered
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import dnum_text, number_text, value_text
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def tp_write(
@@ -45,7 +45,7 @@ def tp_read_num(
     controller: Controller,
     tp_answer: InOut[Num],
     tp_text: String,
-    **breaks: Unpack[Breaks],
+    **breaks: Unpack[QuestionBreakOptions],
 ) -> None:
     """Ask for a number."""
     _read_number(controller, "TPReadNum", tp_answer, tp_text, breaks)
@@ -55,7 +55,7 @@ def tp_read_dnum(
     controller: Controller,
     tp_answer: InOut[Dnum],
     tp_text: String,
-    **breaks: Unpack[Breaks],
+    **breaks: Unpack[QuestionBreakOptions],
 ) -> None:
     """Ask for a number in double precision."""
     _read_number(controller, "TPReadDnum", tp_answer, tp_text, breaks)
@@ -70,7 +70,7 @@ def tp_read_fk(
     tpfk3: String,
     tpfk4: String,
     tpfk5: String,
-    **breaks: Unpack[Breaks],
+    **breaks: Unpack[QuestionBreakOptions],
 ) -> None:
     """Ask for one of five keys; the answer is its number."""
     keys = (tpfk1, tpfk2, tpfk3, tpfk4, tpfk5)
@@ -85,7 +85,11 @@ def tp_read_fk(
 
 
 def _read_number(
-    controller: Controller, name: str, answer: Reference[float], prompt: str, breaks: Breaks
+    controller: Controller,
+    name: str,
+    answer: Reference[float],
+    prompt: str,
+    breaks: QuestionBreakOptions,
 ) -> None:
     """The number stays what it was where nobody gives one."""
 
@@ -115,8 +119,8 @@ def option_text(
 
 
 OPERATOR = table(
-    routine("TPWrite", tp_write, r"TPText \Num|\Bool|\Pos|\Orient|\Dnum", does=Does.TELL),
-    routine("TPErase", tp_erase, does=Does.TELL),
+    routine("TPWrite", tp_write, r"TPText \Num|\Bool|\Pos|\Orient|\Dnum", does=Trait.TELL),
+    routine("TPErase", tp_erase, does=Trait.TELL),
     routine("TPReadNum", tp_read_num, rf"TPAnswer TPText {BREAKS}"),
     routine("TPReadDnum", tp_read_dnum, rf"TPAnswer TPText {BREAKS}"),
     routine("TPReadFK", tp_read_fk, rf"TPAnswer TPText TPFK1 TPFK2 TPFK3 TPFK4 TPFK5 {BREAKS}"),

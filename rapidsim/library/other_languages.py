@@ -72,12 +72,12 @@ _OPTIONS: Mapping[str, tuple[str, ...]] = MappingProxyType(
 """By folded word, the options that may be meant by it."""
 
 
-def option_for(key: str, known: Collection[str]) -> str | None:
+def option_for(key: str, names: Collection[str]) -> str | None:
     r"""The option of a routine that a folded word means, as it is written, such as `\WObj`.
 
     Args:
         key: The word.
-        known: The options of the routine.
+        names: The options of the routine.
     """
     meant = _OPTIONS.get(key, ())
-    return next((one for one in known if one.lstrip("\\").lower() in meant), None)
+    return next((one for one in names if one.lstrip("\\").lower() in meant), None)

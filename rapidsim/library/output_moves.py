@@ -25,10 +25,10 @@ from rapidsim.language.data import RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import CallProcedure, SetOutput, Trigger
-from rapidsim.library.motion import MoveOptions, asked, each_way
+from rapidsim.library.motion import MoveOptions, build_move, move_variants
 from rapidsim.library.signals import connected
 from rapidsim.library.table import table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 class GroupValue(MoveOptions, total=False):
@@ -38,7 +38,7 @@ class GroupValue(MoveOptions, total=False):
     d_value: Dnum
 
 
-def _digital(name: str, way: Interpolation) -> Callable[..., None]:
+def _digital(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -50,13 +50,13 @@ def _digital(name: str, way: Interpolation) -> Callable[..., None]:
         **options: Unpack[MoveOptions],
     ) -> None:
         at_end = Trigger(SetOutput(connected(signal), 0.0 if value == 0.0 else 1.0))
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         controller.motion.move(move, (at_end,))
 
     return body
 
 
-def _analog(name: str, way: Interpolation) -> Callable[..., None]:
+def _analog(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -69,13 +69,13 @@ def _analog(name: str, way: Interpolation) -> Callable[..., None]:
     ) -> None:
         controller.signals.require_within(connected(signal), value)
         at_end = Trigger(SetOutput(connected(signal), value))
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         controller.motion.move(move, (at_end,))
 
     return body
 
 
-def _group(name: str, way: Interpolation) -> Callable[..., None]:
+def _group(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -92,13 +92,13 @@ def _group(name: str, way: Interpolation) -> Callable[..., None]:
             raise rapid_error(ERR_ARGVALERR, r"one of \Value and \DValue is needed")
         controller.signals.require_within(connected(signal), value)
         at_end = Trigger(SetOutput(connected(signal), value))
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         controller.motion.move(move, (at_end,))
 
     return body
 
 
-def _call(name: str, way: Interpolation) -> Callable[..., None]:
+def _call(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -108,7 +108,7 @@ def _call(name: str, way: Interpolation) -> Callable[..., None]:
         proc_name: String,
         **options: Unpack[MoveOptions],
     ) -> None:
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         controller.motion.move(move, (Trigger(CallProcedure(proc_name)),))
 
     return body
@@ -117,23 +117,23 @@ def _call(name: str, way: Interpolation) -> Callable[..., None]:
 _MOVE = r"ToPoint \ID Speed \T Zone Tool \WObj"
 
 OUTPUT_MOVES = table(
-    *each_way(
+    *move_variants(
         "Move*DO", _digital, rf"{_MOVE} Signal Value \TLoad", " and set a digital output there"
     ),
-    *each_way(
+    *move_variants(
         "Move*AO", _analog, rf"{_MOVE} Signal Value \TLoad", " and set an analog output there"
     ),
-    *each_way(
+    *move_variants(
         "Move*GO",
         _group,
         rf"{_MOVE} Signal \Value|\DValue \TLoad",
         " and set a group of outputs there",
     ),
-    *each_way(
+    *move_variants(
         "Move*Sync",
         _call,
         rf"{_MOVE} ProcName \TLoad",
         " and call a procedure there",
-        does=Does.CALL_ON_THE_WAY,
+        does=Trait.CALL_ON_THE_WAY,
     ),
 )

@@ -12,7 +12,7 @@ from __future__ import annotations
 from rapidsim.language.annotations import Num
 from rapidsim.language.path_control import PathLength
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def path_length_get(controller: PathLength) -> Num:
@@ -39,5 +39,5 @@ PATH_LENGTH = table(
     routine("PathLengthReset", path_length_reset),
     routine("PathLengthStart", path_length_start),
     routine("PathLengthStop", path_length_stop),
-    routine("PathLengthGet", path_length_get, does=Does.READ_TASK),
+    routine("PathLengthGet", path_length_get, does=Trait.READ_TASK),
 )

@@ -11,7 +11,7 @@ from rapidsim.language.data import Pos, SpeedData
 from rapidsim.language.path_control import PathRecorder
 from rapidsim.language.reference import Reference
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def path_rec_start(controller: PathRecorder, id_: Var[PathRecId]) -> None:
@@ -32,7 +32,7 @@ def path_rec_move_bwd(
     speed: SpeedData | None = None,
 ) -> None:
     """Move back along the recorded path, to an identifier or to where the recorder was started."""
-    controller.go_back(_number(id_), tool_offs, speed)
+    controller.move_backward(_number(id_), tool_offs, speed)
 
 
 def path_rec_move_fwd(
@@ -43,17 +43,17 @@ def path_rec_move_fwd(
     speed: SpeedData | None = None,
 ) -> None:
     """Move forward again, to an identifier or to where PathRecMoveBwd began."""
-    controller.go_forth(_number(id_), tool_offs, speed)
+    controller.move_forward(_number(id_), tool_offs, speed)
 
 
 def path_rec_valid_bwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
     """Whether PathRecMoveBwd can move back to there."""
-    return controller.may_go_back(_number(id_))
+    return controller.can_move_backward(_number(id_))
 
 
 def path_rec_valid_fwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
     """Whether PathRecMoveFwd can move forward to there."""
-    return controller.may_go_forth(_number(id_))
+    return controller.can_move_forward(_number(id_))
 
 
 def _number(identifier: Reference[int | None] | None) -> int | None:
@@ -64,8 +64,8 @@ def _number(identifier: Reference[int | None] | None) -> int | None:
 PATH_RECORDER = table(
     routine("PathRecStart", path_rec_start, "ID"),
     routine("PathRecStop", path_rec_stop),
-    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed", does=Does.LEAVE_PATH),
-    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed", does=Does.LEAVE_PATH),
+    routine("PathRecMoveBwd", path_rec_move_bwd, r"\ID \ToolOffs \Speed", does=Trait.LEAVE_PATH),
+    routine("PathRecMoveFwd", path_rec_move_fwd, r"\ID \ToolOffs \Speed", does=Trait.LEAVE_PATH),
     routine("PathRecValidBwd", path_rec_valid_bwd, r"\ID"),
     routine("PathRecValidFwd", path_rec_valid_fwd, r"\ID"),
 )

@@ -10,7 +10,7 @@ from rapidsim.frames.quaternion import Quaternion, Vector
 from rapidsim.frames.vectors import plus, scaled
 from rapidsim.language.data import Orient, Pos, Pose
 from rapidsim.language.error_numbers import ERR_ILLQUAT, rapid_error
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 
 ILLEGAL_NORM_ERROR = 0.1
 """How far from 1 the length of a quaternion may be for functions to compute with it."""

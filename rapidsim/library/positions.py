@@ -16,7 +16,7 @@ from rapidsim.language.data import WOBJ0, Orient, Pos, Pose, RobTarget, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_FRAME, rapid_error
 from rapidsim.library.poses import composed, from_axes, inverted, normalised, rounded, unit
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _X: Vector = (1.0, 0.0, 0.0)
 _Y: Vector = (0.0, 1.0, 0.0)
@@ -196,9 +196,9 @@ def vect_magn(vector: Pos) -> Num:
 
 
 POSITIONS = table(
-    routine("Offs", offs, does=Does.OFFSET),
-    routine("RelTool", rel_tool, does=Does.OFFSET | Does.ANGLES),
-    routine("OrientZYX", orient_zyx, "ZAngle YAngle XAngle", does=Does.ANGLES),
+    routine("Offs", offs, does=Trait.OFFSET),
+    routine("RelTool", rel_tool, does=Trait.OFFSET | Trait.ANGLES),
+    routine("OrientZYX", orient_zyx, "ZAngle YAngle XAngle", does=Trait.ANGLES),
     routine("EulerZYX", euler_zyx, r"\X|\Y|\Z Rotation"),
     routine("NOrient", n_orient),
     routine("PoseMult", pose_mult),

@@ -15,7 +15,7 @@ from struct import Struct
 from typing import Any, TypeAlias, TypeVar
 
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import LARGEST_SINGLE, SPLIT, single
+from rapidsim.language.single_precision import LARGEST_SINGLE, SPLIT, single
 from rapidsim.language.types import NUM, ArrayOf, Record, Type, resolved
 
 Rounding: TypeAlias = Callable[[Any], Any]

@@ -28,12 +28,12 @@ from rapidsim.language.data import (
     StopPointData,
     ZoneData,
 )
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.records import RECORD_CLASSES, record_of
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import Alias, Type
 from rapidsim.library.named_numbers import ENUMERATIONS
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ERRSTR_TASK: Final = "ERRSTR_TASK"
 ERRSTR_CONTEXT: Final = "ERRSTR_CONTEXT"
@@ -92,7 +92,7 @@ OF_OPTIONS: Final = frozenset(
 """Types of options that differ from site to site: their data are what their values show."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PredefinedData:
     """One predefined name; data that are neither constant nor persistent are variables."""
 

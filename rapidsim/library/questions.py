@@ -40,7 +40,7 @@ from rapidsim.library.signals import connected
 T = TypeVar("T")
 
 
-class Breaks(TypedDict, total=False):
+class QuestionBreakOptions(TypedDict, total=False):
     """What may end a question before the operator answers."""
 
     max_time: Num
@@ -66,19 +66,19 @@ BREAKS = (
 def answered(
     controller: Controller,
     name: str,
-    breaks: Breaks,
-    ask: Callable[[bool], T | None],
-    otherwise: T,
+    breaks: QuestionBreakOptions,
+    put_question: Callable[[bool], T | None],
+    default: T,
 ) -> T:
-    r"""What the operator answers, or `otherwise` where \BreakFlag tells that nobody did.
+    r"""What the operator answers, or `default` where \BreakFlag tells that nobody did.
 
     Args:
         controller: Of the task.
         name: The instruction or function.
         breaks: What may end the question.
-        ask: Asks; it is told whether anything else may end the question, and answers None where
-            nobody sits and something may.
-        otherwise: The value without an answer.
+        put_question: Asks the operator; its argument is whether anything else may end the
+            question. None if there is no operator and something may.
+        default: The value without an answer.
 
     Raises:
         RapidError: ERR_TP_MAXTIME and its like, without \BreakFlag.
@@ -89,7 +89,7 @@ def answered(
     found = _happened(ends)
     if found is None:
         with operator.asking(name):
-            value = ask(bool(ends) or max_time is not None)
+            value = put_question(bool(ends) or max_time is not None)
             if value is None:
                 controller.signals.wait_until(
                     lambda: operator.has_answered or _happened(ends) is not None,
@@ -97,7 +97,7 @@ def answered(
                     poll_s=_LOOKS_EVERY_S,
                 )
             if operator.has_answered:
-                value = ask(True)
+                value = put_question(True)
         if value is not None:
             if flag is not None:
                 flag.value = 0.0
@@ -108,10 +108,10 @@ def answered(
     if flag is None:
         raise rapid_error(errno, f"{name}: {happened}")
     flag.value = errno
-    return otherwise
+    return default
 
 
-def _ends(signals: Signals, breaks: Breaks) -> Iterator[_End]:
+def _ends(signals: Signals, breaks: QuestionBreakOptions) -> Iterator[_End]:
     def is_set(signal: Reference[Signal]) -> bool:
         return signals.read_signal(connected(signal)) != 0.0
 

@@ -25,7 +25,7 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.reference import Reference
-from rapidsim.language.single import LARGEST_SINGLE, single
+from rapidsim.language.single_precision import LARGEST_SINGLE, single
 from rapidsim.language.types import DNUM, NUM, STRING, resolved
 from rapidsim.library.files import opened_device
 from rapidsim.library.table import routine, table

@@ -25,10 +25,10 @@ from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Reference
 from rapidsim.language.tasks import TaskService
 from rapidsim.library.displacement import in_object, in_program, without_axis_offsets
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import named_task
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _NOISE = 1e-9
 """[mm, deg], or of a quaternion."""
@@ -131,7 +131,7 @@ def calc_joint_t(
     Configuration and limits are held to as by a move: with ConfJ off the nearest will do. With
     \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
     """
-    ignored(controller.honesty, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
+    note_ignored_options(controller.fidelity, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
     of_wobj = WOBJ0 if wobj is None else wobj.value
     try:
         joints = controller.motion.joints_at(
@@ -155,10 +155,10 @@ def c_speed_override(controller: Motion, *, c_task: Switch = False) -> Num:
     return controller.settings.speed_refresh_percent
 
 
-def _without_noise(stands: RobTarget) -> RobTarget:
+def _without_noise(position: RobTarget) -> RobTarget:
     """Where the TCP is, with 0 where rounding leaves next to nothing: programs print it."""
-    return stands._replace(
-        trans=Pos(*map(_flushed, stands.trans)), rot=Orient(*map(_flushed, stands.rot))
+    return position._replace(
+        trans=Pos(*map(_flushed, position.trans)), rot=Orient(*map(_flushed, position.rot))
     )
 
 
@@ -180,17 +180,17 @@ def _other_task(
 _TASK = r"\TaskRef|\TaskName"
 
 ROBOT_STATE = table(
-    routine("CRobT", c_rob_t, rf"{_TASK} \Tool \WObj", does=Does.READ_TASK),
-    routine("CJointT", c_joint_t, _TASK, does=Does.READ_TASK),
-    routine("CPos", c_pos, does=Does.READ_TASK),
-    routine("CTool", c_tool, _TASK, does=Does.READ_TASK),
-    routine("CWObj", c_wobj, _TASK, does=Does.READ_TASK),
-    routine("CalcRobT", calc_rob_t, r"Joint_target Tool \WObj", does=Does.READ_TASK),
+    routine("CRobT", c_rob_t, rf"{_TASK} \Tool \WObj", does=Trait.READ_TASK),
+    routine("CJointT", c_joint_t, _TASK, does=Trait.READ_TASK),
+    routine("CPos", c_pos, does=Trait.READ_TASK),
+    routine("CTool", c_tool, _TASK, does=Trait.READ_TASK),
+    routine("CWObj", c_wobj, _TASK, does=Trait.READ_TASK),
+    routine("CalcRobT", calc_rob_t, r"Joint_target Tool \WObj", does=Trait.READ_TASK),
     routine(
         "CalcJointT",
         calc_joint_t,
         r"\UseCurWObjPos Rob_target Tool \WObj \ErrorNumber",
-        does=Does.READ_TASK,
+        does=Trait.READ_TASK,
     ),
-    routine("CSpeedOverride", c_speed_override, does=Does.READ_TASK),
+    routine("CSpeedOverride", c_speed_override, does=Trait.READ_TASK),
 )

@@ -20,9 +20,9 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Flank, Interpolation, Move, SearchStop
 from rapidsim.language.reference import Reference
 from rapidsim.library.displacement import in_program, with_axis_offsets, without_axis_offsets
-from rapidsim.library.motion import MoveOptions, asked, each_way
+from rapidsim.library.motion import MoveOptions, build_move, move_variants
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 STIFF_STOP_MM_S = 100.0
 r"""The fastest search [mm/s] that \Stop may end.
@@ -51,7 +51,7 @@ class SearchOptions(MoveOptions, total=False):
     low_level: Switch
 
 
-def _search(name: str, way: Interpolation) -> Callable[..., None]:
+def _search(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         signal: InOut[SignalDi] | InOut[Bool],
@@ -61,10 +61,10 @@ def _search(name: str, way: Interpolation) -> Callable[..., None]:
         tool: Pers[ToolData],
         **options: Unpack[SearchOptions],
     ) -> None:
-        move = asked(controller, name, way, to_point, speed, FINE, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, FINE, tool, options)
         stop = _stop(options)
         _require_slow(name, move, options)
-        found = controller.searches.search(move, _watched(signal), _flank(options), stop)
+        found = controller.searches.search(move, _stop_condition(signal), _flank(options), stop)
         search_point.value = in_program(controller.motion, found)
 
     return body
@@ -82,13 +82,13 @@ def search_ext_j(
     name, way = "SearchExtJ", Interpolation.EXTERNAL_AXES
     offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
-    move = asked(controller, name, way, to, speed, FINE, None, options)
+    move = build_move(controller, name, way, to, speed, FINE, None, options)
     stop = _stop(options)
-    found = controller.searches.search_joints(move, _watched(signal), _flank(options), stop)
+    found = controller.searches.search_joints(move, _stop_condition(signal), _flank(options), stop)
     search_joint_pos.value = JointTarget(found.robax, without_axis_offsets(found.extax, offsets))
 
 
-def _watched(signal: Reference[Signal] | Reference[bool]) -> Callable[[], float] | str:
+def _stop_condition(signal: Reference[Signal] | Reference[bool]) -> Callable[[], float] | str:
     """What is watched: a signal by its name, or a persistent by a function that reads it."""
     if isinstance(signal.value, Signal):
         return signal.value.name
@@ -124,18 +124,18 @@ def _stop(options: SearchOptions) -> SearchStop:
 _WATCHED = r"\Stop|\PStop|\SStop|\Sup Signal \Flanks|\PosFlank|\NegFlank|\HighLevel|\LowLevel"
 
 SEARCH = table(
-    *each_way(
+    *move_variants(
         "Search*",
         _search,
         rf"{_WATCHED} SearchPoint ToPoint \ID Speed \V|\T Tool \WObj \Corr \TLoad",
         " and keep where it was when a signal changed",
-        ways="LC",
-        does=Does.SEARCH,
+        interpolations="LC",
+        does=Trait.SEARCH,
     ),
     routine(
         "SearchExtJ",
         search_ext_j,
         rf"{_WATCHED} SearchJointPos ToJointPos \ID \UseEOffs Speed \T",
-        does=Does.SEARCH,
+        does=Trait.SEARCH,
     ),
 )

@@ -41,7 +41,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import STRING
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 DEFAULT_PULSE_S = 0.2
 LEAST_PULSE_S = 0.001
@@ -240,23 +240,23 @@ def _group_num(value: float, signal: Signal) -> float:
 
 
 SIGNALS = table(
-    routine("SetDO", set_do, r"\SDelay|\Sync Signal Value", does=Does.OUTPUT),
-    routine("Set", set_, does=Does.OUTPUT | Does.SWITCH_ON),
-    routine("Reset", reset, does=Does.OUTPUT | Does.SWITCH_OFF),
-    routine("InvertDO", invert_do, does=Does.OUTPUT),
-    routine("PulseDO", pulse_do, r"\High \PLength Signal", does=Does.OUTPUT),
-    routine("SetAO", set_ao, does=Does.OUTPUT),
-    routine("SetGO", set_go, r"\SDelay Signal Value|Dvalue", does=Does.OUTPUT),
-    routine("DInput", d_input, does=Does.READ_CELL),
-    routine("DOutput", d_output, does=Does.READ_CELL),
-    routine("AInput", a_input, does=Does.READ_CELL),
-    routine("AOutput", a_output, does=Does.READ_CELL),
-    routine("GInput", g_input, does=Does.READ_CELL),
-    routine("GOutput", g_output, does=Does.READ_CELL),
-    routine("GInputDnum", g_input_dnum, does=Does.READ_CELL),
-    routine("GOutputDnum", g_output_dnum, does=Does.READ_CELL),
-    routine("TestDI", test_di, does=Does.READ_CELL),
-    routine("ValidIO", valid_io, does=Does.READ_ARGUMENT),
+    routine("SetDO", set_do, r"\SDelay|\Sync Signal Value", does=Trait.OUTPUT),
+    routine("Set", set_, does=Trait.OUTPUT | Trait.SWITCH_ON),
+    routine("Reset", reset, does=Trait.OUTPUT | Trait.SWITCH_OFF),
+    routine("InvertDO", invert_do, does=Trait.OUTPUT),
+    routine("PulseDO", pulse_do, r"\High \PLength Signal", does=Trait.OUTPUT),
+    routine("SetAO", set_ao, does=Trait.OUTPUT),
+    routine("SetGO", set_go, r"\SDelay Signal Value|Dvalue", does=Trait.OUTPUT),
+    routine("DInput", d_input, does=Trait.READ_CELL),
+    routine("DOutput", d_output, does=Trait.READ_CELL),
+    routine("AInput", a_input, does=Trait.READ_CELL),
+    routine("AOutput", a_output, does=Trait.READ_CELL),
+    routine("GInput", g_input, does=Trait.READ_CELL),
+    routine("GOutput", g_output, does=Trait.READ_CELL),
+    routine("GInputDnum", g_input_dnum, does=Trait.READ_CELL),
+    routine("GOutputDnum", g_output_dnum, does=Trait.READ_CELL),
+    routine("TestDI", test_di, does=Trait.READ_CELL),
+    routine("ValidIO", valid_io, does=Trait.READ_ARGUMENT),
     routine("AliasIO", alias_io),
     routine("AliasIOReset", alias_io_reset),
 )

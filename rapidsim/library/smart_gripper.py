@@ -22,7 +22,7 @@ from rapidsim.language.equipment import SmartGripper
 from rapidsim.language.error_numbers import ERR_HAND_FAILEDGRIPPOS, rapid_error
 from rapidsim.language.errors import NotAllowed
 from rapidsim.library.table import LibraryRoutine, routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _GRIPPER = "the gripper"
 _ALLOWANCE_MM = 2.0
@@ -68,7 +68,7 @@ def grip_inward(
     if meets_mm is None:
         meets_mm = _within(gripper, 0.0 if target_pos is None else target_pos)
         instead = "they close fully" if target_pos is None else "an object at `targetPos`"
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             "what the fingers of the gripper meet",
             f"{instead}; [[smart_gripper]] in the station file describes an object",
         )
@@ -103,7 +103,7 @@ def move_to(controller: Controller, target_pos: Num, *, no_wait: Switch = False)
     gripper = controller.smart_gripper
     to_mm = _within(gripper, target_pos)
     if to_mm != target_pos:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             f"a gripper position of {target_pos:g} mm", f"{to_mm:g} mm", is_unknown=True
         )
     _move(gripper, to_mm, no_wait=no_wait)
@@ -194,15 +194,15 @@ _OF_BOTH = (
     (("g_MoveTo", "Hand_MoveTo"), move_to, r"targetPos \NoWait"),
 )
 _PLAIN = (
-    (("g_JogIn", "Hand_JogInward"), jog_inward, Does.WAIT),
-    (("g_JogOut", "Hand_JogOutward"), jog_outward, Does.WAIT),
-    (("g_SetMaxSpd", "Hand_SetMaxSpeed"), set_max_speed, Does(0)),
-    (("g_SetForce", "Hand_SetHoldForce"), set_hold_force, Does(0)),
-    (("g_Stop", "Hand_Stop"), stop_fingers, Does(0)),
-    (("Hand_WaitMovingCompleted",), wait_moving_completed, Does.WAIT),
-    (("g_GetPos", "Hand_GetActualPos"), actual_position, Does.READ_TASK),
-    (("g_GetSpd", "Hand_GetActualSpeed"), actual_speed, Does.READ_TASK),
-    (("g_IsCalibrated", "Hand_IsCalibrated"), is_calibrated, Does.READ_TASK),
+    (("g_JogIn", "Hand_JogInward"), jog_inward, Trait.WAIT),
+    (("g_JogOut", "Hand_JogOutward"), jog_outward, Trait.WAIT),
+    (("g_SetMaxSpd", "Hand_SetMaxSpeed"), set_max_speed, Trait(0)),
+    (("g_SetForce", "Hand_SetHoldForce"), set_hold_force, Trait(0)),
+    (("g_Stop", "Hand_Stop"), stop_fingers, Trait(0)),
+    (("Hand_WaitMovingCompleted",), wait_moving_completed, Trait.WAIT),
+    (("g_GetPos", "Hand_GetActualPos"), actual_position, Trait.READ_TASK),
+    (("g_GetSpd", "Hand_GetActualSpeed"), actual_speed, Trait.READ_TASK),
+    (("g_IsCalibrated", "Hand_IsCalibrated"), is_calibrated, Trait.READ_TASK),
 )
 
 
@@ -214,13 +214,13 @@ def _air_lines() -> list[LibraryRoutine]:
                 doing = f"Switch {short.lower()} {number} {on.lower()}"
                 body = _air(f"{signal}{number}", value, doing)
                 for name in (f"g_{short}{on}{number}", f"Hand_Turn{on}{long}{number}"):
-                    rows.append(routine(name, body, does=Does.OUTPUT, takes_anything=True))
+                    rows.append(routine(name, body, does=Trait.OUTPUT, takes_anything=True))
     return rows
 
 
 SMART_GRIPPER = table(
     *(
-        routine(name, body, order, does=Does.WAIT)
+        routine(name, body, order, does=Trait.WAIT)
         for names, body, order in _OF_BOTH
         for name in names
     ),

@@ -20,8 +20,8 @@ from typing import Annotated
 from rapidsim.language.annotations import (
     Byte,
     InOut,
-    Mode,
     Num,
+    ParameterMode,
     RawBytes,
     SocketDev,
     SocketStatus,
@@ -55,7 +55,7 @@ from rapidsim.language.sockets import (
 from rapidsim.library.raw_bytes import MOST_BYTES
 from rapidsim.library.table import routine, table
 from rapidsim.library.text import MAX_STRING
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 DEFAULT_TIME_S = 60.0
 WAIT_FOR_EVER_S = 8388608.0
@@ -194,7 +194,7 @@ def socket_receive(
     *,
     str_: InOut[String] | None = None,
     raw_data: Var[RawBytes] | None = None,
-    data: Annotated[list[Byte], Mode.VAR] | None = None,
+    data: Annotated[list[Byte], ParameterMode.VAR] | None = None,
     read_no_of_bytes: Num | None = None,
     no_rec_bytes: Var[Num] | None = None,
     time: Num | None = None,
@@ -271,7 +271,7 @@ def socket_receive_from(
     *,
     str_: Var[String] | None = None,
     raw_data: Var[RawBytes] | None = None,
-    data: Annotated[list[Byte], Mode.VAR] | None = None,
+    data: Annotated[list[Byte], ParameterMode.VAR] | None = None,
     no_rec_bytes: Var[Num] | None = None,
     time: Num | None = None,
 ) -> None:
@@ -342,8 +342,8 @@ def _limit(time: float | None) -> float | None:
     return None if seconds >= WAIT_FOR_EVER_S else max(0.0, seconds)
 
 
-def _too_late(what: str, time: float | None) -> Exception:
-    return rapid_error(ERR_SOCK_TIMEOUT, f"{what} within {_limit(time) or 0.0:g} s")
+def _too_late(subject: str, time: float | None) -> Exception:
+    return rapid_error(ERR_SOCK_TIMEOUT, f"{subject} within {_limit(time) or 0.0:g} s")
 
 
 def _port(value: float) -> int:
@@ -386,14 +386,14 @@ SOCKETS = table(
     routine("SocketCreate", socket_create, r"Socket \UDP"),
     routine("SocketBind", socket_bind),
     routine("SocketListen", socket_listen),
-    routine("SocketAccept", socket_accept, does=Does.WAIT),
-    routine("SocketConnect", socket_connect, does=Does.WAIT),
+    routine("SocketAccept", socket_accept, does=Trait.WAIT),
+    routine("SocketConnect", socket_connect, does=Trait.WAIT),
     routine("SocketSend", socket_send, rf"Socket {_DATA} \NoOfBytes"),
     routine(
         "SocketReceive",
         socket_receive,
         rf"Socket {_DATA} \ReadNoOfBytes \NoRecBytes \Time",
-        does=Does.WAIT,
+        does=Trait.WAIT,
     ),
     routine("SocketPeek", socket_peek),
     routine(
@@ -405,7 +405,7 @@ SOCKETS = table(
         "SocketReceiveFrom",
         socket_receive_from,
         rf"Socket {_DATA} \NoRecBytes RemoteAddress RemotePort \Time",
-        does=Does.WAIT,
+        does=Trait.WAIT,
     ),
     routine("SocketClose", socket_close),
     routine("SocketGetStatus", socket_get_status),

@@ -16,7 +16,7 @@ Source: Technical reference manual RAPID Instructions, Functions and Data types,
 from __future__ import annotations
 
 from rapidsim.language.annotations import Bool, Num, Pers, SignalDo, SignalGo, Switch, Var
-from rapidsim.language.controller import ACCEPTED, Controller, Execution
+from rapidsim.language.controller import ACCEPTED, Controller, ExecutionControl
 from rapidsim.language.error_numbers import (
     ERR_PATH_STOP,
     ERR_PROCSIGNAL_OFF,
@@ -28,7 +28,7 @@ from rapidsim.language.path_control import PathControl
 from rapidsim.language.tasks import TaskService
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 _OWN_ROBOT = f"{ACCEPTED}: in the task of a robot it resets that robot's stop alone"
 _NOTHING_CLEARED = "nothing is cleared"
@@ -60,7 +60,7 @@ def start_move_retry(controller: PathControl) -> None:
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
     """Take a StopMove back: the robot goes on."""
     if all_motion_tasks and controller.tasks.robot_number:
-        controller.honesty.not_simulated(r"StopMoveReset \AllMotionTasks", _OWN_ROBOT)
+        controller.fidelity.not_simulated(r"StopMoveReset \AllMotionTasks", _OWN_ROBOT)
         all_motion_tasks = False
     if _is_watching(controller, "StopMoveReset", all_motion_tasks):
         controller.tasks.start_robots(every=all_motion_tasks)
@@ -112,7 +112,7 @@ def clear_path(controller: Controller) -> None:
     if controller.tasks.robot_number:
         controller.path_control.clear_path()
     else:
-        controller.honesty.not_simulated("ClearPath in a task without a robot", _NOTHING_CLEARED)
+        controller.fidelity.not_simulated("ClearPath in a task without a robot", _NOTHING_CLEARED)
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
@@ -134,14 +134,14 @@ def is_stop_move_act(
     controller: TaskService, *, from_move_task: Switch = False, from_non_move_task: Switch = False
 ) -> Bool:
     """Whether StopMove of the robot's own task, or of one without a robot, is holding the robot."""
-    by_own, by_watcher = controller.robot_held()
+    by_own, by_watcher = controller.is_robot_held()
     if from_move_task or from_non_move_task:
         return by_own if from_move_task else by_watcher
     return by_own or by_watcher
 
 
 def trigg_stop_proc(
-    controller: Execution,
+    controller: ExecutionControl,
     restart_ref: Pers[RestartData],
     shadow_do: Var[SignalDo],
     *,
@@ -157,19 +157,19 @@ def trigg_stop_proc(
 
 
 STOP_START = table(
-    routine("StopMove", stop_move, does=Does.HOLD_ROBOT, back="StartMove"),
+    routine("StopMove", stop_move, does=Trait.HOLD_ROBOT, back="StartMove"),
     routine("StartMove", start_move, back="StartMove"),
-    routine("StartMoveRetry", start_move_retry, does=Does.LEAVE | Does.RETRY, back="StartMove"),
+    routine("StartMoveRetry", start_move_retry, does=Trait.LEAVE | Trait.RETRY, back="StartMove"),
     routine("StopMoveReset", stop_move_reset),
     routine(
         "ProcerrRecovery",
         procerr_recovery,
         r"\SyncOrgMoveInst|\SyncLastMoveInst \ProcSignal",
-        does=Does.HOLD_ROBOT,
+        does=Trait.HOLD_ROBOT,
     ),
-    routine("ClearPath", clear_path, does=Does.LEAVE_PATH),
-    routine("StorePath", store_path, does=Does.LEAVE_PATH),
-    routine("RestoPath", resto_path, does=Does.LEAVE_PATH),
+    routine("ClearPath", clear_path, does=Trait.LEAVE_PATH),
+    routine("StorePath", store_path, does=Trait.LEAVE_PATH),
+    routine("RestoPath", resto_path, does=Trait.LEAVE_PATH),
     routine("PathLevel", path_level),
     routine("TriggStopProc", trigg_stop_proc, r"RestartRef \DO1 \GO1 \GO2 \GO3 \GO4 ShadowDO"),
     routine("IsStopMoveAct", is_stop_move_act, r"\FromMoveTask|\FromNonMoveTask"),

@@ -242,7 +242,7 @@ def _position(text: str, position: float, last: int) -> int:
     return int(position) - 1
 
 
-def _whole(text: str, base: int, otherwise: float = ERR_ARGVALERR) -> int:
+def _whole(text: str, base: int, default: float = ERR_ARGVALERR) -> int:
     digits = text.strip()
     try:
         # Python would take underscores, signs and prefixes as well.
@@ -250,7 +250,7 @@ def _whole(text: str, base: int, otherwise: float = ERR_ARGVALERR) -> int:
             return int(digits, base)
     except ValueError:
         pass
-    raise rapid_error(otherwise, f'"{text}" is no whole number to base {base}')
+    raise rapid_error(default, f'"{text}" is no whole number to base {base}')
 
 
 def _digits(text: str) -> int:
@@ -260,9 +260,9 @@ def _digits(text: str) -> int:
     return value
 
 
-def _choice(value: float, count: int, what: str) -> int:
+def _choice(value: float, count: int, subject: str) -> int:
     if not (1 <= value <= count and value == math.floor(value)):
-        raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no {what}")
+        raise rapid_error(ERR_ARGVALERR, f"{value:.7g} is no {subject}")
     return int(value) - 1
 
 

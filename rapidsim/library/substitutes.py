@@ -18,28 +18,28 @@ from rapidsim.library.motion import move
 Substitute = Callable[[Controller, Mapping[str, Any]], None]
 
 
-def _instead(name: str, interpolation: Interpolation) -> Substitute:
+def _substitute(name: str, interpolation: Interpolation) -> Substitute:
     body = move(name, interpolation)
 
-    def substitute(controller: Controller, given: Mapping[str, Any]) -> None:
-        zone = given.get("zone") or FINE
-        point, speed, tool = given["topoint"], given["speed"], given["tool"]
-        body(controller, point, speed, zone, tool, **_options(given))
+    def substitute(controller: Controller, arguments: Mapping[str, Any]) -> None:
+        zone = arguments.get("zone") or FINE
+        point, speed, tool = arguments["topoint"], arguments["speed"], arguments["tool"]
+        body(controller, point, speed, zone, tool, **_options(arguments))
 
     return substitute
 
 
-def _options(given: Mapping[str, Any]) -> dict[str, Any]:
+def _options(arguments: Mapping[str, Any]) -> dict[str, Any]:
     """The options of a move that these instructions may have too, and its circle point."""
-    options = {name: given[name] for name in ("conc", "v", "t", "wobj") if given.get(name)}
-    return options | ({"cir_point": given["cirpoint"]} if "cirpoint" in given else {})
+    options = {name: arguments[name] for name in ("conc", "v", "t", "wobj") if arguments.get(name)}
+    return options | ({"cir_point": arguments["cirpoint"]} if "cirpoint" in arguments else {})
 
 
 SUBSTITUTES: Mapping[str, Substitute] = MappingProxyType(
     {
-        "MoveJ": _instead("MoveJ", Interpolation.JOINT),
-        "MoveL": _instead("MoveL", Interpolation.LINE),
-        "MoveC": _instead("MoveC", Interpolation.CIRCLE),
+        "MoveJ": _substitute("MoveJ", Interpolation.JOINT),
+        "MoveL": _substitute("MoveL", Interpolation.LINE),
+        "MoveC": _substitute("MoveC", Interpolation.CIRCLE),
     }
 )
 """By what stands after `=>` in `declared.txt`."""

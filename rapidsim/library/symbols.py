@@ -22,11 +22,11 @@ from rapidsim.language.annotations import (
 )
 from rapidsim.language.controller import Controller
 from rapidsim.language.reference import Reference
-from rapidsim.language.symbols import DataName, Search
+from rapidsim.language.symbols import DataName, DataSearch
 from rapidsim.language.types import NUM
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import means_another
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 def get_data_val(
@@ -41,7 +41,7 @@ def get_data_val(
 ) -> None:
     """Read data whose name is a string."""
     _own_task_only(controller, "GetDataVal", task_ref, task_name)
-    read = controller.symbols.read(object_, of, _where(block))
+    read = controller.symbols.read(object_, of, _block_of(block))
     if isinstance(value, list):
         assert isinstance(read, list)
         value[:] = read
@@ -61,7 +61,7 @@ def set_data_val(
 ) -> None:
     """Write data whose name is a string."""
     _own_task_only(controller, "SetDataVal", task_ref, task_name)
-    controller.symbols.write(object_, of, _where(block), _given(value))
+    controller.symbols.write(object_, of, _block_of(block), _value_of(value))
 
 
 def set_all_data_val(
@@ -76,9 +76,9 @@ def set_all_data_val(
 ) -> None:
     """Write all variables and persistents of a type whose names match a pattern."""
     del type_mod, hidden
-    search = Search(type_, object_, storages=("VAR", "PERS"))
+    search = DataSearch(type_, object_, storages=("VAR", "PERS"))
     for found in controller.symbols.search(search):
-        controller.symbols.write(found.name, of, found, _given(value))
+        controller.symbols.write(found.name, of, found, _value_of(value))
 
 
 def set_data_search(
@@ -100,8 +100,10 @@ def set_data_search(
     del type_mod, in_task
     kinds = {"PERS": pers_sym, "VAR": var_sym, "CONST": const_sym}
     if in_rout is not None:
-        controller.honesty.not_simulated(r"SetDataSearch \InRout", "data of routines are not found")
-    search = Search(
+        controller.fidelity.not_simulated(
+            r"SetDataSearch \InRout", "data of routines are not found"
+        )
+    search = DataSearch(
         type_,
         object_,
         storages=tuple(kind for kind, wanted in kinds.items() if wanted) or tuple(kinds),
@@ -121,18 +123,18 @@ def get_next_sym(
 ) -> Bool:
     """The next name found by SetDataSearch, and where it is; FALSE if there is none."""
     del recursive
-    found = controller.symbols.next_found()
+    found = controller.symbols.next_match()
     if found is None:
         return False
     object_.value, block.value = found.name, found
     return True
 
 
-def _given(value: Reference[object] | list[object]) -> object:
+def _value_of(value: Reference[object] | list[object]) -> object:
     return value if isinstance(value, list) else value.value
 
 
-def _where(block: Reference[DataName | None] | None) -> DataName | None:
+def _block_of(block: Reference[DataName | None] | None) -> DataName | None:
     return None if block is None else block.value
 
 
@@ -141,26 +143,26 @@ def _own_task_only(
 ) -> None:
     if means_another(controller.tasks, task_ref, task_name):
         option = r"\TaskRef" if task_name is None else r"\TaskName"
-        controller.honesty.not_simulated(f"{name} {option}", "the data of the task itself")
+        controller.fidelity.not_simulated(f"{name} {option}", "the data of the task itself")
 
 
 _PLACE = r"\Block|\TaskRef|\TaskName"
 
 SYMBOLS = table(
-    routine("GetDataVal", get_data_val, f"Object {_PLACE} Value", does=Does.READ_BY_NAME),
-    routine("SetDataVal", set_data_val, f"Object {_PLACE} Value", does=Does.WRITE_BY_NAME),
+    routine("GetDataVal", get_data_val, f"Object {_PLACE} Value", does=Trait.READ_BY_NAME),
+    routine("SetDataVal", set_data_val, f"Object {_PLACE} Value", does=Trait.WRITE_BY_NAME),
     routine(
         "SetAllDataVal",
         set_all_data_val,
         r"Type \TypeMod \Object \Hidden Value",
-        does=Does.WRITE_BY_NAME,
+        does=Trait.WRITE_BY_NAME,
     ),
     routine(
         "SetDataSearch",
         set_data_search,
         r"Type \TypeMod \Object \PersSym \VarSym \ConstSym \InTask|\InMod \InRout "
         r"\GlobalSym|\LocalSym",
-        does=Does.READ_BY_NAME,
+        does=Trait.READ_BY_NAME,
     ),
-    routine("GetNextSym", get_next_sym, r"Object Block \Recursive", does=Does.READ_BY_NAME),
+    routine("GetNextSym", get_next_sym, r"Object Block \Recursive", does=Trait.READ_BY_NAME),
 )

@@ -23,16 +23,16 @@ from rapidsim.language.annotations import (
     TpNum,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty, Interrupts
+from rapidsim.language.controller import Controller, FidelityReporter, Interrupts
 from rapidsim.language.data import LOAD0, LoadData, ToolData, WobjData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.types import NUM, Type
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.predefined import DATA
 from rapidsim.library.table import routine, table
 from rapidsim.library.task_arguments import means_another
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
 """The constants LEVEL_NORMAL and LEVEL_TRAP."""
@@ -71,7 +71,7 @@ def is_sys_id(system_id: String) -> Bool:
     return system_id == _NAME
 
 
-def prog_mem_free(controller: Honesty) -> Num:
+def prog_mem_free(controller: FidelityReporter) -> Num:
     """The free program memory in bytes, which is always the same."""
     controller.not_simulated("ProgMemFree", _MEMORY_NOTE)
     return FREE_MEMORY_BYTES
@@ -88,7 +88,9 @@ def get_sys_data(
 ) -> None:
     """Copy the active tool, work object or load of the gripper, and tell its name."""
     if means_another(controller.tasks, task_ref, task_name):
-        ignored(controller.honesty, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name})
+        note_ignored_options(
+            controller.fidelity, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name}
+        )
     motion = controller.motion
     tool, wobj = motion.active_names()
     match of.name:
@@ -208,5 +210,5 @@ SYSTEM_DATA = table(
     routine("ResetPPMoved", reset_pp_moved),
     routine("IsStopStateEvent", is_stop_state_event, r"\PPMoved \PPToMain"),
     routine("PFRestart", pf_restart, r"\Base|\Irpt"),
-    routine("TPShow", tp_show, does=Does.TELL),
+    routine("TPShow", tp_show, does=Trait.TELL),
 )

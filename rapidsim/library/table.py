@@ -18,14 +18,14 @@ from types import MappingProxyType, NoneType, UnionType
 from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from rapidsim.language import types
-from rapidsim.language.annotations import Marker, Mode, Only
+from rapidsim.language.annotations import Marker, Only, ParameterMode
 from rapidsim.language.controller import CONCERNS, Controller
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Reference
 from rapidsim.language.types import Type
 from rapidsim.library.precision import in_single
-from rapidsim.library.traits import LIMITS, NOTHING, Does, derived
-from rapidsim.values import dataclass
+from rapidsim.library.traits import LIMITS, NO_TRAITS, Trait, derived
+from rapidsim.values import value_class
 
 _SPELLINGS = {
     "id": "ID",
@@ -39,7 +39,7 @@ WHOLE = "controller"
 """Stands for all concerns of the controller."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Parameter:
     """One parameter of an installed routine."""
 
@@ -49,7 +49,7 @@ class Parameter:
     """As the Python function spells it: `max_time`."""
     types: tuple[Type, ...]
     """The types it takes; several where RAPID has alternatives such as `Name | Dname`."""
-    mode: Mode = Mode.IN
+    mode: ParameterMode = ParameterMode.IN
     optional: bool = False
     by_keyword: bool = False
     """The Python function takes it by keyword, as it does all that is optional."""
@@ -64,7 +64,7 @@ class Parameter:
     """The other name of a required argument that may have one of two types: `Dvalue`."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Signature:
     """Parameters in call order; `result` is None for an instruction.
 
@@ -86,12 +86,12 @@ class Signature:
         """Whether the Python function wants the controller, or a concern of it, first."""
         return bool(self.concern)
 
-    def asked_of(self, controller: Controller) -> object:
+    def concern_of(self, controller: Controller) -> object:
         """What of a task's controller the Python function wants first."""
         return controller if self.concern == WHOLE else getattr(controller, self.concern)
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class LibraryRoutine:
     """A row of the table."""
 
@@ -103,8 +103,8 @@ class LibraryRoutine:
     a bar; needed only where options come first, exclude each other, or names are unusual or two."""
     treated_as: str | None = None
     """What is done instead where the routine is not simulated; None where it is."""
-    stated: Does = NOTHING
-    """What the row says that it does; `does` is all."""
+    stated: Trait = NO_TRAITS
+    """What the row says that it does; `traits` is all."""
     sets: tuple[str, ...] = ()
     """The fields of `MotionSettings` that it sets."""
     takes_anything: bool = False
@@ -125,7 +125,7 @@ class LibraryRoutine:
         return replace(signature, is_open=True) if self.takes_anything else signature
 
     @cached_property
-    def does(self) -> Does:
+    def traits(self) -> Trait:
         """What a call of it does."""
         names = frozenset(p.name.lower() for p in self.signature.parameters)
         return derived(self.stated, names)
@@ -153,7 +153,7 @@ def routine(
     order: str = "",
     *,
     treated_as: str | None = None,
-    does: Does = NOTHING,
+    does: Trait = NO_TRAITS,
     sets: tuple[str, ...] = (),
     back: str = "",
     takes_anything: bool = False,
@@ -206,7 +206,7 @@ def _written(parameter: Parameter) -> Type | None:
 
     Nor where it may be one of several, or is an array, whose elements are written one by one.
     """
-    writes = parameter.mode in (Mode.INOUT, Mode.VAR) and not _is_open(parameter)
+    writes = parameter.mode in (ParameterMode.INOUT, ParameterMode.VAR) and not _is_open(parameter)
     of = parameter.types[0]
     return of if writes and not isinstance(types.resolved(of), types.ArrayOf) else None
 
@@ -259,17 +259,17 @@ def _metadata(hint: object) -> Iterator[object]:
         yield from _metadata(inner)
 
 
-def _read_type(hint: object) -> tuple[Type, Mode, bool]:
+def _read_type(hint: object) -> tuple[Type, ParameterMode, bool]:
     """Type, mode, and whether the evaluation is deferred, of one annotation."""
     if isinstance(hint, type) and issubclass(hint, tuple):
-        return record_of(hint), Mode.IN, False
+        return record_of(hint), ParameterMode.IN, False
     origin = get_origin(hint)
     if origin is list:
-        return _array_of(hint), Mode.IN, False
+        return _array_of(hint), ParameterMode.IN, False
     if origin is not Annotated:
         raise TypeError(f"{hint!r} says no RAPID type")
     inner, *metadata = get_args(hint)
-    mode = next((found for found in metadata if isinstance(found, Mode)), Mode.IN)
+    mode = next((found for found in metadata if isinstance(found, ParameterMode)), ParameterMode.IN)
     deferred = Marker.DEFERRED in metadata
     for found in metadata:
         if isinstance(found, types.Atomic | types.Alias):

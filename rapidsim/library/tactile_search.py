@@ -30,11 +30,11 @@ from rapidsim.language.data import (
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.displacement import in_object, in_program
-from rapidsim.library.honesty import ignored
-from rapidsim.library.motion import MoveOptions, asked
+from rapidsim.library.fidelity_notes import note_ignored_options
+from rapidsim.library.motion import MoveOptions, build_move
 from rapidsim.library.poses import composed, unit
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 INSTEAD = (
     "lines to the start point, to the search point and back; the part is where it was taught, "
@@ -78,7 +78,7 @@ def search_1d(
     """Search a surface from one point towards another; the result is how far it is displaced."""
     part = controller.searches.part_pose(options.get("search_name") or "")
     if part is None:
-        controller.honesty.not_simulated("Search_1D", INSTEAD)
+        controller.fidelity.not_simulated("Search_1D", INSTEAD)
     result.value = _search(
         controller, "Search_1D", part, start_point, search_point, speed, tool, options
     )
@@ -97,7 +97,7 @@ def search_groove(
 ) -> None:
     """Search the centre of a groove; the result is how far it is displaced along the search."""
     part = controller.searches.part_pose(options.get("search_name") or "")
-    controller.honesty.not_simulated("Search_Groove", _GROOVE_INSTEAD if part is None else _ACROSS)
+    controller.fidelity.not_simulated("Search_Groove", _GROOVE_INSTEAD if part is None else _ACROSS)
     result.value = _search(
         controller, "Search_Groove", part, start_point, cent_point, speed, tool, options
     )
@@ -123,9 +123,9 @@ def _search(
     # Without a station entry the duration is that of the moves as they are written.
     slow = speed if part is None else speed._replace(v_tcp=_SEARCH_SPEED)
     for point, pace in ((start, speed), (found, slow), (start, speed)):
-        move = asked(controller, name, Interpolation.LINE, point, pace, FINE, tool, options)
+        move = build_move(controller, name, Interpolation.LINE, point, pace, FINE, tool, options)
         controller.motion.move(move)
-    ignored(controller.honesty, name, {r"\SchSpeed": options.get("sch_speed")})
+    note_ignored_options(controller.fidelity, name, {r"\SchSpeed": options.get("sch_speed")})
     stop = options.get("search_stop")
     if stop is not None:
         stop.value = found
@@ -133,7 +133,7 @@ def _search(
     displaced = Pose(Pos(*minus(found.trans, turned)), before.rot)
     limit = options.get("limit")
     if limit is not None and length(displaced.trans) > limit:
-        controller.honesty.not_simulated(rf"{name} beyond its \Limit", _KEPT)
+        controller.fidelity.not_simulated(rf"{name} beyond its \Limit", _KEPT)
     return displaced
 
 
@@ -197,7 +197,7 @@ TACTILE_SEARCH = table(
         search_1d,
         rf"\NotOff \Wire Result \SearchStop StartPoint SearchPoint Speed Tool {_OPTIONS}",
         treated_as=INSTEAD,
-        does=Does.MOVE | Does.CARTESIAN | Does.SEARCH_PART,
+        does=Trait.MOVE | Trait.CARTESIAN | Trait.SEARCH_PART,
     ),
     routine(
         "Search_Groove",
@@ -205,6 +205,6 @@ TACTILE_SEARCH = table(
         r"\NotOff \Wire Result \SearchStop GrooveWidth StartPoint CentPoint NomWidth Speed Tool "
         + _OPTIONS,
         treated_as=_GROOVE_INSTEAD,
-        does=Does.MOVE | Does.CARTESIAN,
+        does=Trait.MOVE | Trait.CARTESIAN,
     ),
 )

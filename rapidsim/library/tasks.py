@@ -12,7 +12,16 @@ from __future__ import annotations
 from typing import Annotated
 
 from rapidsim.language import types
-from rapidsim.language.annotations import Bool, Mode, Num, String, Switch, TaskId, TspStatus, Var
+from rapidsim.language.annotations import (
+    Bool,
+    Num,
+    ParameterMode,
+    String,
+    Switch,
+    TaskId,
+    TspStatus,
+    Var,
+)
 from rapidsim.language.controller import ClockService, Controller
 from rapidsim.language.data import Tasks
 from rapidsim.language.error_numbers import (
@@ -24,12 +33,12 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.tasks import SyncMoves, TaskService
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 SyncIdent = Annotated[object, next(one for one in types.OPAQUE if one.name == "syncident")]
-TaskList = Annotated[list[Tasks], Mode.PERS]
+TaskList = Annotated[list[Tasks], ParameterMode.PERS]
 CHOSEN = 3.0
 """The constant TSP_STATUS_ACT."""
 
@@ -64,7 +73,7 @@ def sync_move_on(
     """Wait for all tasks of a list at a stop point; from then on their robots move together."""
     tasks = _in_the_run(controller, "SyncMoveOn", task_list)
     name = _name_of(controller.clock)
-    if len(tasks) > 1 and not controller.sync_moves.move_together(name, tasks, max_time=time_out):
+    if len(tasks) > 1 and not controller.sync_moves.sync_move_on(name, tasks, max_time=time_out):
         _out_of_time(ERR_SYNCMOVEON, "SyncMoveOn", name, time_out)
 
 
@@ -73,7 +82,9 @@ def sync_move_off(
 ) -> None:
     """Wait for the tasks that move together at a stop point; from then on each moves alone."""
     name = _name_of(controller.clock)
-    if controller.sync_moves.team and not controller.sync_moves.move_apart(name, max_time=time_out):
+    if controller.sync_moves.team and not controller.sync_moves.sync_move_off(
+        name, max_time=time_out
+    ):
         _out_of_time(ERR_SYNCMOVEOFF, "SyncMoveOff", name, time_out)
 
 
@@ -97,7 +108,9 @@ def is_sync_move_on(controller: SyncMoves) -> Bool:
     return bool(controller.team)
 
 
-def tasks_in_sync(controller: SyncMoves, task_list: Annotated[list[Tasks], Mode.INOUT]) -> Num:
+def tasks_in_sync(
+    controller: SyncMoves, task_list: Annotated[list[Tasks], ParameterMode.INOUT]
+) -> Num:
     """How many tasks move together; their names go into the list."""
     team = controller.team
     for index in range(len(task_list)):
@@ -152,7 +165,7 @@ def get_tsp_status(controller: Controller, task_ref: TaskId | String) -> TspStat
 
 def _is_in_the_run(controller: Controller, function: str, task: object) -> bool:
     if not isinstance(task, str):
-        ignored(controller.honesty, function, {"TaskRef": task})
+        note_ignored_options(controller.fidelity, function, {"TaskRef": task})
         return True
     if not controller.tasks.has_task(task):
         raise rapid_error(ERR_TASKNAME, f"there is no task {task} in this run")
@@ -170,7 +183,7 @@ def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) ->
         )
     missing = [name for name in names if not controller.tasks.has_task(name)]
     if missing:
-        controller.honesty.not_simulated(
+        controller.fidelity.not_simulated(
             instruction, f"without {', '.join(missing)}, which this run does not have"
         )
     if len({name.lower() for name in present}) != len(present):
@@ -191,12 +204,12 @@ TASKS = table(
     routine("WaitSyncTask", wait_sync_task, r"\InPos SyncID TaskList \TimeOut"),
     routine("SyncMoveOn", sync_move_on, r"SyncID TaskList \TimeOut"),
     routine("SyncMoveOff", sync_move_off, r"SyncID \TimeOut"),
-    routine("SyncMoveUndo", sync_move_undo, does=Does.WAIT),
-    routine("SyncMoveSuspend", sync_move_suspend, does=Does.WAIT),
-    routine("SyncMoveResume", sync_move_resume, does=Does.WAIT),
+    routine("SyncMoveUndo", sync_move_undo, does=Trait.WAIT),
+    routine("SyncMoveSuspend", sync_move_suspend, does=Trait.WAIT),
+    routine("SyncMoveResume", sync_move_resume, does=Trait.WAIT),
     routine("IsSyncMoveOn", is_sync_move_on),
     routine("TasksInSync", tasks_in_sync, "TaskList"),
-    routine("GetTaskName", get_task_name, r"\TaskNo \MecTaskNo", does=Does.READ_TASK),
+    routine("GetTaskName", get_task_name, r"\TaskNo \MecTaskNo", does=Trait.READ_TASK),
     routine("TaskRunRob", task_run_rob),
     routine("TaskRunMec", task_run_mec),
     routine("MotionPlannerNo", motion_planner_no),

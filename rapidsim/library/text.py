@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from rapidsim.language.error_numbers import ERR_STRTOOLNG, rapid_error
 from rapidsim.language.errors import RapidError
-from rapidsim.language.single import nearest_single, single
+from rapidsim.language.single_precision import nearest_single, single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
 
 MAX_STRING = 80

@@ -28,9 +28,9 @@ from rapidsim.language.controller import ClockService, Controller, Signals
 from rapidsim.language.data import ClockState
 from rapidsim.language.error_numbers import ERR_ARGVALERR, ERR_WAIT_MAXTIME, rapid_error
 from rapidsim.language.reference import Reference
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.table import routine, table
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 DEFAULT_POLL_S = 0.1
 LEAST_POLL_S = 0.04
@@ -72,7 +72,9 @@ def waited(
         wait: Waits so long at most, None for ever.
         max_time: The limit, None for none.
     """
-    ignored(controller.honesty, name, {r"\UIActiveSignal": window.get("ui_active_signal")})
+    note_ignored_options(
+        controller.fidelity, name, {r"\UIActiveSignal": window.get("ui_active_signal")}
+    )
     shown_s = window.get("visualize_time", WINDOW_AFTER_S)
     if not window.get("visualize") or (max_time is not None and max_time <= shown_s):
         return wait(max_time)
@@ -167,7 +169,7 @@ def clk_read(controller: ClockService, clock: Var[Clock], *, high_res: Switch = 
     steps = math.floor(_clock_time(controller, state) * above + 1e-6)
     if state.started_s is not None:
         next_step_s = (steps + 1 - 1e-6) / above
-        controller.stays_until(state.started_s + next_step_s - state.counted_s)
+        controller.hold_until(state.started_s + next_step_s - state.counted_s)
     return steps * resolution
 
 
@@ -205,20 +207,20 @@ def _clock_time(controller: ClockService, state: ClockState) -> float:
 
 
 TIMING = table(
-    routine("WaitTime", wait_time, r"\InPos Time", does=Does.WAIT),
+    routine("WaitTime", wait_time, r"\InPos Time", does=Trait.WAIT),
     routine(
         "WaitUntil",
         wait_until,
         r"\InPos Cond \MaxTime \TimeFlag \PollRate \Visualize \Header \Message|\MsgArray \Wrap "
         r"\Icon \Image \VisualizeTime \UIActiveSignal",
     ),
-    routine("WaitRob", wait_rob, r"\InPos|\ZeroSpeed", does=Does.WAIT),
-    routine("WaitTestAndSet", wait_test_and_set, "Object", does=Does.WAIT),
-    routine("ClkReset", clk_reset, does=Does.INSTANT),
-    routine("ClkStart", clk_start, does=Does.INSTANT),
-    routine("ClkStop", clk_stop, does=Does.INSTANT),
-    routine("ClkRead", clk_read, does=Does.READ_TASK | Does.TIME),
-    routine("CDate", c_date, does=Does.TIME),
-    routine("CTime", c_time, does=Does.TIME),
-    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec", does=Does.TIME),
+    routine("WaitRob", wait_rob, r"\InPos|\ZeroSpeed", does=Trait.WAIT),
+    routine("WaitTestAndSet", wait_test_and_set, "Object", does=Trait.WAIT),
+    routine("ClkReset", clk_reset, does=Trait.INSTANT),
+    routine("ClkStart", clk_start, does=Trait.INSTANT),
+    routine("ClkStop", clk_stop, does=Trait.INSTANT),
+    routine("ClkRead", clk_read, does=Trait.READ_TASK | Trait.TIME),
+    routine("CDate", c_date, does=Trait.TIME),
+    routine("CTime", c_time, does=Trait.TIME),
+    routine("GetTime", get_time, r"\WDay|\Hour|\Min|\Sec", does=Trait.TIME),
 )

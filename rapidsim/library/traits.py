@@ -6,7 +6,7 @@ from collections.abc import Set as AbstractSet
 from enum import Flag, auto
 
 
-class Does(Flag):
+class Trait(Flag):
     """What a call of a routine does."""
 
     MOVE = auto()
@@ -81,25 +81,25 @@ class Does(Flag):
     """Only looks, at what all tasks share."""
 
 
-NOTHING = Does(0)
-ONLY_LOOKS = Does.READ_ARGUMENT | Does.READ_TASK | Does.READ_CELL
+NO_TRAITS = Trait(0)
+ONLY_LOOKS = Trait.READ_ARGUMENT | Trait.READ_TASK | Trait.READ_CELL
 """Changes nothing."""
 LIMITS = frozenset({"maxtime", "maxwait", "timeout"})
 """Parameters that limit how long a routine waits."""
-_IMPLIED = ((Does.OUTPUT, Does.INSTANT), (Does.TELL, Does.INSTANT), (Does.ASK, Does.WAIT))
+_IMPLIED = ((Trait.OUTPUT, Trait.INSTANT), (Trait.TELL, Trait.INSTANT), (Trait.ASK, Trait.WAIT))
 
 
-def derived(stated: Does, parameters: AbstractSet[str]) -> Does:
+def derived(stated: Trait, parameters: AbstractSet[str]) -> Trait:
     """What a row states, with what follows from it and from folded names of parameters."""
     does = stated
     if "tojointpos" in parameters:
-        does |= Does.MOVE | Does.AXES
+        does |= Trait.MOVE | Trait.AXES
     if "topoint" in parameters:
-        does |= Does.MOVE
+        does |= Trait.MOVE
     if not parameters.isdisjoint(LIMITS):
-        does |= Does.WAIT
+        does |= Trait.WAIT
     if "breakflag" in parameters:
-        does |= Does.ASK
+        does |= Trait.ASK
     for one, other in _IMPLIED:
         if one in does:
             does |= other

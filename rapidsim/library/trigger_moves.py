@@ -8,17 +8,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Annotated, Unpack
 
-from rapidsim.language.annotations import Mode, Pers, TriggData, Var
+from rapidsim.language.annotations import ParameterMode, Pers, TriggData, Var
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import JointTarget, RobTarget, SpeedData, ToolData, ZoneData
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import Trigger
 from rapidsim.language.reference import Reference
-from rapidsim.library.motion import MoveOptions, asked, each_way, with_offsets
+from rapidsim.library.motion import MoveOptions, build_move, move_variants, with_offsets
 from rapidsim.library.table import routine, table
 
-Triggers = Var[TriggData] | Annotated[list[TriggData], Mode.VAR]
+Triggers = Var[TriggData] | Annotated[list[TriggData], ParameterMode.VAR]
 
 
 class TriggerOptions(MoveOptions, total=False):
@@ -33,7 +33,7 @@ class TriggerOptions(MoveOptions, total=False):
     t8: Var[TriggData]
 
 
-def _trigg(name: str, way: Interpolation) -> Callable[..., None]:
+def _trigg(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -44,7 +44,9 @@ def _trigg(name: str, way: Interpolation) -> Callable[..., None]:
         **options: Unpack[TriggerOptions],
     ) -> None:
         triggers, sync_id = _triggers(name, trigg_1, options), options.pop("id_", None)
-        move = asked(controller, name, way, to_point, speed, zone, tool, options, sync_id)
+        move = build_move(
+            controller, name, interpolation, to_point, speed, zone, tool, options, sync_id
+        )
         controller.motion.move(move, triggers)
 
     return body
@@ -63,7 +65,7 @@ def trigg_abs_j(
     name, way = "TriggAbsJ", Interpolation.AXES
     triggers, sync_id = _triggers(name, trigg_1, options), options.pop("id_", None)
     to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
-    move = asked(controller, name, way, to, speed, zone, tool, options, sync_id)
+    move = build_move(controller, name, way, to, speed, zone, tool, options, sync_id)
     controller.motion.move(move, triggers)
 
 
@@ -92,7 +94,7 @@ def _triggers(
 _TRIGGERS = r"Trigg_1 \T2 \T3 \T4 \T5 \T6 \T7 \T8 Zone \Inpos Tool \WObj"
 
 TRIGGER_MOVES = table(
-    *each_way(
+    *move_variants(
         "Trigg*",
         _trigg,
         rf"\Conc ToPoint \ID Speed \T {_TRIGGERS} \Corr \TLoad",

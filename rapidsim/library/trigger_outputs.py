@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Annotated, Unpack
 
-from rapidsim.language.annotations import Mode, Pers
+from rapidsim.language.annotations import ParameterMode, Pers
 from rapidsim.language.controller import Controller
 from rapidsim.language.data import (
     RobTarget,
@@ -26,19 +26,19 @@ from rapidsim.language.data import (
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.path_events import SetOutput, Trigger
-from rapidsim.library.motion import MoveOptions, asked, each_way
+from rapidsim.library.motion import MoveOptions, build_move, move_variants
 from rapidsim.library.table import table
 
 
 class OutputOptions(MoveOptions, total=False):
     """The outputs on the way."""
 
-    trigg_data1: Annotated[list[TriggIos], Mode.VAR]
-    trigg_data2: Annotated[list[TriggStrGo], Mode.VAR]
-    trigg_data3: Annotated[list[TriggIosDnum], Mode.VAR]
+    trigg_data1: Annotated[list[TriggIos], ParameterMode.VAR]
+    trigg_data2: Annotated[list[TriggStrGo], ParameterMode.VAR]
+    trigg_data3: Annotated[list[TriggIosDnum], ParameterMode.VAR]
 
 
-def _trigg_ios(name: str, way: Interpolation) -> Callable[..., None]:
+def _trigg_ios(name: str, interpolation: Interpolation) -> Callable[..., None]:
     def body(
         controller: Controller,
         to_point: RobTarget,
@@ -53,7 +53,7 @@ def _trigg_ios(name: str, way: Interpolation) -> Callable[..., None]:
             *options.get("trigg_data3", ()),
         ]
         triggers = tuple(_triggers(name, rows))
-        move = asked(controller, name, way, to_point, speed, zone, tool, options)
+        move = build_move(controller, name, interpolation, to_point, speed, zone, tool, options)
         controller.motion.move(move, triggers)
 
     return body
@@ -78,11 +78,11 @@ def _value(name: str, value: float | str) -> float:
 _OUTPUTS = r"ToPoint \ID Speed \T \TriggData1 \TriggData2 \TriggData3 Zone \Inpos Tool \WObj"
 
 TRIGGER_OUTPUTS = table(
-    *each_way(
+    *move_variants(
         "Trigg*IOs",
         _trigg_ios,
         rf"\Conc {_OUTPUTS} \Corr \TLoad",
         ", with outputs on the way",
-        ways="JL",
+        interpolations="JL",
     )
 )

@@ -30,7 +30,7 @@ from rapidsim.language.annotations import (
     TriggMode,
     Var,
 )
-from rapidsim.language.controller import Controller, Honesty, Signals
+from rapidsim.language.controller import Controller, FidelityReporter, Signals
 from rapidsim.language.data import Signal
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 from rapidsim.language.path_events import (
@@ -42,7 +42,7 @@ from rapidsim.language.path_events import (
     Trigger,
 )
 from rapidsim.language.reference import Reference
-from rapidsim.library.honesty import ignored
+from rapidsim.library.fidelity_notes import note_ignored_options
 from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
@@ -72,7 +72,7 @@ def trigg_io(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Set an output at a place: a distance before the end or after the start, or a time before."""
-    ignored(controller.honesty, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
+    note_ignored_options(controller.fidelity, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(
         controller.signals,
         d_op or g_op or a_op,
@@ -101,7 +101,7 @@ def trigg_equip(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Set an output at a place, earlier by the lag of the equipment."""
-    ignored(controller.honesty, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
+    note_ignored_options(controller.fidelity, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(
         controller.signals, d_op or g_op or a_op, set_value, 0.0, digital=d_op is not None
     )
@@ -111,7 +111,7 @@ def trigg_equip(
 
 
 def trigg_int(
-    controller: Honesty,
+    controller: FidelityReporter,
     trigg_data: Var[TriggData],
     distance: Num,
     interrupt: Var[IntNum],
@@ -122,7 +122,7 @@ def trigg_int(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Raise an interrupt at a place."""
-    ignored(controller, "TriggInt", {r"\Next": next_})
+    note_ignored_options(controller, "TriggInt", {r"\Next": next_})
     action = RaiseInterrupt(interrupt.value)
     trigg_data.value = Trigger(
         action, distance, from_start=start, by_time=time, **_inhibited(inhibition)
@@ -130,7 +130,7 @@ def trigg_int(
 
 
 def trigg_check_io(
-    controller: Honesty,
+    controller: FidelityReporter,
     trigg_data: Var[TriggData],
     distance: Num,
     signal: Var[AnySignal],
@@ -147,7 +147,7 @@ def trigg_check_io(
 ) -> None:
     """Check a signal at a place, and raise an interrupt if the condition is not met."""
     del mode
-    ignored(controller, "TriggCheckIO", {r"\Next": next_})
+    note_ignored_options(controller, "TriggCheckIO", {r"\Next": next_})
     compare = _RELATIONS.get(relation)
     if compare is None:
         raise rapid_error(ERR_ARGVALERR, f"{relation:g} is not a relation of type opnum")
@@ -173,7 +173,7 @@ def trigg_ramp_ao(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     r"""Ramp an analog output from a place on, over a distance, or with \Time over a time."""
-    ignored(controller.honesty, "TriggRampAO", {r"\Next": next_})
+    note_ignored_options(controller.fidelity, "TriggRampAO", {r"\Next": next_})
     controller.signals.require_within(connected(a_output), set_value)
     action = RampOutput(connected(a_output), set_value, ramp_length, by_time=time)
     trigg_data.value = Trigger(
@@ -195,7 +195,9 @@ def trigg_speed(
     **inhibition: Unpack[Inhibition],
 ) -> None:
     """Make an analog output follow the TCP speed from a place on."""
-    ignored(controller.honesty, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do})
+    note_ignored_options(
+        controller.fidelity, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do}
+    )
     action = FollowSpeed(connected(a_op), scale_value, scale_lag)
     trigg_data.value = Trigger(
         action, distance, from_start=start, lag_s=scale_lag, **_inhibited(inhibition)

@@ -11,7 +11,7 @@ from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 BlendShape = Literal["abb", "c2", "parabola"]
 OrientationZone = Literal["own", "position", "programmed"]
@@ -33,7 +33,7 @@ REAL_STOP_S = 0.018
 """How much longer a real arm takes at a stop point than a virtual controller: 16 to 20 ms."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class MotionModel:
     """How quickly axes accelerate, how the command is smoothed, how long a stop point lasts."""
 

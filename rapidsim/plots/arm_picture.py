@@ -10,9 +10,9 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.plots.drawn import title_of
-from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.sampled_run import title_of
 from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, stick
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
@@ -24,9 +24,9 @@ _ZOOM = 0.93
 
 def arm_picture(run: SampledRun, theme: Theme) -> Figure:
     """The robot of a run, in its base frame."""
-    first, last = run.one.moves[0], run.one.moves[-1]
+    first, last = run.robot_run.moves[0], run.robot_run.moves[-1]
     return arm_at_both_ends(
-        run.one.robot,
+        run.robot_run.robot,
         run.samples.joints,
         (first.tcp_from_flange.inverse(), last.tcp_from_flange.inverse()),
         MM * run.samples.base_from_tcp.translation,

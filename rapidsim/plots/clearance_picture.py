@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from rapidsim.plots.drawn import MM, number_of, title_of
-from rapidsim.plots.look import Theme, new_figure, time_axis
+from rapidsim.plots.sampled_run import MM, number_of, title_of
+from rapidsim.plots.theme import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
 
 
@@ -19,14 +19,14 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     if collisions is None:
         return None
     number = number_of(run)
-    nearest = {one.move: one for one in collisions.found.clearances if one.robot == number}
-    hits = [one for one in collisions.found.contacts if one.robot == number]
+    nearest = {one.move: one for one in collisions.report.clearances if one.robot == number}
+    hits = [one for one in collisions.report.contacts if one.robot == number]
     if not nearest and not hits:
         return None
     figure = new_figure(f"Clearance: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     touched = {one.move for one in hits}
-    for move in run.one.moves:
+    for move in run.robot_run.moves:
         if move.index not in nearest and move.index not in touched:
             continue
         least = 0.0 if move.index in touched else MM * nearest[move.index].distance_m

@@ -22,12 +22,16 @@ from rapidsim.language.data import RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.library.motion import PLAIN_MOVES
 from rapidsim.motion.geometry.segments import Segment
-from rapidsim.plots.drawn import MM, target_name, title_of
-from rapidsim.plots.look import Theme, new_figure
-from rapidsim.simulation.results.line_instead import LineInstead, line_instead, segments_of
+from rapidsim.plots.sampled_run import MM, target_name, title_of
+from rapidsim.plots.theme import Theme, new_figure
+from rapidsim.simulation.results.linear_alternative import (
+    LinearAlternative,
+    linear_alternative,
+    segments_of,
+)
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import RobotRun
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _POINTS = 101
 _MOST_ROWS = 3
@@ -38,12 +42,12 @@ _LETTERS = 150
 """Of a line of words over a row."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ComparedMove:
     """A move, and both ways to its end."""
 
     move: ExecutedMove
-    line: LineInstead
+    line: LinearAlternative
     joint: Array
     """The TCP (k, 3) [m] in base where all joints turn in proportion."""
 
@@ -72,8 +76,8 @@ class ComparedMove:
 def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
     """The moves whose ends are farthest from their starts, in the order of the program."""
     found: dict[tuple[str, ...], tuple[float, ExecutedMove, Segment]] = {}
-    segments = segments_of(run.one)
-    for move in run.one.moves:
+    segments = segments_of(run.robot_run)
+    for move in run.robot_run.moves:
         segment = segments.get(move.index)
         if segment is None or move.move.interpolation not in _COMPARED:
             continue
@@ -86,9 +90,9 @@ def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
     farthest = sorted(found.values(), key=lambda one: -one[0])
     kept: list[ComparedMove] = []
     for _, move, segment in farthest:
-        line = line_instead(run.one.robot, segment, run.simulation.model)
+        line = linear_alternative(run.robot_run.robot, segment, run.simulation.model)
         if line is not None:
-            kept.append(ComparedMove(move, line, _joint_way(run.one, segment)))
+            kept.append(ComparedMove(move, line, _joint_motion_path(run.robot_run, segment)))
         if len(kept) == _MOST_ROWS:
             break
     return tuple(sorted(kept, key=lambda one: one.move.index))
@@ -111,9 +115,9 @@ def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
     return figure
 
 
-def _draw_row(row: SubFigure, one: ComparedMove, theme: Theme) -> None:
-    move, line = one.move, one.line
-    told = one.reason or one.remark
+def _draw_row(row: SubFigure, compared: ComparedMove, theme: Theme) -> None:
+    move, line = compared.move, compared.line
+    told = compared.reason or compared.remark
     heading = f"line {move.place.span.line}: {move.move.instruction} {target_name(move)}"
     if told is not None:
         told = "\n".join(textwrap.wrap(f"MoveL: {told}", _LETTERS))
@@ -125,12 +129,12 @@ def _draw_row(row: SubFigure, one: ComparedMove, theme: Theme) -> None:
         (above, (0, 1), "from above, base frame"),
         (side, (0, 2), "from the side"),
     ):
-        _draw_ways(axes, one, theme, shown)
+        _draw_paths(axes, compared, theme, shown)
         axes.set_title(title)
     if told is not None:
-        colour = theme.failed if one.reason else theme.soft
+        colour = theme.failed if compared.reason else theme.soft
         row.text(0.015, 0.905, told, ha="left", va="top", fontsize=8.5, color=colour)
-    distance = _off_the_line(one.joint, line.start, line.end)
+    distance = _off_the_line(compared.joint, line.start, line.end)
     colour = theme.moves[Interpolation.JOINT]
     apart.plot(np.linspace(0.0, 100.0, _POINTS), distance, color=colour)
     own = _off_the_line(line.tcp, line.start, line.end)
@@ -147,20 +151,20 @@ def _draw_row(row: SubFigure, one: ComparedMove, theme: Theme) -> None:
     apart.set_ylim(-0.03 * max(float(distance.max()), 1.0), None)
 
 
-def _draw_ways(axes: Axes, one: ComparedMove, theme: Theme, shown: tuple[int, int]) -> None:
-    line = one.line
-    for way, kind in ((one.joint, Interpolation.JOINT), (line.tcp, Interpolation.LINE)):
-        places = MM * way[:, shown]
+def _draw_paths(axes: Axes, compared: ComparedMove, theme: Theme, view: tuple[int, int]) -> None:
+    line = compared.line
+    for way, kind in ((compared.joint, Interpolation.JOINT), (line.tcp, Interpolation.LINE)):
+        places = MM * way[:, view]
         axes.plot(*places.T, color=theme.moves[kind], label=PLAIN_MOVES[kind])
     if line.fails_at is not None:
-        rest = MM * np.stack([line.fails_at, line.end])[:, shown]
+        rest = MM * np.stack([line.fails_at, line.end])[:, view]
         axes.plot(*rest.T, color=theme.failed, linestyle="--", linewidth=1.0)
         _mark_fault(axes, theme, rest[:1, 0], rest[:1, 1])
-    ends = MM * np.stack([line.start, line.end])[:, shown]
+    ends = MM * np.stack([line.start, line.end])[:, view]
     axes.plot(*ends[:1].T, "o", color=theme.ink, markersize=5, fillstyle="none", label="start")
     axes.plot(*ends[1:].T, "o", color=theme.ink, markersize=4, label="end")
-    axes.set_xlabel(f"{'xyz'[shown[0]]} [mm]")
-    axes.set_ylabel(f"{'xyz'[shown[1]]} [mm]")
+    axes.set_xlabel(f"{'xyz'[view[0]]} [mm]")
+    axes.set_ylabel(f"{'xyz'[view[1]]} [mm]")
     axes.set_aspect("equal", adjustable="datalim")
 
 
@@ -181,18 +185,18 @@ def _mark_fault(
     )
 
 
-def _joint_way(one: RobotRun, segment: Segment) -> Array:
+def _joint_motion_path(robot_run: RobotRun, segment: Segment) -> Array:
     """The TCP (k, 3) [m] where all joints turn in proportion."""
     share = np.linspace(0.0, 1.0, _POINTS)[:, None]
     joints = segment.start.joints + share * (segment.end.joints - segment.start.joints)
     flange_from_tcp = segment.tcp_from_flange.inverse()
-    return (one.robot.kinematics.forward(joints) @ flange_from_tcp).translation
+    return (robot_run.robot.kinematics.forward(joints) @ flange_from_tcp).translation
 
 
-def _off_the_line(way: Array, start: Array, end: Array) -> Array:
+def _off_the_line(arc_length: Array, start: Array, end: Array) -> Array:
     """Distance (k,) [mm] of points (k, 3) [m] from the line through two places (3,) [m]."""
     along = (end - start) / np.linalg.norm(end - start)
-    distance: Array = MM * np.linalg.norm(np.cross(way - start, along), axis=1)
+    distance: Array = MM * np.linalg.norm(np.cross(arc_length - start, along), axis=1)
     return distance
 
 

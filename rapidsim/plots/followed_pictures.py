@@ -12,10 +12,10 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.waypoints.attitudes import AttitudeRates, attitude_rates, unbroken
-from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.plots.arm_picture import arm_at_both_ends
-from rapidsim.plots.look import Theme, mark_start, new_figure, time_axis, write_name
 from rapidsim.plots.stick_arm import MM, as_cube
+from rapidsim.plots.theme import Theme, mark_start, new_figure, time_axis, write_name
 from rapidsim.plots.time_pictures import draw_joint
 from rapidsim.plots.write import write_pictures
 
@@ -31,7 +31,9 @@ _LEAST_OFF_MM = 0.01
 _COLUMNS = 2
 
 
-def write_followed_plots(followed: Followed, title: str, folder: Path) -> tuple[Path, ...]:
+def write_followed_plots(
+    followed: FollowedTrajectory, title: str, folder: Path
+) -> tuple[Path, ...]:
     """Write the pictures of a trajectory, light and dark.
 
     Args:
@@ -44,7 +46,7 @@ def write_followed_plots(followed: Followed, title: str, folder: Path) -> tuple[
     """
     name = f"{title} on {followed.robot.title}"
     pictures = {
-        "way": lambda theme: way_picture(followed, name, theme),
+        "way": lambda theme: path_picture(followed, name, theme),
         "arm": lambda theme: _arm_picture(followed, name, theme),
         "position": lambda theme: position_picture(followed, name, theme),
         "joints": lambda theme: joints_picture(followed, name, theme),
@@ -54,7 +56,7 @@ def write_followed_plots(followed: Followed, title: str, folder: Path) -> tuple[
     return write_pictures(pictures, folder)
 
 
-def way_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def path_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     """The points with their numbers, the straight lines between them, and where the TCP went."""
     figure = new_figure(f"Way of the TCP: {name}", width=11.0, height=8.4)
     grid = figure.add_gridspec(2, 2)
@@ -86,7 +88,7 @@ def way_picture(followed: Followed, name: str, theme: Theme) -> Figure:
     return figure
 
 
-def position_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def position_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     """The coordinates x, y, z of the TCP over time, and its speed."""
     figure = new_figure(f"Position of the TCP: {name}", width=11.0, height=7.6)
     samples = followed.samples
@@ -106,7 +108,7 @@ def position_picture(followed: Followed, name: str, theme: Theme) -> Figure:
     return figure
 
 
-def joints_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def joints_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     """Each joint's angle between its limits, with the share of its speed that it needs."""
     robot, samples = followed.robot, followed.samples
     count = len(robot.joints)
@@ -126,13 +128,13 @@ def joints_picture(followed: Followed, name: str, theme: Theme) -> Figure:
     return figure
 
 
-def deviation_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     """How far the TCP is from what was asked, by forward kinematics of the solved joints."""
     figure = new_figure(f"Deviation: {name}", width=11.0, height=3.8)
     axes = figure.subplots()
     off = MM * followed.deviation
     axes.plot(followed.samples.times, off, color=theme.limit)
-    of_what = "the path asked for" if followed.plan.way.of_tcp else "the straight lines"
+    of_what = "the path asked for" if followed.plan.kind.of_tcp else "the straight lines"
     axes.set_title(
         f"from {of_what}: at most {_length(followed.deviation_max)}, "
         f"rms {_length(followed.deviation_rms)}"
@@ -146,7 +148,7 @@ def deviation_picture(followed: Followed, name: str, theme: Theme) -> Figure:
     return figure
 
 
-def orientation_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def orientation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     """The attitude as quaternion with its norm, and how evenly it turns.
 
     Beside the way by slerp stands what linear interpolation of the quaternions would do: the same
@@ -191,13 +193,13 @@ def _draw_rates(angle: Axes, rate: Axes, times: Array, rates: AttitudeRates, the
         angle.legend(loc="upper left")
 
 
-def _arm_picture(followed: Followed, name: str, theme: Theme) -> Figure:
+def _arm_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
     tools = (followed.flange_from_tcp, followed.flange_from_tcp)
     way = MM * followed.samples.base_from_tcp.translation
     return arm_at_both_ends(followed.robot, followed.samples.joints, tools, way, name, theme)
 
 
-def _mark_points(rows: list[Axes], followed: Followed, theme: Theme) -> None:
+def _mark_points(rows: list[Axes], followed: FollowedTrajectory, theme: Theme) -> None:
     """Upright lines where points are passed."""
     begins = np.flatnonzero(np.diff(followed.samples.move)) + 1
     if len(begins) <= _MOST_NAMES:
@@ -206,7 +208,7 @@ def _mark_points(rows: list[Axes], followed: Followed, theme: Theme) -> None:
                 axes.axvline(time, color=theme.soft, linewidth=0.8, linestyle=":", zorder=0.9)
 
 
-def _number_points(axes: Axes, followed: Followed, places: Array, theme: Theme) -> None:
+def _number_points(axes: Axes, followed: FollowedTrajectory, places: Array, theme: Theme) -> None:
     if len(places) > _MOST_NAMES:
         return
     for row, place in enumerate(places):

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from matplotlib.figure import Figure
 
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget
-from rapidsim.plots.drawn import target_name, title_of
-from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.sampled_run import target_name, title_of
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_TARGETS = 12
 """Of one work object; the others are counted."""
@@ -21,7 +21,7 @@ _ROW = 0.27
 _DIGITS = "DejaVu Sans Mono"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Row:
     depth: int
     name: str
@@ -64,9 +64,9 @@ def _parent(rows: list[_Row], number: int) -> int | None:
 
 
 def _rows(run: SampledRun) -> Iterator[_Row]:
-    moves = run.one.moves
+    moves = run.robot_run.moves
     yield _Row(0, "world", "")
-    yield _Row(1, "base", f"foot of {run.one.robot.title}")
+    yield _Row(1, "base", f"foot of {run.robot_run.robot.title}")
     yield _Row(2, "tool0", "flange; moves with the joints")
     tools = dict.fromkeys(
         (_word(move.place.arguments.get("tool"), "tool0"), move.move.tool.tframe) for move in moves

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 from rapidsim.controller.journal.events import Wait
 from rapidsim.language.moves import Interpolation
-from rapidsim.plots.drawn import target_name, title_of
-from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.sampled_run import target_name, title_of
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.time_shares import Step, instruction_of
 
@@ -60,9 +60,9 @@ def _rows(run: SampledRun) -> list[tuple[str, float, Interpolation | None]]:
 
     Waits have no kind.
     """
-    waits = (wait for wait in run.simulation.waits if wait.task == run.one.task)
+    waits = (wait for wait in run.simulation.waits if wait.task == run.robot_run.task)
     lines: dict[tuple[str, int, bool], list[Step]] = {}
-    steps: tuple[Step, ...] = (*run.one.moves, *waits)
+    steps: tuple[Step, ...] = (*run.robot_run.moves, *waits)
     for step in steps:
         span, is_wait = step.place.span, isinstance(step, Wait)
         lines.setdefault((span.file, span.line, is_wait), []).append(step)

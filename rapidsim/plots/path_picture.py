@@ -12,10 +12,18 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.frames.transform import Array
 from rapidsim.library.motion import PLAIN_MOVES
-from rapidsim.plots.cell import Cell, cell_of, draw_cell, draw_cell_in_space, grown
-from rapidsim.plots.drawn import MM, end_mm, frame_of, pieces, places_mm, target_name, title_of
-from rapidsim.plots.look import Theme, mark_start, new_figure, write_name
+from rapidsim.plots.cell_outline import CellOutline, cell_of, draw_cell, draw_cell_in_space, grown
+from rapidsim.plots.sampled_run import (
+    MM,
+    end_mm,
+    frame_of,
+    pieces,
+    places_mm,
+    target_name,
+    title_of,
+)
 from rapidsim.plots.stick_arm import as_cube
+from rapidsim.plots.theme import Theme, mark_start, new_figure, write_name
 from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
@@ -63,12 +71,12 @@ def path_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def _draw_space(
-    axes: Axes3D, run: SampledRun, theme: Theme, cell: Cell, box: Array | None = None
+    axes: Axes3D, run: SampledRun, theme: Theme, cell: CellOutline, box: Array | None = None
 ) -> None:
     """The path in space; with a box (2, 3) [mm] only what lies in it."""
     what = "in space" if box is None else "lines and arcs, in space"
     axes.set_title(f"{what}, {frame_of(run)}")
-    for label, colour, place in _stretches(run, theme):
+    for label, colour, place in _path_sections(run, theme):
         if box is not None:
             place = np.where(_inside(place, box)[:, None], place, np.nan)
         axes.plot(*place.T, color=colour, label=label, linewidth=_width(run))
@@ -80,7 +88,7 @@ def _draw_space(
     if box is None:
         _draw_start(axes, run, theme, (0, 1, 2))
         _draw_failed(axes, run, theme, (0, 1, 2))
-        failed = [MM * one.way for one in run.one.failed_moves]
+        failed = [MM * one.curve for one in run.robot_run.failed_moves]
         points = np.concatenate([places_mm(run), *failed])
         shown = grown(points) if cell.bodies else points
     else:
@@ -104,61 +112,63 @@ def _inside(places: Array, box: Array) -> np.typing.NDArray[np.bool_]:
 
 def _width(run: SampledRun) -> float:
     """Width of the path: thin where many stretches lie side by side."""
-    return 1.4 if len(run.one.moves) <= _MOST_TARGETS else _THIN
+    return 1.4 if len(run.robot_run.moves) <= _MOST_TARGETS else _THIN
 
 
 def _draw_side(
-    axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int], box: Array | None
+    axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array | None
 ) -> None:
     """The whole path from a side, with a frame around what is shown from near."""
-    _draw_work(axes, run, theme, shown)
-    _draw_start(axes, run, theme, shown)
+    _draw_work(axes, run, theme, view)
+    _draw_start(axes, run, theme, view)
     targets = _targets(run)
     if box is not None:
         targets = [one for one in targets if not _inside(one[1][None], box)[0]]
-        (left, bottom), (width, height) = box[0, shown], np.ptp(box, axis=0)[list(shown)]
+        (left, bottom), (width, height) = box[0, view], np.ptp(box, axis=0)[list(view)]
         frame = Rectangle(
             (left, bottom), width, height, fill=False, color=theme.soft, linewidth=0.9
         )
         axes.add_patch(frame)
-    _draw_names(axes, targets, places_mm(run)[:, shown], theme, shown)
-    _draw_failed(axes, run, theme, shown)
-    _label(axes, shown)
+    _draw_names(axes, targets, places_mm(run)[:, view], theme, view)
+    _draw_failed(axes, run, theme, view)
+    _label(axes, view)
     axes.set_aspect("equal", adjustable="datalim")
 
 
 def _draw_near(
-    axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int], box: Array
+    axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array
 ) -> None:
     """What lies in a box (2, 3) [mm], from a side."""
-    _draw_work(axes, run, theme, shown)
+    _draw_work(axes, run, theme, view)
     inside = [one for one in _targets(run) if _inside(one[1][None], box)[0]]
-    _draw_names(axes, inside, box[:, shown], theme, shown)
-    _draw_failed(axes, run, theme, shown)
-    middle, half = box[:, shown].mean(axis=0), 0.5 * float(np.ptp(box, axis=0).max())
+    _draw_names(axes, inside, box[:, view], theme, view)
+    _draw_failed(axes, run, theme, view)
+    middle, half = box[:, view].mean(axis=0), 0.5 * float(np.ptp(box, axis=0).max())
     # One scale for all sides: a drawing seen edge on is a line, and looks like one.
     axes.set_xlim(middle[0] - half, middle[0] + half)
     axes.set_ylim(middle[1] - half, middle[1] + half)
-    _label(axes, shown)
+    _label(axes, view)
     axes.set_aspect("equal", adjustable="box")
 
 
-def _label(axes: Axes, shown: tuple[int, int]) -> None:
-    axes.set_xlabel(_AXES[shown[0]])
-    axes.set_ylabel(_AXES[shown[1]])
+def _label(axes: Axes, view: tuple[int, int]) -> None:
+    axes.set_xlabel(_AXES[view[0]])
+    axes.set_ylabel(_AXES[view[1]])
 
 
 def _drawing(run: SampledRun) -> Array | None:
     """The box (2, 3) [mm] around lines and arcs, where it would be a blot in the whole view."""
     lines = [
-        number for number, move in enumerate(run.one.moves) if move.move.interpolation.leads_tcp
+        number
+        for number, move in enumerate(run.robot_run.moves)
+        if move.move.interpolation.leads_tcp
     ]
     swept = places_mm(run)
     drawn = swept[np.isin(run.samples.move, lines)]
     if len(drawn) < 2 or len(lines) < 2:
         return None
     # The way down to the work and back up is no part of it: the ends of lines are.
-    ends = np.array([end_mm(run, run.one.moves[number]) for number in lines])
+    ends = np.array([end_mm(run, run.robot_run.moves[number]) for number in lines])
     low, high = ends.min(axis=0), ends.max(axis=0)
     size = float(np.max(high - low))
     if not 0.0 < size < _SMALL * float(np.ptp(swept, axis=0).max()):
@@ -166,16 +176,16 @@ def _drawing(run: SampledRun) -> Array | None:
     return np.stack([low - _AIR * size, high + _AIR * size])
 
 
-def _draw_work(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int]) -> None:
+def _draw_work(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int]) -> None:
     """Path, targets and zones from a side."""
-    for _, colour, place in _stretches(run, theme):
-        axes.plot(*place[:, shown].T, color=colour, linewidth=_width(run))
+    for _, colour, place in _path_sections(run, theme):
+        axes.plot(*place[:, view].T, color=colour, linewidth=_width(run))
     targets = _targets(run)
     if len(targets) > _MOST_TARGETS:
         return
-    for move in run.one.moves:
+    for move in run.robot_run.moves:
         if move.corner is CornerKind.FLY_BY and move.zone_m > 0.0:
-            centre = end_mm(run, move)[list(shown)]
+            centre = end_mm(run, move)[list(view)]
             zone = Circle(
                 (centre[0], centre[1]),
                 MM * move.zone_m,
@@ -185,7 +195,7 @@ def _draw_work(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, int]
                 alpha=0.7,
             )
             axes.add_patch(zone)
-    places = np.array([place for _, place in targets])[:, shown]
+    places = np.array([place for _, place in targets])[:, view]
     axes.plot(*places.T, "o", color=theme.ink, markersize=2.6)
 
 
@@ -194,23 +204,23 @@ def _draw_names(
     targets: list[tuple[str, Array]],
     sweep: Array,
     theme: Theme,
-    shown: tuple[int, int],
+    view: tuple[int, int],
 ) -> None:
     """Names of targets in a view of `sweep` (k, 2) [mm]."""
     if not 0 < len(targets) <= _MOST_NAMES:
         return
-    places = np.array([place for _, place in targets])[:, shown]
+    places = np.array([place for _, place in targets])[:, view]
     names = [name for name, _ in targets]
-    for name, place in _apart(names, places, sweep):
+    for name, place in _spread_labels(names, places, sweep):
         write_name(axes, name, place, theme)
 
 
-def _draw_start(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:
+def _draw_start(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]) -> None:
     """A ring where the TCP is before the first move."""
-    mark_start(axes, places_mm(run)[0, shown], theme)
+    mark_start(axes, places_mm(run)[0, view], theme)
 
 
-def _apart(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:
+def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:
     """Names at places (k, 2) [mm] that leave room for one another; the others are left out."""
     spans = np.ptp(np.concatenate([places, sweep]), axis=0)
     room = _NAME_ROOM * max(float(spans[0]), _WIDE * float(spans[1]), 1.0)
@@ -221,10 +231,10 @@ def _apart(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Arr
     return kept
 
 
-def _stretches(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
+def _path_sections(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
     """Label, colour and places (k, 3) [mm] of stretches; a label stands at the first of a kind."""
     found: list[tuple[str, str, Array]] = []
-    moves = run.one.moves
+    moves = run.robot_run.moves
     if not moves:
         return found
     kinds = np.array([list(PLAIN_MOVES).index(move.move.interpolation) for move in moves])
@@ -247,18 +257,18 @@ def _of_kind(
 def _targets(run: SampledRun) -> list[tuple[str, Array]]:
     """Each place that is gone to once (3,) [mm], by its first name."""
     found: dict[tuple[str, ...], tuple[str, Array]] = {}
-    for move in run.one.moves:
+    for move in run.robot_run.moves:
         place = end_mm(run, move)
         found.setdefault(tuple(f"{x:.1f}" for x in place), (target_name(move), place))
     return list(found.values())
 
 
-def _draw_failed(axes: Axes, run: SampledRun, theme: Theme, shown: tuple[int, ...]) -> None:
+def _draw_failed(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]) -> None:
     label: str | None = "not possible"
-    for failed in run.one.failed_moves:
-        way = MM * failed.way[:, shown]
+    for failed in run.robot_run.failed_moves:
+        way = MM * failed.curve[:, view]
         axes.plot(*way.T, color=theme.failed, linestyle="--", linewidth=1.0)
-        at = MM * failed.fails_at[list(shown)]
+        at = MM * failed.fails_at[list(view)]
         axes.plot(
             *([x] for x in at),
             marker="x",

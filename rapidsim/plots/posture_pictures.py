@@ -18,8 +18,8 @@ from rapidsim.language.moves import Interpolation
 from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.plots.look import Theme, new_figure
 from rapidsim.plots.stick_arm import MM, as_cube, draw_floor, draw_stick, draw_triads, stick
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
@@ -33,37 +33,37 @@ _ARROW = 0.35
 _TWIST = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
-def write_posture_plots(shown: Postures, folder: Path) -> tuple[Path, ...]:
+def write_posture_plots(postures: Postures, folder: Path) -> tuple[Path, ...]:
     """Write the pictures of postures, light and dark.
 
     Raises:
         InputError: When nothing can be written there.
     """
     pictures: dict[str, Callable[[Theme], Figure | None]] = {
-        "pose": partial(pose_picture, shown),
-        "matrix": partial(matrix_picture, shown),
-        "jacobian": partial(jacobian_picture, shown),
+        "pose": partial(pose_picture, postures),
+        "matrix": partial(matrix_picture, postures),
+        "jacobian": partial(jacobian_picture, postures),
     }
     return write_pictures(pictures, folder)
 
 
-def pose_picture(shown: Postures, theme: Theme) -> Figure:
+def pose_picture(postures: Postures, theme: Theme) -> Figure:
     """One posture from three sides; several side by side in space."""
-    if len(shown.rows) == 1:
-        return _single(shown, theme)
-    count = len(shown.rows)
+    if len(postures.rows) == 1:
+        return _single(postures, theme)
+    count = len(postures.rows)
     columns = min(count, _COLUMNS)
     rows = -(-count // columns)
-    figure = new_figure(shown.title, width=3.6 * columns + 0.4, height=3.9 * rows + 0.7)
-    everything = np.concatenate([_stick(shown, row) for row in range(count)])
-    for number, posture in enumerate(shown.rows):
+    figure = new_figure(postures.title, width=3.6 * columns + 0.4, height=3.9 * rows + 0.7)
+    everything = np.concatenate([_stick(postures, row) for row in range(count)])
+    for number, posture in enumerate(postures.rows):
         axes: Axes3D = figure.add_subplot(rows, columns, number + 1, projection="3d")
-        angles = joints_text(shown.robot, posture.joints)
+        angles = joints_text(postures.robot, posture.joints)
         beyond = "" if posture.within_limits else "\noutside the limits"
         axes.set_title(f"{posture.name}\n{angles}{beyond}", fontsize=8.5)
         colour = theme.bar if posture.within_limits else theme.failed
-        _draw(axes, shown, number, colour, theme, (0, 1, 2))
-        _dress(axes, shown, theme, everything)
+        _draw(axes, postures, number, colour, theme, (0, 1, 2))
+        _dress(axes, postures, theme, everything)
     return figure
 
 
@@ -76,11 +76,11 @@ def joints_text(robot: Robot, joints: Array) -> str:
     return ", ".join(with_unit(value, joint.measure) for value, joint in pairs)
 
 
-def matrix_picture(shown: Postures, theme: Theme) -> Figure:
+def matrix_picture(postures: Postures, theme: Theme) -> Figure:
     """The 4 x 4 matrix of the TCP: the rotation as a heat map, the translation in mm beside it."""
     figure = new_figure("Matrix of the TCP", width=6.6, height=5.2)
     axes = figure.subplots()
-    matrix = shown.world_from_tcp.matrix
+    matrix = postures.world_from_tcp.matrix
     heat = matrix.copy()
     # Lengths have another unit: they are shown as shares of the longest.
     longest = max(float(np.abs(matrix[:3, 3]).max()), 1e-12)
@@ -95,24 +95,24 @@ def matrix_picture(shown: Postures, theme: Theme) -> Figure:
     determinant = float(np.linalg.det(matrix[:3, :3]))
     off = float(np.abs(matrix[:3, :3] @ matrix[:3, :3].T - np.eye(3)).max())
     within = max(abs(determinant - 1.0), off, np.finfo(np.float64).eps)
-    axes.set_title(f"{shown.title}\ndeterminant and R R' are 1 within {within:.0e}")
+    axes.set_title(f"{postures.title}\ndeterminant and R R' are 1 within {within:.0e}")
     return figure
 
 
-def jacobian_picture(shown: Postures, theme: Theme) -> Figure | None:
+def jacobian_picture(postures: Postures, theme: Theme) -> Figure | None:
     """The Jacobian as a heat map, and its singular values."""
-    if shown.differential is None:
+    if postures.differential is None:
         return None
-    jacobian = shown.differential.jacobian
+    jacobian = postures.differential.jacobian
     count = jacobian.shape[1]
-    figure = new_figure(f"Jacobian: {shown.title}", width=9.6, height=4.8)
+    figure = new_figure(f"Jacobian: {postures.title}", width=9.6, height=4.8)
     heat, bars = figure.subplots(1, 2, width_ratios=[1.7, 1.0])
     words = [[f"{round(value, 3) + 0.0:.3f}" for value in row] for row in jacobian.tolist()]
     _heat_map(heat, jacobian / max(float(np.abs(jacobian).max()), 1e-12), words, theme)
     heat.set_xticks(range(count), [f"J{k + 1}" for k in range(count)])
     heat.set_yticks(range(6), _TWIST)
     heat.set_title("base frame, m/rad and rad/rad")
-    values = shown.differential.singular_values
+    values = postures.differential.singular_values
     places = np.arange(len(values))
     bars.bar(places, values, color=theme.bar, width=0.6)
     for place, value in zip(places.tolist(), values.tolist(), strict=True):
@@ -127,24 +127,24 @@ def jacobian_picture(shown: Postures, theme: Theme) -> Figure | None:
     return figure
 
 
-def _single(shown: Postures, theme: Theme) -> Figure:
-    figure = new_figure(shown.title, width=11.0, height=5.0)
+def _single(postures: Postures, theme: Theme) -> Figure:
+    figure = new_figure(postures.title, width=11.0, height=5.0)
     grid = figure.add_gridspec(1, 3, width_ratios=(1.35, 1.0, 1.0))
     space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
-    _draw(space, shown, 0, theme.bar, theme, (0, 1, 2))
-    in_world = not np.allclose(shown.world_from_base.matrix, np.eye(4))
+    _draw(space, postures, 0, theme.bar, theme, (0, 1, 2))
+    in_world = not np.allclose(postures.world_from_base.matrix, np.eye(4))
     space.set_title(f"in space, {'world' if in_world else 'base frame'}")
     views: Sequence[tuple[Axes, tuple[int, ...], str]] = (
         (figure.add_subplot(grid[0, 1]), (0, 2), "from the side"),
         (figure.add_subplot(grid[0, 2]), (0, 1), "from above"),
     )
     for axes, sides, title in views:
-        _draw(axes, shown, 0, theme.bar, theme, sides)
+        _draw(axes, postures, 0, theme.bar, theme, sides)
         axes.set_title(title)
         axes.set_xlabel(_AXES[sides[0]])
         axes.set_ylabel(_AXES[sides[1]])
         axes.set_aspect("equal", adjustable="datalim")
-    _dress(space, shown, theme, _stick(shown, 0))
+    _dress(space, postures, theme, _stick(postures, 0))
     handles, labels = space.get_legend_handles_labels()
     if labels:
         figure.legend(handles, labels, loc="upper right", ncols=len(labels))
@@ -152,32 +152,32 @@ def _single(shown: Postures, theme: Theme) -> Figure:
 
 
 def _draw(
-    axes: Axes, shown: Postures, row: int, colour: str, theme: Theme, sides: tuple[int, ...]
+    axes: Axes, postures: Postures, row: int, colour: str, theme: Theme, sides: tuple[int, ...]
 ) -> None:
-    draw_stick(axes, _stick(shown, row), colour, theme, sides, "arm")
-    size = MM * shown.size
-    draw_triads(axes, shown.frames(row), _TRIAD * size, theme, sides)
-    weakest = shown.weakest
+    draw_stick(axes, _stick(postures, row), colour, theme, sides, "arm")
+    size = MM * postures.size
+    draw_triads(axes, postures.frames(row), _TRIAD * size, theme, sides)
+    weakest = postures.weakest
     if weakest is None or row:
         return
     direction, label = weakest
-    start = MM * shown.world_from_tcp.translation
+    start = MM * postures.world_from_tcp.translation
     tip = start + _ARROW * size * direction
     ends = np.stack([start - (tip - start), tip])[:, sides]
     axes.plot(*ends.T, color=theme.failed, linewidth=2.0, linestyle="--", label=label, zorder=5)
 
 
-def _stick(shown: Postures, row: int) -> Array:
-    base = stick(shown.robot, shown.rows[row].joints, shown.flange_from_tcp)
-    world: Transform = shown.world_from_base
+def _stick(postures: Postures, row: int) -> Array:
+    base = stick(postures.robot, postures.rows[row].joints, postures.flange_from_tcp)
+    world: Transform = postures.world_from_base
     return MM * world.apply(base / MM)
 
 
-def _dress(axes: Axes3D, shown: Postures, theme: Theme, points: Array) -> None:
+def _dress(axes: Axes3D, postures: Postures, theme: Theme, points: Array) -> None:
     axes.set_xlabel(_AXES[0])
     axes.set_ylabel(_AXES[1])
     axes.set_zlabel(_AXES[2])
-    draw_floor(axes, _FLOOR * MM * shown.size, theme, shown.world_from_base)
+    draw_floor(axes, _FLOOR * MM * postures.size, theme, postures.world_from_base)
     as_cube(axes, points, zoom=_ZOOM)
     axes.view_init(elev=22.0, azim=-55.0)
     for pane in (axes.xaxis, axes.yaxis, axes.zaxis):

@@ -8,7 +8,7 @@ from mpl_toolkits.mplot3d.axes3d import Axes3D
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.plots.look import Theme
+from rapidsim.plots.theme import Theme
 
 MM = 1000.0
 _WIDTH = 4.2
@@ -31,10 +31,10 @@ def stick(robot: Robot, joints: Array, flange_from_tcp: Transform) -> Array:
 
 
 def draw_stick(
-    axes: Axes, corners: Array, colour: str, theme: Theme, shown: tuple[int, ...], label: str
+    axes: Axes, corners: Array, colour: str, theme: Theme, view: tuple[int, ...], label: str
 ) -> None:
     """Draw a stick (m, 3) [mm] in a view that shows some of its three coordinates."""
-    of_arm, tool = corners[:-1, shown], corners[-2:, shown]
+    of_arm, tool = corners[:-1, view], corners[-2:, view]
     for bar, width, words in ((of_arm, _WIDTH, label), (tool, 0.5 * _WIDTH, None)):
         axes.plot(
             *bar.T,
@@ -57,14 +57,14 @@ def draw_stick(
 
 
 def draw_triads(
-    axes: Axes, base_from_frames: Transform, size_mm: float, theme: Theme, shown: tuple[int, ...]
+    axes: Axes, base_from_frames: Transform, size_mm: float, theme: Theme, view: tuple[int, ...]
 ) -> None:
     """Draw the axes x, y, z of frames (k,) in red, green and blue."""
     origins = MM * base_from_frames.translation
     for axis in range(3):
         tips = origins + size_mm * base_from_frames.rotation[..., axis]
         for origin, tip in zip(origins, tips, strict=True):
-            ends = np.stack([origin, tip])[:, shown]
+            ends = np.stack([origin, tip])[:, view]
             axes.plot(*ends.T, color=theme.joints[axis], linewidth=1.3, zorder=4)
 
 

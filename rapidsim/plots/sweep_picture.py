@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.sweep import Axis, Sweep
-from rapidsim.plots.look import Theme, new_figure
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 
 

@@ -10,8 +10,8 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.attitudes import unbroken
-from rapidsim.plots.drawn import MM, title_of
-from rapidsim.plots.look import Theme, new_figure, time_axis
+from rapidsim.plots.sampled_run import MM, title_of
+from rapidsim.plots.theme import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
 
 _COLUMNS = 2
@@ -21,7 +21,7 @@ _CAPPED = 2.0
 
 def joints_picture(run: SampledRun, theme: Theme) -> Figure:
     """Each joint's angle between its limits, and its speed as a share of what it can."""
-    robot, samples = run.one.robot, run.samples
+    robot, samples = run.robot_run.robot, run.samples
     count = len(robot.joints)
     rows = -(-count // _COLUMNS)
     figure = new_figure(f"Joints: {title_of(run)}", width=11.0, height=1.0 + 2.1 * rows)
@@ -111,7 +111,7 @@ def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
 def _programmed(run: SampledRun) -> tuple[Array, Array]:
     """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves."""
     steps: dict[float, float] = {0.0: 0.0}
-    for move in run.one.moves:
+    for move in run.robot_run.moves:
         steps[move.end_s] = 0.0
         steps[move.start_s] = move.move.speed.v_tcp
     steps.setdefault(run.end_s, 0.0)

@@ -14,46 +14,46 @@ from matplotlib.patches import Wedge
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
 from rapidsim.motion.waypoints.workspace import Workspace
-from rapidsim.plots.look import Theme, new_figure
 from rapidsim.plots.stick_arm import MM, draw_stick, stick
+from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 
 _FILLED = 0.35
 """How much of what lies behind a filled area it hides."""
 
 
-def write_workspace_plots(found: Workspace, folder: Path) -> tuple[Path, ...]:
+def write_workspace_plots(workspace: Workspace, folder: Path) -> tuple[Path, ...]:
     """Write the picture, light and dark.
 
     Raises:
         InputError: When nothing can be written there.
     """
-    return write_pictures({"workspace": partial(workspace_picture, found)}, folder)
+    return write_pictures({"workspace": partial(workspace_picture, workspace)}, folder)
 
 
-def workspace_picture(found: Workspace, theme: Theme) -> Figure:
+def workspace_picture(workspace: Workspace, theme: Theme) -> Figure:
     """Both views, with the arm as it stands before a run."""
-    title = f"Workspace of the flange: {found.robot.title}, {found.volume:.2f} m³"
+    title = f"Workspace of the flange: {workspace.robot.title}, {workspace.volume:.2f} m³"
     figure = new_figure(title, width=11.0, height=5.6)
     section, above = figure.subplots(1, 2)
-    corners = stick(found.robot, found.robot.start, Transform.identity())
-    _draw_section(section, found, corners, theme)
-    _draw_from_above(above, found, corners, theme)
+    corners = stick(workspace.robot, workspace.robot.start, Transform.identity())
+    _draw_section(section, workspace, corners, theme)
+    _draw_from_above(above, workspace, corners, theme)
     return figure
 
 
-def _draw_section(axes: Axes, found: Workspace, corners: Array, theme: Theme) -> None:
+def _draw_section(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
     """The half plane through axis 1 with the cells that are reached."""
-    near, far, low, high = (MM * value for value in found.extent)
-    rows, columns = found.section.shape
+    near, far, low, high = (MM * value for value in workspace.extent)
+    rows, columns = workspace.section.shape
     axes.imshow(
-        np.ma.masked_where(~found.section, found.section.astype(float)),
+        np.ma.masked_where(~workspace.section, workspace.section.astype(float)),
         origin="lower",
         extent=(
             0.0,
-            MM * found.cell * columns,
-            MM * found.lowest,
-            MM * (found.lowest + found.cell * rows),
+            MM * workspace.cell * columns,
+            MM * workspace.lowest,
+            MM * (workspace.lowest + workspace.cell * rows),
         ),
         cmap=ListedColormap([theme.moves[Interpolation.LINE]]),
         alpha=_FILLED,
@@ -72,10 +72,10 @@ def _draw_section(axes: Axes, found: Workspace, corners: Array, theme: Theme) ->
     axes.set_aspect("equal", adjustable="datalim")
 
 
-def _draw_from_above(axes: Axes, found: Workspace, corners: Array, theme: Theme) -> None:
+def _draw_from_above(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
     """The ring that axis 1 sweeps with it."""
-    near, far = (MM * value for value in found.extent[:2])
-    first, last = (float(np.degrees(value)) for value in found.turn)
+    near, far = (MM * value for value in workspace.extent[:2])
+    first, last = (float(np.degrees(value)) for value in workspace.turn)
     if last - first >= 360.0:
         first, last = 0.0, 360.0
     colour = theme.moves[Interpolation.LINE]
@@ -85,6 +85,6 @@ def _draw_from_above(axes: Axes, found: Workspace, corners: Array, theme: Theme)
     axes.set_xlim(-1.08 * far, 1.08 * far)
     axes.set_ylim(-1.08 * far, 1.08 * far)
     axes.set_aspect("equal", adjustable="box")
-    axes.set_title(f"from above: axis 1 turns by {np.degrees(found.swept):.0f}°")
+    axes.set_title(f"from above: axis 1 turns by {np.degrees(workspace.swept):.0f}°")
     axes.set_xlabel("x [mm]")
     axes.set_ylabel("y [mm]")

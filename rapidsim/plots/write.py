@@ -20,11 +20,11 @@ from rapidsim.output_files import unwritten, whole_file
 from rapidsim.plots.arm_picture import arm_picture
 from rapidsim.plots.clearance_picture import clearance_picture
 from rapidsim.plots.comparison_picture import comparison_picture
-from rapidsim.plots.drawn import drawn
 from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.lines_picture import lines_picture
-from rapidsim.plots.look import DARK, LIGHT, Theme, dressed
 from rapidsim.plots.path_picture import path_picture
+from rapidsim.plots.sampled_run import sample_run
+from rapidsim.plots.theme import DARK, LIGHT, Theme, themed
 from rapidsim.plots.time_pictures import joints_picture, orientation_picture, speed_picture
 from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.simulation.results.simulation import Simulation
@@ -66,7 +66,7 @@ def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
         if one.moves:
             # The first robot's pictures have the same names whether it works alone or not.
             before = f"{one.task}-" if number else ""
-            run = drawn(simulation, one)
+            run = sample_run(simulation, one)
             pictures = {
                 f"{before}{name}": partial(picture, run) for name, picture in PICTURES.items()
             }
@@ -91,7 +91,7 @@ def write_pictures(
         for name, picture in pictures.items():
             ending = "" if theme is LIGHT else f"-{theme.name}"
             path = folder / f"{name}{ending}.png"
-            with dressed(theme):
+            with themed(theme):
                 figure = picture(theme)
                 if figure is None:
                     continue

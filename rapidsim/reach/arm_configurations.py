@@ -20,7 +20,7 @@ from rapidsim.motion.configurations.confdata import (
     Integers,
     configuration,
     configurations,
-    told_apart,
+    has_branches,
 )
 from rapidsim.motion.configurations.reachability import (
     pose_excess,
@@ -30,13 +30,13 @@ from rapidsim.motion.configurations.reachability import (
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
-from rapidsim.motion.path.wrist_circle import led_by_pair
+from rapidsim.motion.path.wrist_circle import wrist_circle_error
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.dataflow.circle_modes import led_by_wrist, may_be_led_by_wrist
+from rapidsim.reach.dataflow.circle_modes import is_wrist_driven, may_be_wrist_driven
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MOST_SEARCHED = 40
 """Targets for which an arm without a closed form is searched; the others are left to a run."""
@@ -44,8 +44,8 @@ _BATCH = 4096
 _MOST = 9999.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Ends:
+@value_class(frozen=True, slots=True, eq=False)
+class EndSolutions:
     """What the arm can do about the end of each move, regardless of what precedes it."""
 
     looked_at: Mask
@@ -53,7 +53,7 @@ class Ends:
     """Within the limits, in some configuration."""
     stored_works: Mask
     """The arm meets the stored configuration."""
-    held: Mask
+    on_stored_branch: Mask
     """A run goes on: the arm meets it, or an axis on the stored branch is two quarters off."""
     match: Integers
     """Shape (k,): the `Match` of the joints; OTHER for moves to axis positions."""
@@ -61,8 +61,8 @@ class Ends:
     """Shape (k, n) [rad]: joints in the stored configuration, where the arm can hold it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Stances:
+@value_class(frozen=True, slots=True, eq=False)
+class EndConfigurations:
     """The arm's joints at the end of each move."""
 
     joints: Array
@@ -70,7 +70,7 @@ class Stances:
     sure: Mask
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Beginning:
     """Where a run of main begins."""
 
@@ -80,7 +80,7 @@ class Beginning:
     """Whether it begins in the configuration of the first target instead."""
 
 
-def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> Ends:
+def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolutions:
     """Solve the ends of all moves; `exact` tolerates no quarter turn."""
     count = len(posed.moves)
     looked_at = np.ones(count, dtype=bool)
@@ -92,29 +92,33 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> Ends:
     stored[to_axes] = posed.axes[to_axes]
     works[to_axes] = ~programmed_excess(robot, posed.axes[to_axes]).any(axis=-1)
     reachable[to_axes] = held[to_axes] = works[to_axes]
-    led = np.array([led_by_wrist(known, robot) for known in posed.moves], dtype=bool)
+    led = np.array([is_wrist_driven(known, robot) for known in posed.moves], dtype=bool)
     # Their way tells whether they can be made; nobody goes to the pose of their target.
     reachable[looked_at & led] = True
     rows = np.flatnonzero(looked_at & ~posed.to_axes & ~led)
-    if not told_apart(robot.kinematics):
+    if not has_branches(robot.kinematics):
         looked_at[rows[MOST_SEARCHED:]] = False
         rows = rows[:MOST_SEARCHED]
     for first in range(0, len(rows), _BATCH):
         at = rows[first : first + _BATCH]
         confdata = confdata_columns([posed.moves[row] for row in at.tolist()])
         solved = solved_ends(robot, posed.base_from_flange[at], confdata, exact=exact)
-        reachable[at], works[at], held[at] = solved.reachable, solved.stored_works, solved.held
+        reachable[at], works[at], held[at] = (
+            solved.reachable,
+            solved.stored_works,
+            solved.on_stored_branch,
+        )
         matches[at], stored[at] = solved.match, solved.stored
-    return Ends(looked_at, reachable, works, held, matches, stored)
+    return EndSolutions(looked_at, reachable, works, held, matches, stored)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class SolvedEnds:
-    """What the arm can do about poses (k,); see `Ends`."""
+    """What the arm can do about poses (k,); see `EndSolutions`."""
 
     reachable: Mask
     stored_works: Mask
-    held: Mask
+    on_stored_branch: Mask
     match: Integers
     stored: Array
 
@@ -136,13 +140,13 @@ def solved_ends(
 
 def stances_of(
     posed: PosedMoves,
-    ends: Ends,
+    ends: EndSolutions,
     robot: Robot,
     model: MotionModel,
     arrivals: Mapping[int, Array],
     lost: AbstractSet[int] = frozenset(),
     beginning: Beginning | None = None,
-) -> Stances:
+) -> EndConfigurations:
     """The arm's joints at the end of each move.
 
     Args:
@@ -162,8 +166,8 @@ def stances_of(
         known = posed.moves[row]
         if row in arrivals:
             joints[row], sure[row] = arrivals[row], True
-        elif may_be_led_by_wrist(known, robot):
-            arrival = _end_of_led(posed, ends, robot, model, row, joints, sure)
+        elif may_be_wrist_driven(known, robot):
+            arrival = _wrist_circle_end(posed, ends, robot, model, row, joints, sure)
             if arrival is not None:
                 joints[row], sure[row] = arrival, True
         elif posed.to_axes[row] or (ends.stored_works[row] and is_monitored(known, robot)):
@@ -174,7 +178,7 @@ def stances_of(
                 joints[row], sure[row] = first, True
         elif known.previous is not None and sure[known.previous] and ends.reachable[row]:
             start = joints[known.previous]
-            if _goes_on_turned(known, ends, row, robot):
+            if _continues_turned(known, ends, row, robot):
                 flange, stored = posed.base_from_flange[row : row + 1], confdata_columns([known])
                 joints[row], sure[row] = hold(robot, flange, stored, start).joints[0], True
                 row += 1
@@ -192,18 +196,18 @@ def stances_of(
                     joints[row] = nearest_without_switch(found, before).joints
                     sure[row] = True
         row += 1
-    return Stances(joints, sure)
+    return EndConfigurations(joints, sure)
 
 
 def _first_end(
-    posed: PosedMoves, ends: Ends, robot: Robot, beginning: Beginning, row: int
+    posed: PosedMoves, ends: EndSolutions, robot: Robot, beginning: Beginning, row: int
 ) -> Array | None:
     """Joints (n,) [rad] at the end of the first move of a run; None if not known."""
     known, flange = posed.moves[row], posed.base_from_flange[row]
     monitored = is_monitored(known, robot)
-    if not told_apart(robot.kinematics) or not (monitored or is_free(known)):
+    if not has_branches(robot.kinematics) or not (monitored or is_free(known)):
         return None
-    if monitored and not ends.held[row]:
+    if monitored and not ends.on_stored_branch[row]:
         return None
     if beginning.is_free:
         stored = stored_confdata(known)
@@ -218,32 +222,32 @@ def _first_end(
     return None if first is None else first.joints
 
 
-def _goes_on_turned(known: KnownMove, ends: Ends, row: int, robot: Robot) -> bool:
+def _continues_turned(known_move: KnownMove, ends: EndSolutions, row: int, robot: Robot) -> bool:
     """Whether a joint move takes another turn than the stored one, and a run goes on."""
-    to_pose = not known.move.interpolation.leads_tcp
-    return to_pose and bool(ends.held[row]) and is_monitored(known, robot)
+    to_pose = not known_move.move.interpolation.leads_tcp
+    return to_pose and bool(ends.on_stored_branch[row]) and is_monitored(known_move, robot)
 
 
-def is_monitored(known: KnownMove, robot: Robot) -> bool:
+def is_monitored(known_move: KnownMove, robot: Robot) -> bool:
     """Whether the controller certainly enforces the stored configuration at the end of a move."""
-    monitored = _monitoring(known) is True
-    return monitored and told_apart(robot.kinematics) and not led_by_wrist(known, robot)
+    monitored = _monitoring(known_move) is True
+    return monitored and has_branches(robot.kinematics) and not is_wrist_driven(known_move, robot)
 
 
-def is_free(known: KnownMove) -> bool:
+def is_free(known_move: KnownMove) -> bool:
     """Whether the configuration is certainly not monitored: ConfJ or ConfL is off."""
-    return _monitoring(known) is False
+    return _monitoring(known_move) is False
 
 
-def _monitoring(known: KnownMove) -> bool | None:
+def _monitoring(known_move: KnownMove) -> bool | None:
     """Whether ConfJ or ConfL, the one that counts for a move, is on; None where that is open."""
-    name = "conf_l" if known.move.interpolation.leads_tcp else "conf_j"
-    return None if name in known.uncertain else bool(getattr(known.settings, name))
+    name = "conf_l" if known_move.move.interpolation.leads_tcp else "conf_j"
+    return None if name in known_move.uncertain else bool(getattr(known_move.settings, name))
 
 
-def stored_confdata(known: KnownMove) -> tuple[int, int, int, int]:
+def stored_confdata(known_move: KnownMove) -> tuple[int, int, int, int]:
     """cf1, cf4, cf6 and cfx of a move to a pose; absurdly large numbers are clamped."""
-    cf1, cf4, cf6, cfx = map(round, confdata_columns([known])[0].tolist())
+    cf1, cf4, cf6, cfx = map(round, confdata_columns([known_move])[0].tolist())
     return cf1, cf4, cf6, cfx
 
 
@@ -253,14 +257,14 @@ def confdata_columns(moves: Sequence[KnownMove]) -> Array:
     return np.rint(np.clip(written, -_MOST, _MOST))
 
 
-def _robconf(known: KnownMove) -> ConfData:
-    assert isinstance(known.move.to, RobTarget)
-    return known.move.to.robconf
+def _robconf(known_move: KnownMove) -> ConfData:
+    assert isinstance(known_move.move.to, RobTarget)
+    return known_move.move.to.robconf
 
 
-def _end_of_led(
+def _wrist_circle_end(
     posed: PosedMoves,
-    ends: Ends,
+    ends: EndSolutions,
     robot: Robot,
     model: MotionModel,
     row: int,
@@ -271,19 +275,19 @@ def _end_of_led(
     known = posed.moves[row]
     before = known.previous
     starts = before is not None and sure[before] and ends.looked_at[row]
-    if not starts or not led_by_wrist(known, robot):
+    if not starts or not is_wrist_driven(known, robot):
         return None
     (segment,) = segments_of(posed, joints, robot, model, [row])
     if circle_fault(segment) is not None:
         return None
-    led = led_by_pair(robot.kinematics, segment)
+    led = wrist_circle_error(robot.kinematics, segment)
     if led is None or pose_excess(robot, led.arrival).any():
         return None
     return led.arrival
 
 
 def _end_of_chain(
-    posed: PosedMoves, ends: Ends, robot: Robot, settled: AbstractSet[int], row: int
+    posed: PosedMoves, ends: EndSolutions, robot: Robot, settled: AbstractSet[int], row: int
 ) -> int:
     """One past the last of consecutive lines that arrive as the way takes the arm there."""
     stop = row + 1
@@ -292,7 +296,7 @@ def _end_of_chain(
         and (known := posed.moves[stop]).previous == stop - 1
         and known.move.interpolation.leads_tcp
         and stop not in settled
-        and not may_be_led_by_wrist(known, robot)
+        and not may_be_wrist_driven(known, robot)
         and ends.reachable[stop]
         and not (ends.stored_works[stop] and is_monitored(known, robot))
     ):

@@ -18,7 +18,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import JointTarget, RobTarget
 from rapidsim.motion.configurations import targets
-from rapidsim.motion.configurations.confdata import told_apart
+from rapidsim.motion.configurations.confdata import has_branches
 from rapidsim.motion.configurations.reachability import programmed_excess
 from rapidsim.motion.robot.catalogue import find_entry, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
@@ -26,7 +26,7 @@ from rapidsim.reach.arm_configurations import confdata_columns, solved_ends
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MAKER = "ABB"
 _MOST_TARGETS = 400
@@ -52,7 +52,7 @@ _OTHER_MODEL = 10.0
 _LONGEST_TEXT = 200_000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ProgramTargets:
     """The distinct targets that programs name."""
 
@@ -73,7 +73,7 @@ class ProgramTargets:
         return len(self.confdata) + len(self.axes)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Hint:
     """An arm that a text names: the number of its type, and figures such as reach or payload."""
 
@@ -96,7 +96,7 @@ class Hint:
         return apart if parts[1] == self.model else _OTHER_MODEL + apart
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RankedArm:
     """An arm, and how many of the targets it makes."""
 
@@ -105,7 +105,7 @@ class RankedArm:
     tried: int
     """How many targets were tried."""
     reached: int
-    held: int
+    satisfied: int
     """Those that it reaches in the stored configuration."""
     carries: bool
     """Whether it is rated for the heaviest tool."""
@@ -128,12 +128,12 @@ class RankedArm:
         # axes holds all zeros.
         usual = self.has_six_axes or self.is_named
         leads = self.is_named and (self.name_counts or self.reached == self.tried)
-        return leads, self.reached / tried, usual, self.held / tried, self.carries
+        return leads, self.reached / tried, usual, self.satisfied / tried, self.carries
 
     @property
     def makes_all(self) -> bool:
         """Whether it makes all targets as they are stored."""
-        return self.tried == self.reached == self.held and self.carries
+        return self.tried == self.reached == self.satisfied and self.carries
 
 
 def program_targets(
@@ -153,7 +153,7 @@ def program_targets(
     axes: dict[JointTarget, None] = {}
     heaviest = 0.0
     for program in programs:
-        for known in walk_program(program).known:
+        for known in walk_program(program).moves:
             move = known.move
             heaviest = max(heaviest, float(move.tool.tload.mass))
             if isinstance(move.to, JointTarget):
@@ -233,7 +233,7 @@ def rank_arms(
     ranked = [
         ranked_arm(robot, of_programs, deviation, is_named=is_named)
         for robot, deviation, is_named in _candidates(hints)
-        if told_apart(robot.kinematics) or is_named
+        if has_branches(robot.kinematics) or is_named
     ]
     ranked = _seven_axis_arms(of_programs, hints, ranked) or ranked
 
@@ -283,7 +283,7 @@ def ranked_arm(
     robot: Robot, of_programs: ProgramTargets, deviation: float = 0.0, *, is_named: bool = False
 ) -> RankedArm:
     """What an arm makes of targets."""
-    most = _MOST_TARGETS if told_apart(robot.kinematics) else _MOST_SEARCHED
+    most = _MOST_TARGETS if has_branches(robot.kinematics) else _MOST_SEARCHED
     rows = _chosen(len(of_programs.confdata), most)
     reached = held = 0
     if rows:
@@ -293,7 +293,7 @@ def ranked_arm(
         )
         solved = solved_ends(robot, poses, of_programs.confdata[rows])
         reached = int(solved.reachable.sum())
-        stored = solved.stored_works if told_apart(robot.kinematics) else solved.reachable
+        stored = solved.stored_works if has_branches(robot.kinematics) else solved.reachable
         held = int((solved.reachable & stored).sum())
     within = sum(
         not programmed_excess(robot, targets.joints(one, robot.kinematics)).any()

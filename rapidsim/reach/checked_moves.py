@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import field
 
 from rapidsim.diagnostics import Diagnostic, Span
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MOST_MOVES = 4000
 """Move instructions in a text beyond which a check does not run it."""
@@ -13,7 +13,7 @@ MOST_MOVES_FOR_ERRORS = 300
 """Likewise, where only an error can be found: all moves are known, or tasks are run together."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class UncheckedMove:
     """A move instruction about which nothing is known."""
 
@@ -21,7 +21,7 @@ class UncheckedMove:
     reason: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Coverage:
     """The move instructions of a program by how they were checked."""
 
@@ -68,7 +68,7 @@ class Coverage:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ReachReport:
     """The findings about the moves of one program."""
 

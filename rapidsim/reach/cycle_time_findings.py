@@ -11,8 +11,8 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.cycle_time import AvoidableStop, CycleOverBudget
 from rapidsim.language.moves import Interpolation
-from rapidsim.reach.dataflow.interpretation import ENTRY
-from rapidsim.reach.path_findings import Ways
+from rapidsim.reach.dataflow.abstract_interpreter import ENTRY
+from rapidsim.reach.path_findings import SurveyedPaths
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.trial_run import RunMoves
 from rapidsim.reach.wording import target_span, target_text
@@ -23,23 +23,27 @@ _NOTHING_BETWEEN = re.compile(r"(?:[;\s]|![^\r\n]*)*")
 
 
 def budget_findings(
-    program: Program, told: RunMoves, budget_s: float, model: str
+    program: Program, run_moves: RunMoves, budget_s: float, model: str
 ) -> Iterator[Diagnostic]:
     """D701: a cycle that exceeds its budget, or whose duration the run does not determine."""
     main = program.routines.get(ENTRY)
-    if main is None or (told.time_s is not None and told.time_s <= budget_s):
+    if main is None or (run_moves.time_s is not None and run_moves.time_s <= budget_s):
         return
-    taken = f"{told.time_s:.2f} s" if told.time_s is not None else told.duration_unknown
+    taken = (
+        f"{run_moves.time_s:.2f} s" if run_moves.time_s is not None else run_moves.duration_unknown
+    )
     span = main.module.span(main.node.name)
     yield Diagnostic(CycleOverBudget(taken, budget_s, model), span, routine=main.name)
 
 
-def stop_findings(program: Program, posed: PosedMoves, ways: Ways) -> Iterator[Diagnostic]:
+def stop_findings(
+    program: Program, posed: PosedMoves, surveyed: SurveyedPaths
+) -> Iterator[Diagnostic]:
     """D702: a stop point between two lines in one direction with nothing between them."""
-    for after in ways.segments:
+    for after in surveyed.segments:
         known = posed.moves[after]
         before = known.previous
-        if before is None or before not in ways.segments:
+        if before is None or before not in surveyed.segments:
             continue
         stop = posed.moves[before]
         lines = known.move.interpolation is stop.move.interpolation is Interpolation.LINE
@@ -50,7 +54,7 @@ def stop_findings(program: Program, posed: PosedMoves, ways: Ways) -> Iterator[D
             continue
         into, out = (
             one.end.base_from_tcp.translation - one.start.base_from_tcp.translation
-            for one in (ways.segments[before], ways.segments[after])
+            for one in (surveyed.segments[before], surveyed.segments[after])
         )
         lengths = float(np.linalg.norm(into)), float(np.linalg.norm(out))
         if min(lengths) > _SHORTEST and into @ out >= _STRAIGHT * lengths[0] * lengths[1]:

@@ -11,7 +11,7 @@ from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.wrist_circle import end_of_circle
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.dataflow.circle_modes import led_by_wrist
+from rapidsim.reach.dataflow.circle_modes import is_wrist_driven
 from rapidsim.reach.target_poses import PosedMoves
 
 
@@ -44,4 +44,4 @@ def segments_of(
 
 def _end(posed: PosedMoves, joints: Array, robot: Robot, row: int) -> Waypoint:
     end = Waypoint(joints[row], posed.base_from_tcp[row])
-    return end_of_circle(end) if led_by_wrist(posed.moves[row], robot) else end
+    return end_of_circle(end) if is_wrist_driven(posed.moves[row], robot) else end

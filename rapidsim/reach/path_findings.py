@@ -23,20 +23,20 @@ from rapidsim.findings.reachability import (
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Interpolation, SingularArea
 from rapidsim.motion.configurations.compliance import Match, match
-from rapidsim.motion.configurations.confdata import confdata_of, told_apart
+from rapidsim.motion.configurations.confdata import confdata_of, has_branches
 from rapidsim.motion.geometry.curves import circle_fault
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import build_path
-from rapidsim.motion.path.curve_feasibility import HoldUp, SurveyedWay, survey_ways
+from rapidsim.motion.path.curve_feasibility import SpeedBottleneck, SurveyedCurve, survey_curves
 from rapidsim.motion.path.curve_following import PathFault
-from rapidsim.motion.path.wrist_circle import findings_on_pair, led_by_pair
+from rapidsim.motion.path.wrist_circle import findings_on_pair, wrist_circle_error
 from rapidsim.motion.robot.robot import Robot, RobotError
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.reach.arm_configurations import (
     Beginning,
-    Ends,
-    Stances,
+    EndConfigurations,
+    EndSolutions,
     is_monitored,
     stances_of,
     stored_confdata,
@@ -44,7 +44,7 @@ from rapidsim.reach.arm_configurations import (
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import confdata_fix, target_span, target_text
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SAME_JOINTS = 1e-3
 _STANDSTILL = 1e-5
@@ -84,13 +84,13 @@ class _Segments(Mapping[int, Segment]):
         return row in self._rows
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Ways:
+@value_class(frozen=True, slots=True, eq=False)
+class SurveyedPaths:
     """Surveyed paths of a program, by row of its moves."""
 
-    stances: Stances
+    stances: EndConfigurations
     segments: Mapping[int, Segment]
-    surveyed: Mapping[int, SurveyedWay]
+    surveyed: Mapping[int, SurveyedCurve]
     circle_faults: Mapping[int, str]
     strays: Mapping[int, Array]
     """Joints (n,) [rad] of rows that arrive elsewhere than their end alone would tell."""
@@ -103,13 +103,13 @@ class Ways:
         return replace(segment, end=replace(segment.end, joints=way.arrival))
 
 
-@dataclass(frozen=True, eq=False)
-class WayFinder:
+@value_class(frozen=True, eq=False)
+class PathSurvey:
     """Surveys the paths between the known moves of one program and reports problems."""
 
     program: Program
     posed: PosedMoves
-    ends: Ends
+    ends: EndSolutions
     robot: Robot
     model: MotionModel
     known_joints: Mapping[int, Array]
@@ -128,7 +128,7 @@ class WayFinder:
             speed = None
         object.__setattr__(self, "_max_speed", speed)
 
-    def survey(self) -> Ways:
+    def survey(self) -> SurveyedPaths:
         """Survey all lines and arcs whose start is known.
 
         If a line arrives in a configuration other than its end alone suggests, the next path starts
@@ -148,14 +148,14 @@ class WayFinder:
             ways = self._surveyed({**ways.strays, **strays}, lost)
         return ways
 
-    def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> Ways:
+    def _surveyed(self, strays: Mapping[int, Array], lost: frozenset[int]) -> SurveyedPaths:
         robot = self.robot
         arrivals = {**self.known_joints, **strays}
         stances = stances_of(
             self.posed, self.ends, robot, self.model, arrivals, lost, self.beginning
         )
-        if not told_apart(robot.kinematics):
-            return Ways(stances, {}, {}, {}, strays)
+        if not has_branches(robot.kinematics):
+            return SurveyedPaths(stances, {}, {}, {}, strays)
         rows = [
             row
             for row, known in enumerate(self.posed.moves)
@@ -169,7 +169,7 @@ class WayFinder:
         ]
         make = partial(segments_of, self.posed, stances.joints, robot, self.model)
         faults: dict[int, str] = {}
-        surveyed: dict[int, SurveyedWay] = {}
+        surveyed: dict[int, SurveyedCurve] = {}
         for first in range(0, len(rows), _BLOCK):
             block = rows[first : first + _BLOCK]
             by_row = dict(zip(block, make(block), strict=True))
@@ -177,37 +177,42 @@ class WayFinder:
                 if (fault := circle_fault(segment)) is not None:
                     faults[row] = fault
                     del by_row[row]
-            ways = survey_ways(robot, list(by_row.values()), self._max_speed)
+            ways = survey_curves(robot, list(by_row.values()), self._max_speed)
             surveyed.update(zip(by_row, ways, strict=True))
-        return Ways(stances, _Segments(surveyed, make), surveyed, faults, strays)
+        return SurveyedPaths(stances, _Segments(surveyed, make), surveyed, faults, strays)
 
-    def _strays(self, row: int, way: SurveyedWay, ways: Ways) -> bool:
-        if way.broken or way.arrival is None or not ways.stances.sure[row] or row in ways.strays:
+    def _strays(self, row: int, curve: SurveyedCurve, surveyed: SurveyedPaths) -> bool:
+        if (
+            curve.broken
+            or curve.arrival is None
+            or not surveyed.stances.sure[row]
+            or row in surveyed.strays
+        ):
             return False
-        return bool(np.abs(way.arrival - ways.stances.joints[row]).max() > _SAME_JOINTS)
+        return bool(np.abs(curve.arrival - surveyed.stances.joints[row]).max() > _SAME_JOINTS)
 
-    def _asks_for_stored(self, row: int) -> bool:
+    def _requires_stored(self, row: int) -> bool:
         """Whether a move insists on a configuration that the arm could arrive in."""
         known = self.posed.moves[row]
-        return bool(self.ends.held[row]) and is_monitored(known, self.robot)
+        return bool(self.ends.on_stored_branch[row]) and is_monitored(known, self.robot)
 
-    def findings(self, ways: Ways) -> Iterator[Diagnostic]:
+    def findings(self, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
         """All findings about the paths."""
-        for row, fault in ways.circle_faults.items():
+        for row, fault in surveyed.circle_faults.items():
             name = target_text(self.program, self.posed.moves[row])
             yield self._finding(row, CircleUncertain(name, fault))
         following = self._following()
-        for row, way in ways.surveyed.items():
+        for row, way in surveyed.surveyed.items():
             if way.broken:
-                fault_found = self._fault(row, ways, following)
+                fault_found = self._fault(row, surveyed, following)
                 if fault_found is not None:
                     yield self._finding(row, fault_found)
                 continue
-            yield from self._led(row, ways)
-            arrival = ways.strays.get(row)
+            yield from self._wrist_circle_findings(row, surveyed)
+            arrival = surveyed.strays.get(row)
             if arrival is None and not self.ends.stored_works[row]:
                 arrival = way.arrival
-            if arrival is not None and self._asks_for_stored(row):
+            if arrival is not None and self._requires_stored(row):
                 yield from self._changed(row, arrival)
             if way.hold_up is not None and not self._speed_unknown(row):
                 held = self._held_up(row, way.hold_up)
@@ -216,18 +221,18 @@ class WayFinder:
             if way.travel < _STANDSTILL and way.turned < _NO_TURN:
                 name = target_text(self.program, self.posed.moves[row])
                 yield self._finding(row, ZeroLengthMove(name))
-            reduced = self._reduced_zone(row, ways, following)
+            reduced = self._reduced_zone(row, surveyed, following)
             if reduced is not None:
                 yield self._finding(row, reduced)
 
-    def _led(self, row: int, ways: Ways) -> Iterator[Diagnostic]:
+    def _wrist_circle_findings(self, row: int, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
         """What is worth a word of an arc that two wrist axes lead."""
         if self.posed.moves[row].move.interpolation is not Interpolation.CIRCLE:
             return
-        segment = ways.segments[row]
+        segment = surveyed.segments[row]
         if segment.wrist_pair is None:
             return
-        led = led_by_pair(self.robot.kinematics, segment)
+        led = wrist_circle_error(self.robot.kinematics, segment)
         name = target_text(self.program, self.posed.moves[row])
         for violation in () if led is None else findings_on_pair(led, segment, name):
             yield self._finding(row, violation)
@@ -252,28 +257,34 @@ class WayFinder:
                 following.setdefault(known.previous, []).append(row)
         return following
 
-    def _fault(self, row: int, ways: Ways, following: Mapping[int, list[int]]) -> Violation | None:
+    def _fault(
+        self, row: int, surveyed: SurveyedPaths, following: Mapping[int, list[int]]
+    ) -> Violation | None:
         """Where and why a way fails, as planning says it; None if corners keep the arm off it."""
-        segment = ways.driven(row)
+        segment = surveyed.driven(row)
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
         if not isinstance(fault, PathFault):
             return None
         # A wrist must be able to lead all of an arc, as a run has it.
         led = segment.wrist_pair is not None
-        if not led and not self._fails_with_corners(row, segment, ways, following):
+        if not led and not self._fails_with_corners(row, segment, surveyed, following):
             return None
         return fault_violation(fault, target_text(self.program, self.posed.moves[row]))
 
     def _fails_with_corners(
-        self, row: int, segment: Segment, ways: Ways, following: Mapping[int, list[int]]
+        self,
+        row: int,
+        segment: Segment,
+        surveyed: SurveyedPaths,
+        following: Mapping[int, list[int]],
     ) -> bool:
         before = self.posed.moves[row].previous
         around = [segment]
-        if before is not None and before in ways.segments and ways.segments[before].zone:
-            around.insert(0, ways.driven(before))
-        after = [one for one in following.get(row, ()) if one in ways.segments]
+        if before is not None and before in surveyed.segments and surveyed.segments[before].zone:
+            around.insert(0, surveyed.driven(before))
+        after = [one for one in following.get(row, ()) if one in surveyed.segments]
         if segment.zone is not None and len(after) == 1:
-            around.append(ways.driven(after[0]))
+            around.append(surveyed.driven(after[0]))
         if len(around) == 1:
             return True
         linked = [around[0]]
@@ -297,7 +308,7 @@ class WayFinder:
         fix = confdata_fix(self.program, known, arrives)
         yield replace(self._finding(row, found), fix=fix)
 
-    def _held_up(self, row: int, hold_up: HoldUp) -> Violation | None:
+    def _held_up(self, row: int, hold_up: SpeedBottleneck) -> Violation | None:
         known = self.posed.moves[row]
         name = target_text(self.program, known)
         if hold_up.singularity is not None and hold_up.share < _HARDLY:
@@ -316,18 +327,20 @@ class WayFinder:
         )
 
     def _reduced_zone(
-        self, row: int, ways: Ways, following: Mapping[int, list[int]]
+        self, row: int, surveyed: SurveyedPaths, following: Mapping[int, list[int]]
     ) -> ZoneTooLarge | None:
         move = self.posed.moves[row].move
         if move.zone.pzone_tcp <= _SMALL_ZONE_MM:
             return None
         zone = zone_of(move)
         after = [
-            ways.surveyed[one].travel for one in following.get(row, ()) if one in ways.surveyed
+            surveyed.surveyed[one].travel
+            for one in following.get(row, ())
+            if one in surveyed.surveyed
         ]
         if zone is None or not after:
             return None
-        sides = [(ways.surveyed[row].travel, "before"), (min(after), "after")]
+        sides = [(surveyed.surveyed[row].travel, "before"), (min(after), "after")]
         length, which = min(sides)
         if length < _STANDSTILL or 0.5 * length >= _REDUCED * zone.position:
             return None

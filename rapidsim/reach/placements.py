@@ -19,17 +19,17 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.arm_configurations import confdata_columns, is_monitored, solved_ends
-from rapidsim.reach.dataflow.circle_modes import may_be_led_by_wrist
+from rapidsim.reach.dataflow.circle_modes import may_be_wrist_driven
 from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.target_poses import posed
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _BATCH = 8192
 """Poses solved at once."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PlacedReach:
     """What the arm can do about the moves of a program from positions (k,)."""
 
@@ -49,7 +49,7 @@ def reach_from(
     robot: Robot,
     world_from_base: Transform,
     external: Sequence[ExternalAxis] = (),
-    look: Look = undisturbed,
+    check_deadline: Look = undisturbed,
     *,
     exact: bool = False,
 ) -> PlacedReach:
@@ -60,15 +60,15 @@ def reach_from(
         robot: The arm.
         world_from_base: The robot's positions, shape (k,).
         external: External axes; moves that involve them are skipped.
-        look: Called now and then.
+        check_deadline: Called now and then.
         exact: Tolerate no quarter turn between a configuration and the stored one.
     """
-    known = walk_program(program).known
+    known = walk_program(program).moves
     placed = posed(known, robot, Transform.identity(), external)
     rows = [
         row
         for row in range(len(known))
-        if row not in placed.left_out and not may_be_led_by_wrist(known[row], robot)
+        if row not in placed.left_out and not may_be_wrist_driven(known[row], robot)
     ]
     to_poses = np.array([row for row in rows if not placed.to_axes[row]], dtype=np.int64)
     to_axes = np.array([row for row in rows if placed.to_axes[row]], dtype=np.int64)
@@ -88,13 +88,13 @@ def reach_from(
         base_from_world = world_from_base.inverse()
         at_once = max(1, _BATCH // len(moves))
         for first in range(0, count, at_once):
-            look()
+            check_deadline()
             at = slice(first, min(first + at_once, count))
             flange = _each_from_each(base_from_world[at], world_from_flange)
             places = at.stop - at.start
             solved = solved_ends(robot, flange, np.tile(confdata, (places, 1)), exact=exact)
             reached = solved.reachable.reshape(places, -1)
-            held = solved.held.reshape(places, -1)
+            held = solved.on_stored_branch.reshape(places, -1)
             unreachable[at, to_poses] = ~reached
             other[at, to_poses] = reached & ~held & monitored
             least = _margins(robot, solved.stored).reshape(places, -1).min(axis=-1)
@@ -122,11 +122,11 @@ def _margins(robot: Robot, joints: Array) -> Array:
     return margins
 
 
-def _instructions(known: Sequence[KnownMove], rows: Sequence[int]) -> list[Index]:
+def _instructions(known_moves: Sequence[KnownMove], rows: Sequence[int]) -> list[Index]:
     """The rows of each move instruction: a program may come to it in several ways."""
     found: dict[object, list[int]] = {}
     for row in rows:
-        found.setdefault(known[row].call, []).append(row)
+        found.setdefault(known_moves[row].call, []).append(row)
     return [np.array(of_one, dtype=np.int64) for of_one in found.values()]
 
 

@@ -10,17 +10,17 @@ from dataclasses import dataclass, replace
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Span
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import decided_anew
+from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.arm_configurations import Beginning, Ends, ends_of
+from rapidsim.reach.arm_configurations import Beginning, EndSolutions, ends_of
 from rapidsim.reach.checked_moves import Coverage, ReachReport, UncheckedMove
-from rapidsim.reach.cures import Cures
 from rapidsim.reach.cycle_time_findings import budget_findings, stop_findings
-from rapidsim.reach.dataflow.interpretation import ENTRY
+from rapidsim.reach.dataflow.abstract_interpreter import ENTRY
 from rapidsim.reach.dataflow.known_moves import MoveStatement, WalkedProgram, in_tree
 from rapidsim.reach.dataflow.program_walk import walk_program
-from rapidsim.reach.outside_values import moved_by_outside
-from rapidsim.reach.path_findings import WayFinder, Ways
+from rapidsim.reach.path_findings import PathSurvey, SurveyedPaths
+from rapidsim.reach.suggestions import ReachSuggestions
+from rapidsim.reach.taint import tainted_calls
 from rapidsim.reach.target_findings import (
     configuration_findings,
     far_turn_findings,
@@ -38,7 +38,7 @@ from rapidsim.reach.trial_run import (
     RunMoves,
     run_for_error,
     run_for_moves,
-    why_left_out,
+    skip_reason,
 )
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import start_joints
@@ -51,7 +51,7 @@ _GIVES_WAY = ("K603", "K606")
 """Findings at which no run stops that takes the nearest configuration."""
 
 
-@decided_anew()
+@jit_reconsidered()
 def check_reach(
     program: Program,
     robot: Robot,
@@ -79,7 +79,7 @@ def check_reach(
             return ReachReport()
         of_main = _error_of_main(program, robot, options, walked)
         return ReachReport(of_main.diagnostics, Coverage(main_left_out=of_main.left_out))
-    known = list(walked.known)
+    known = list(walked.moves)
     told: RunMoves | None = None
     joints: dict[int, Array] = {}
     base_from_world = options.world_from_base.inverse()
@@ -96,9 +96,9 @@ def check_reach(
             placed = posed(known, robot, base_from_world, options.external_axes)
     exact = options.exact_configuration
     ends = ends_of(placed, robot, exact=exact)
-    cures = None if by_default else Cures(program, placed, ends, robot, base_from_world)
+    cures = None if by_default else ReachSuggestions(program, placed, ends, robot, base_from_world)
     beginning = _beginning(robot, options)
-    finder = WayFinder(program, placed, ends, robot, options.model, joints, exact, beginning)
+    finder = PathSurvey(program, placed, ends, robot, options.model, joints, exact, beginning)
     ways = finder.survey()
     broken = {row for row, way in ways.surveyed.items() if way.broken}
     found = [
@@ -130,7 +130,7 @@ def check_reach(
         found = list(_not_sure(program, walked, found))
     of_run = of_main.diagnostics if told is None else told.diagnostics
     met = of_main.met if told is None else told.met
-    distinct = tuple(_Places(walked).distinct(found, of_run, met))
+    distinct = tuple(_FindingKeys(walked).distinct(found, of_run, met))
     paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
     coverage = replace(
         _coverage(walked, ends, told, left_out),
@@ -158,7 +158,7 @@ def _error_of_main(
     """
     if len(options.cell_tasks) > 1:
         return ErrorRun()
-    if why := why_left_out(walked):
+    if why := skip_reason(walked):
         return ErrorRun(left_out=why)
     return run_for_error(program, robot, options, walked)
 
@@ -167,44 +167,44 @@ def _unrun_collisions(
     program: Program,
     walked: WalkedProgram,
     placed: PosedMoves,
-    ways: Ways,
+    surveyed: SurveyedPaths,
     robot: Robot,
     options: RunOptions,
-    told: RunMoves,
+    run_moves: RunMoves,
 ) -> Iterator[Diagnostic]:
     """What moves would hit that the run did not make, as far as it is known where they lead."""
-    assert told.scene is not None
-    sure = ways.stances.sure
+    assert run_moves.scene is not None
+    sure = surveyed.stances.sure
     rows = [
         row
-        for row, known in enumerate(walked.known)
-        if known.call not in told.met
+        for row, known in enumerate(walked.moves)
+        if known.call not in run_moves.met
         and known.previous is not None
         and row not in placed.left_out
         and sure[row]
         and sure[known.previous]
-        and (row not in ways.surveyed or not ways.surveyed[row].broken)
-        and row not in ways.circle_faults
+        and (row not in surveyed.surveyed or not surveyed.surveyed[row].broken)
+        and row not in surveyed.circle_faults
     ]
-    if not rows or len(told.scene.arms) > 1:
+    if not rows or len(run_moves.scene.arms) > 1:
         return
     # Bodies cost time to import, and few stations have any.
     from rapidsim.reach.unrun_collisions import MOST_MOVES, UnrunMoves  # noqa: PLC0415
 
     base_from_world = options.world_from_base.inverse()
     unrun = UnrunMoves(
-        program, placed, ways.stances, robot, options.model, told.scene, base_from_world
+        program, placed, surveyed.stances, robot, options.model, run_moves.scene, base_from_world
     )
     yield from unrun.findings(rows[:MOST_MOVES])
 
 
 def _not_sure(
-    program: Program, walked: WalkedProgram, found: Iterable[Diagnostic]
+    program: Program, walked: WalkedProgram, findings: Iterable[Diagnostic]
 ) -> Iterator[Diagnostic]:
     """The findings; what depends on inputs as a run has them when nobody sets them is no error."""
-    moved = moved_by_outside(program)
+    moved = tainted_calls(program)
     unsure = [module.span(call) for call, module in walked.written if in_tree(call) in moved]
-    for one in found:
+    for one in findings:
         span = one.span
         inside = span is not None and any(span.begins_in(call) for call in unsure)
         is_reach = one.violation.code.startswith("K") or one.violation.code == "C104"
@@ -212,7 +212,7 @@ def _not_sure(
 
 
 @dataclass(eq=False)
-class _Places:
+class _FindingKeys:
     """Tells findings apart by rule and move: the same of one move is said once."""
 
     walked: WalkedProgram
@@ -244,7 +244,7 @@ class _Places:
             if one.severity is Severity.ERROR
         }
         stopped = {move for _, move in ran}
-        times = Counter(known.call for known in self.walked.known)
+        times = Counter(known.call for known in self.walked.moves)
         made = {
             (module.source.file, call.start)
             for call, module in self.walked.written
@@ -280,15 +280,18 @@ class _Places:
 
 
 def _coverage(
-    walked: WalkedProgram, ends: Ends, told: RunMoves | None, left_out: Mapping[int, str]
+    walked: WalkedProgram,
+    ends: EndSolutions,
+    run_moves: RunMoves | None,
+    left_out: Mapping[int, str],
 ) -> Coverage:
     by_value = {
         known.call
-        for row, known in enumerate(walked.known)
+        for row, known in enumerate(walked.moves)
         if row not in left_out and ends.looked_at[row]
     }
-    reasons = {walked.known[row].call: why for row, why in left_out.items()}
-    met = frozenset() if told is None else told.met
+    reasons = {walked.moves[row].call: why for row, why in left_out.items()}
+    met = frozenset() if run_moves is None else run_moves.met
     values = runs = 0
     unchecked: list[UncheckedMove] = []
     for call, module in walked.written:
@@ -299,16 +302,16 @@ def _coverage(
             runs += 1
         else:
             why = walked.unknown.get(call) or reasons.get(call) or _NOT_SEARCHED
-            if told is not None and call not in met:
-                why = f"{why}; a run of main {told.outcome}"
+            if run_moves is not None and call not in met:
+                why = f"{why}; a run of main {run_moves.outcome}"
             unchecked.append(UncheckedMove(module.span(call), why))
     return Coverage(values, runs, tuple(unchecked))
 
 
 def _paths(
     placed: PosedMoves,
-    ends: Ends,
-    ways: Ways,
+    ends: EndSolutions,
+    surveyed: SurveyedPaths,
     beginning: Beginning | None,
     met: frozenset[MoveStatement],
 ) -> tuple[int, tuple[UncheckedMove, ...]]:
@@ -323,9 +326,9 @@ def _paths(
         begins = known.begins and beginning is not None and beginning.is_free
         is_checked = (
             call in met
-            or row in ways.surveyed
-            or row in ways.circle_faults
-            or (begins and bool(ways.stances.sure[row]))
+            or row in surveyed.surveyed
+            or row in surveyed.circle_faults
+            or (begins and bool(surveyed.stances.sure[row]))
             or not ends.reachable[row]
         )
         if not is_checked:

@@ -15,7 +15,7 @@ from rapidsim.controller.moves.configuration_choice import (
     is_switch,
     not_as_stored,
     past_limit,
-    taken_instead,
+    replacement_finding,
 )
 from rapidsim.controller.moves.motion_findings import (
     WRIST_TURNS_FAR,
@@ -23,7 +23,7 @@ from rapidsim.controller.moves.motion_findings import (
     wrist_turning_far,
 )
 from rapidsim.controller.moves.target_checks import frame_orientations
-from rapidsim.controller.moves.target_words import named_target
+from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.findings.reach_and_motion_data import (
     JointOutOfRange,
@@ -41,15 +41,21 @@ from rapidsim.language.data import Orient, RobTarget
 from rapidsim.language.moves import Interpolation
 from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.motion.configurations.compliance import Match
-from rapidsim.motion.configurations.confdata import confdata_of, configuration, told_apart
-from rapidsim.motion.configurations.reach_cures import reason_with_lengths
-from rapidsim.motion.configurations.reachability import programmed_excess, why_unreachable
+from rapidsim.motion.configurations.confdata import confdata_of, configuration, has_branches
+from rapidsim.motion.configurations.reach_suggestions import reason_with_lengths
+from rapidsim.motion.configurations.reachability import programmed_excess, unreachable_reason
 from rapidsim.motion.configurations.targets import is_no_orientation
 from rapidsim.motion.robot.external_axes import ExternalAxis, amount_text
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.arm_configurations import Ends, Stances, is_free, is_monitored, stored_confdata
-from rapidsim.reach.cures import Cures
+from rapidsim.reach.arm_configurations import (
+    EndConfigurations,
+    EndSolutions,
+    is_free,
+    is_monitored,
+    stored_confdata,
+)
 from rapidsim.reach.dataflow.known_moves import KnownMove
+from rapidsim.reach.suggestions import ReachSuggestions
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import (
     argument,
@@ -65,7 +71,11 @@ LOW_MARGIN = np.radians(5.0)
 
 
 def unreachable_findings(
-    program: Program, posed: PosedMoves, ends: Ends, robot: Robot, cures: Cures | None
+    program: Program,
+    posed: PosedMoves,
+    ends: EndSolutions,
+    robot: Robot,
+    suggestions: ReachSuggestions | None,
 ) -> Iterator[Diagnostic]:
     """K601 and K602: ends that no configuration reaches, and axis positions past limits.
 
@@ -80,22 +90,26 @@ def unreachable_findings(
             yield Diagnostic(found, span, routine=known.routine)
             continue
         pose = posed.base_from_flange[row]
-        reason = why_unreachable(robot, pose)
+        reason = unreachable_reason(robot, pose)
         if reason is None:
             continue
         why = reason_with_lengths(robot, pose, reason)
         wobj = data_of(program, known, "wobj")
         related = declared(wobj, "`{name}`, the work object, is declared here")
-        cure = None if cures is None else cures.of(row)
-        unreachable = UnreachableTarget(name, robot.title, why, cure, cures is None)
+        cure = None if suggestions is None else suggestions.of(row)
+        unreachable = UnreachableTarget(name, robot.title, why, cure, suggestions is None)
         yield Diagnostic(unreachable, span, related, routine=known.routine)
 
 
 def configuration_findings(
-    program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
+    program: Program,
+    posed: PosedMoves,
+    ends: EndSolutions,
+    stances: EndConfigurations,
+    robot: Robot,
 ) -> Iterator[Diagnostic]:
     """K603: the stored configuration does not work where it is monitored, and which ones do."""
-    stale = ends.looked_at & ends.reachable & ~ends.held & ~posed.to_axes
+    stale = ends.looked_at & ends.reachable & ~ends.on_stored_branch & ~posed.to_axes
     rows = [row for row in np.flatnonzero(stale).tolist() if is_monitored(posed.moves[row], robot)]
     flanges = posed.base_from_flange[np.array(rows, dtype=np.int64)]
     stored = [stored_confdata(posed.moves[row]) for row in rows]
@@ -108,10 +122,14 @@ def configuration_findings(
 
 
 def _turned_findings(
-    program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
+    program: Program,
+    posed: PosedMoves,
+    ends: EndSolutions,
+    stances: EndConfigurations,
+    robot: Robot,
 ) -> Iterator[Diagnostic]:
     """K603: joint moves that take another turn of the stored branch."""
-    turned = ends.looked_at & ends.held & ~ends.stored_works & stances.sure
+    turned = ends.looked_at & ends.on_stored_branch & ~ends.stored_works & stances.sure
     for row in np.flatnonzero(turned).tolist():
         known = posed.moves[row]
         if known.move.interpolation.leads_tcp or not is_monitored(known, robot):
@@ -119,12 +137,12 @@ def _turned_findings(
         stored, flange = stored_confdata(known), posed.base_from_flange[row : row + 1]
         taken = configuration(robot.kinematics, stances.joints[row])
         (working,) = by_stored(robot, flange, [stored])
-        found = taken_instead(target_text(program, known), stored, taken, working)
-        yield _on_target(program, known, found, found.taken)
+        found = replacement_finding(target_text(program, known), stored, taken, working)
+        yield _on_target(program, known, found, found.assumed)
 
 
 def _quarter_off_findings(
-    program: Program, posed: PosedMoves, ends: Ends, robot: Robot
+    program: Program, posed: PosedMoves, ends: EndSolutions, robot: Robot
 ) -> Iterator[Diagnostic]:
     """K622: targets whose stored configuration is a quarter turn off, where a fix is known."""
     off = ends.looked_at & ends.stored_works & ~posed.to_axes & (ends.match == Match.COMPLIANT)
@@ -141,17 +159,21 @@ def _quarter_off_findings(
             yield diagnostic
 
 
-def _on_target(program: Program, known: KnownMove, found: Violation, working: str) -> Diagnostic:
+def _on_target(
+    program: Program, known_move: KnownMove, violation: Violation, working: str
+) -> Diagnostic:
     """A finding about a target, with the edit that stores a configuration that works."""
-    fix = confdata_fix(program, known, working)
-    return Diagnostic(found, target_span(program, known), fix=fix, routine=known.routine)
+    fix = confdata_fix(program, known_move, working)
+    return Diagnostic(
+        violation, target_span(program, known_move), fix=fix, routine=known_move.routine
+    )
 
 
 def switch_findings(
-    program: Program, posed: PosedMoves, stances: Stances, robot: Robot
+    program: Program, posed: PosedMoves, stances: EndConfigurations, robot: Robot
 ) -> Iterator[Diagnostic]:
     """K619: a joint move without monitoring that has to switch the main axes."""
-    if not told_apart(robot.kinematics):
+    if not has_branches(robot.kinematics):
         return
     for row in np.flatnonzero(stances.sure & ~posed.to_axes).tolist():
         known = posed.moves[row]
@@ -168,7 +190,11 @@ def switch_findings(
 
 
 def far_turn_findings(
-    program: Program, posed: PosedMoves, stances: Stances, robot: Robot, broken: AbstractSet[int]
+    program: Program,
+    posed: PosedMoves,
+    stances: EndConfigurations,
+    robot: Robot,
+    broken: AbstractSet[int],
 ) -> Iterator[Diagnostic]:
     """K620: a line or arc under ConfL on which a wrist axis turns far, but for broken ones."""
     before = (-1 if one.previous is None else one.previous for one in posed.moves)
@@ -203,21 +229,25 @@ def orientation_findings(
 
 
 def _orientations(
-    program: Program, known: KnownMove, external: Sequence[ExternalAxis]
+    program: Program, known_move: KnownMove, external: Sequence[ExternalAxis]
 ) -> Iterator[tuple[str, Orient]]:
     """What turns the end of a move, in the order in which a run looks at it."""
-    move = known.move
+    move = known_move.move
     yield from frame_orientations(move.tool, move.wobj, external)
     if isinstance(move.to, RobTarget):
-        yield target_text(program, known), move.to.rot
+        yield target_text(program, known_move), move.to.rot
     if move.circle_point is not None:
-        circle_point = argument(program, known, "cirpoint")
-        place = known.span if circle_point is None else known.module.span(circle_point)
+        circle_point = argument(program, known_move, "cirpoint")
+        place = known_move.span if circle_point is None else known_move.module.span(circle_point)
         yield named_target(place.text), move.circle_point.rot
 
 
 def margin_findings(
-    program: Program, posed: PosedMoves, ends: Ends, stances: Stances, robot: Robot
+    program: Program,
+    posed: PosedMoves,
+    ends: EndSolutions,
+    stances: EndConfigurations,
+    robot: Robot,
 ) -> Iterator[Diagnostic]:
     """K607, K621: an axis near its limit at the end of a move, or past it by a rounding."""
     below, above = stances.joints - robot.lower, robot.upper - stances.joints
@@ -259,7 +289,7 @@ def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iter
 
 
 def wind_up_findings(
-    program: Program, posed: PosedMoves, stances: Stances, robot: Robot
+    program: Program, posed: PosedMoves, stances: EndConfigurations, robot: Robot
 ) -> Iterator[Diagnostic]:
     """K608: the same move to the same target arrives with an axis whole turns further."""
     first_of: dict[object, int] = {}

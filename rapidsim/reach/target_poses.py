@@ -13,15 +13,15 @@ from rapidsim.motion.configurations import targets
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.reach.dataflow.circle_modes import led_by_wrist
+from rapidsim.reach.dataflow.circle_modes import is_wrist_driven
 from rapidsim.reach.dataflow.known_moves import KnownMove
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
 """Why moves are left out that no run can place either."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PosedMoves:
     """Known moves with their ends as poses; one row per move."""
 
@@ -83,7 +83,7 @@ def posed(
         for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
             if targets.is_no_orientation(target.rot):
                 left_out[row] = "its orientation is not a unit quaternion"
-        if known.previous is None and led_by_wrist(known, robot):
+        if known.previous is None and is_wrist_driven(known, robot):
             left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
         if row not in left_out:
             position[row], quaternion[row] = move.to.trans, move.to.rot

@@ -32,13 +32,13 @@ from rapidsim.language.moves import MotionSettings
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.checked_moves import MOST_MOVES, MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement, WalkedProgram
-from rapidsim.reach.outside_values import asks_outside, is_given_values, looks_at_inputs
+from rapidsim.reach.taint import is_set_externally, reads_external_state, reads_inputs
 from rapidsim.reach.valueless_persistents import doubt_valueless, is_valueless
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.simulate import run_tasks, simulate
 from rapidsim.simulation.task_run import TaskSetup
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.collisions.scene import Scene
@@ -63,7 +63,7 @@ _ENDS = {
 }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class RunMoves:
     """What a run revealed about moves."""
 
@@ -151,7 +151,7 @@ def run_for_moves(
             _as_sure(one, run, (program,), options)
             for one in run.diagnostics
             # A run of all tasks has the values that they give each other.
-            if _is_told(one) and (_is_all(options) or not is_valueless(one, (program,)))
+            if _is_reported(one) and (_is_all(options) or not is_valueless(one, (program,)))
         ),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
         f"more than {run.time_s:.0f} s"
@@ -162,7 +162,7 @@ def run_for_moves(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ErrorRun:
     """What a run of main for its error revealed."""
 
@@ -209,14 +209,16 @@ def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
     return frozenset(calls[key] for key in keys if key in calls)
 
 
-def why_left_out(walked: WalkedProgram) -> str:
+def skip_reason(walked: WalkedProgram) -> str:
     """Why main is not run just for its errors; empty if it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
         return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
     return ""
 
 
-def run_together(setups: Sequence[TaskSetup], options: RunOptions) -> tuple[Diagnostic, ...] | None:
+def run_all_tasks(
+    setups: Sequence[TaskSetup], options: RunOptions
+) -> tuple[Diagnostic, ...] | None:
     """The errors that end a run of all tasks of a cell; None if a check cannot tell.
 
     It cannot if the run would depend on what it does not have, or takes too long.
@@ -247,7 +249,7 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
         work_s = min(work_s, 0.5 * options.max_wall_s)
     return replace(
         options,
-        answers=_nobody,
+        answers=_stop_at_question,
         max_cycles=1,
         max_time_s=min(options.max_time_s, longest_s),
         max_wall_s=work_s,
@@ -269,7 +271,7 @@ def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> Ru
 def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:
     """Whether a run asked for what is outside of it, and was not given it."""
     nobody = any(isinstance(one.violation, _NOBODY_THERE) for one in run.diagnostics)
-    return (run.lacked_files or nobody) and any(map(asks_outside, programs))
+    return (run.lacked_files or nobody) and any(map(reads_external_state, programs))
 
 
 def _was_to_be_answered(run: Simulation) -> bool:
@@ -277,7 +279,7 @@ def _was_to_be_answered(run: Simulation) -> bool:
     return any(isinstance(one.violation, QuestionUnanswered) for one in run.diagnostics)
 
 
-def _was_asked(run: Simulation) -> bool:
+def _had_question(run: Simulation) -> bool:
     """Whether it came to a question that somebody could have answered."""
     return any("prompt" in event.details for event in run.events)
 
@@ -287,40 +289,40 @@ def _is_all(options: RunOptions) -> bool:
     return len(options.cell_tasks) < 2
 
 
-def _is_told(found: Diagnostic) -> bool:
+def _is_reported(finding: Diagnostic) -> bool:
     """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
-    if _of_text(found):
+    if _of_text(finding):
         return False
-    return found.violation.code[0] in "CIKM" or found.severity is Severity.ERROR
+    return finding.violation.code[0] in "CIKM" or finding.severity is Severity.ERROR
 
 
-def _of_run(found: Diagnostic) -> bool:
-    return is_of_runs(found) and not _of_text(found)
+def _of_run(finding: Diagnostic) -> bool:
+    return is_of_runs(finding) and not _of_text(finding)
 
 
-def _ends_or_doubts(found: Diagnostic, moves: Sequence[Span]) -> bool:
+def _ends_or_doubts(finding: Diagnostic, moves: Sequence[Span]) -> bool:
     """Whether only a run tells a finding: its error, or what a function says of reach."""
-    if _of_run(found):
-        return found.severity is Severity.ERROR
-    if isinstance(found.violation, MainAxesSwitched):
+    if _of_run(finding):
+        return finding.severity is Severity.ERROR
+    if isinstance(finding.violation, MainAxesSwitched):
         # Where the first move starts, only the run says.
         return True
-    if found.violation.code.startswith("I"):
+    if finding.violation.code.startswith("I"):
         return True
-    if found.severity is Severity.ERROR:
-        return not _of_text(found)
-    at = found.span
-    of_reach = found.violation.code.startswith("K")
+    if finding.severity is Severity.ERROR:
+        return not _of_text(finding)
+    at = finding.span
+    of_reach = finding.violation.code.startswith("K")
     return of_reach and at is not None and not any(map(at.begins_in, moves))
 
 
-def _of_text(found: Diagnostic) -> bool:
+def _of_text(finding: Diagnostic) -> bool:
     """Whether the text alone tells it, and has."""
-    return isinstance(found.violation, NotDeclaredHere)
+    return isinstance(finding.violation, NotDeclaredHere)
 
 
 def _as_sure(
-    found: Diagnostic,
+    finding: Diagnostic,
     run: Simulation,
     programs: Sequence[Program],
     options: RunOptions,
@@ -329,39 +331,41 @@ def _as_sure(
     """The finding; what may follow from what a check does not have is no error.
 
     Args:
-        found: What a run has found.
+        finding: What a run has found.
         run: The run.
         programs: Those that it executed.
         options: Its conditions.
         moves: The places of moves: findings there are as sure as their targets. None takes all
             findings but those of runs so.
     """
-    found = doubt_valueless(found, programs)
-    at = found.span
+    finding = doubt_valueless(finding, programs)
+    at = finding.span
     is_of_move = moves is None or (at is not None and any(map(at.begins_in, moves)))
-    is_sure = is_of_move and not _of_run(found)
-    return found if is_sure else _doubted(found, run, programs, options)
+    is_sure = is_of_move and not _of_run(finding)
+    return finding if is_sure else _doubted(finding, run, programs, options)
 
 
 def _doubted(
-    found: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
+    finding: Diagnostic, run: Simulation, programs: Sequence[Program], options: RunOptions
 ) -> Diagnostic:
     guesses = (
         bool(run.unsimulated)
         or len(options.cell_tasks) > len(programs)
         or any(one.cell.refers_late for one in programs)
-        or (len(programs) == 1 and is_given_values(programs[0]))
+        or (len(programs) == 1 and is_set_externally(programs[0]))
         or _lacked(run, programs)
         or any(isinstance(one.violation, NobodyGuides) for one in run.diagnostics)
-        or _was_asked(run)
+        or _had_question(run)
     )
     if not options.io.stimuli:
-        in_vain = isinstance(found.violation, EndlessWait) and found.violation.cure is None
-        guesses = guesses or in_vain or any(map(looks_at_inputs, programs))
-    return replace(found, assumed=True) if guesses else found
+        in_vain = (
+            isinstance(finding.violation, EndlessWait) and finding.violation.suggestion is None
+        )
+        guesses = guesses or in_vain or any(map(reads_inputs, programs))
+    return replace(finding, assumed=True) if guesses else finding
 
 
-def _nobody(prompt: str) -> str | None:
+def _stop_at_question(prompt: str) -> str | None:
     """End the run at a question: what comes after it depends on the answer."""
     raise Stopped(f"nobody answers `{prompt}`")
 

@@ -28,8 +28,8 @@ from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.trajectory.trajectory import Postures
-from rapidsim.reach.arm_configurations import Stances
+from rapidsim.motion.trajectory.trajectory import JointSamples
+from rapidsim.reach.arm_configurations import EndConfigurations
 from rapidsim.reach.move_segments import segments_of
 from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import target_span, target_text
@@ -50,14 +50,14 @@ class UnrunMoves:
 
     program: Program
     posed: PosedMoves
-    stances: Stances
+    stances: EndConfigurations
     robot: Robot
     model: MotionModel
     scene: Scene
     """Bodies whose places the moves alone say; how the arm of the scene moved does not matter."""
     base_from_world: Transform
     _bodies: Bodies = field(init=False)
-    _cures: int = field(init=False, default=0)
+    _suggestion_count: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
         """Lay out the bodies once, and ask for contacts alone."""
@@ -100,9 +100,11 @@ class UnrunMoves:
         turned = float(np.abs(np.diff(path.evaluate(places).joints, axis=0)).max(axis=1).sum())
         lasts = max(turned / _LOOK_RAD_S, (end - begin) / _LOOK_M_S, 0.1)
 
-        def at(times: Array) -> Postures:
+        def at(times: Array) -> JointSamples:
             points = path.evaluate(begin + (end - begin) * np.clip(times / lasts, 0.0, 1.0))
-            return Postures(np.zeros(len(times), dtype=np.int64), points.joints, points.external)
+            return JointSamples(
+                np.zeros(len(times), dtype=np.int64), points.joints, points.external
+            )
 
         world_from_base = self.base_from_world.inverse()
         arm = Arm(self.robot, world_from_base, at, ((0.0, lasts),))
@@ -124,17 +126,17 @@ class UnrunMoves:
             hit.second.name,
             100.0 * place / whole,
             deep,
-            self._cure(row, segment),
+            self._suggestion(row, segment),
         )
         start = target_span(self.program, self.posed.moves[known.previous])
         related = (Related(start, "the path starts here"),)
         span = target_span(self.program, known)
         return Diagnostic(violation, span, related, routine=known.routine)
 
-    def _cure(self, row: int, segment: Segment) -> str:
+    def _suggestion(self, row: int, segment: Segment) -> str:
         """What would keep the arm free, in words; empty where nothing near was found."""
-        self._cures += 1
-        if self._cures > _MOST_CURES or segment.geometry is Geometry.ARC:
+        self._suggestion_count += 1
+        if self._suggestion_count > _MOST_CURES or segment.geometry is Geometry.ARC:
             return ""
         name = target_text(self.program, self.posed.moves[row])
         for height in _HEIGHTS_MM:

@@ -15,7 +15,7 @@ from dataclasses import replace
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.target_violations import TOLERATED_NORM_ERROR, QuaternionNotUnit
-from rapidsim.reach.outside_values import is_given_values
+from rapidsim.reach.taint import is_set_externally
 
 
 def is_valueless(finding: Diagnostic, programs: Sequence[Program]) -> bool:
@@ -25,7 +25,7 @@ def is_valueless(finding: Diagnostic, programs: Sequence[Program]) -> bool:
         isinstance(violation, QuaternionNotUnit)
         and violation.length < TOLERATED_NORM_ERROR
         and len(programs) == 1
-        and is_given_values(programs[0])
+        and is_set_externally(programs[0])
     )
 
 

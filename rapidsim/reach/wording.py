@@ -5,57 +5,57 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, Storage
-from rapidsim.controller.moves.target_words import named_target
+from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.diagnostics import Edit, Fix, Related, Span
-from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.reach.dataflow.known_moves import KnownMove, in_tree
 from rapidsim.syntax import tree
-from rapidsim.syntax.run_rows import declaration_of
+from rapidsim.syntax.bulk_rows import declaration_of
 
 _TARGETS = ("topoint", "tojointpos")
 
 
-def argument(program: Program, known: KnownMove, *keys: str) -> tree.Expression | None:
+def argument(program: Program, known_move: KnownMove, *keys: str) -> tree.Expression | None:
     """The argument of a move for a parameter, by the first of some folded names that it has."""
-    return _argument(program, known, known.statement, keys)
+    return _argument(program, known_move, known_move.statement, keys)
 
 
 def _argument(
-    program: Program, known: KnownMove, statement: tree.Call, keys: Sequence[str]
+    program: Program, known_move: KnownMove, statement: tree.Call, keys: Sequence[str]
 ) -> tree.Expression | None:
-    symbol = program.symbol_of[in_tree(known.call)]
+    symbol = program.symbol_of[in_tree(known_move.call)]
     assert isinstance(symbol, LibrarySymbol)
     given = match_arguments(statement.arguments, symbol.routine.signature.parameters)
-    found = next((given[key] for key in keys if key in given), Given())
+    found = next((given[key] for key in keys if key in given), BoundArgument())
     return None if found.value is None else bare(found.value)
 
 
-def target_text(program: Program, known: KnownMove) -> str:
+def target_text(program: Program, known_move: KnownMove) -> str:
     """The target of a move as findings name it; else the name of the instruction."""
-    written = argument(program, known, *_TARGETS)
+    written = argument(program, known_move, *_TARGETS)
     if written is None:
-        return known.move.instruction
-    return named_target(known.module.span(written).text)
+        return known_move.move.instruction
+    return named_target(known_move.module.span(written).text)
 
 
-def target_span(program: Program, known: KnownMove) -> Span:
+def target_span(program: Program, known_move: KnownMove) -> Span:
     """The source span of the target in a move."""
-    written = argument(program, known, *_TARGETS)
-    return known.span if written is None else known.module.span(written)
+    written = argument(program, known_move, *_TARGETS)
+    return known_move.span if written is None else known_move.module.span(written)
 
 
-def tool_span(program: Program, known: KnownMove) -> Span:
+def tool_span(program: Program, known_move: KnownMove) -> Span:
     """The source span of the tool in a move."""
-    written = argument(program, known, "tool")
-    return known.span if written is None else known.module.span(written)
+    written = argument(program, known_move, "tool")
+    return known_move.span if written is None else known_move.module.span(written)
 
 
-def data_of(program: Program, known: KnownMove, *keys: str) -> DataSymbol | None:
+def data_of(program: Program, known_move: KnownMove, *keys: str) -> DataSymbol | None:
     """The module data that an argument of a move refers to, if it is just a name."""
     # Only what is in the tree has symbols.
-    written = _argument(program, known, in_tree(known.call), keys)
-    if not isinstance(written, tree.Reference):
+    written = _argument(program, known_move, in_tree(known_move.call), keys)
+    if not isinstance(written, tree.DataReference):
         return None
     symbol = program.symbol_of.get(written)
     return symbol if isinstance(symbol, DataSymbol) else None
@@ -68,19 +68,19 @@ def declared(symbol: DataSymbol | None, message: str) -> tuple[Related, ...]:
     return (Related(symbol.module.span(symbol.node.name), message.format(name=symbol.name)),)
 
 
-def confdata_fix(program: Program, known: KnownMove, wanted: str) -> Fix | None:
+def confdata_fix(program: Program, known_move: KnownMove, wanted: str) -> Fix | None:
     """An edit that puts another configuration into a target's declaration; None if it has none.
 
     Declarations of variables are left alone: they may hold another value when used.
     """
-    written = argument(program, known, *_TARGETS)
-    module = known.module
+    written = argument(program, known_move, *_TARGETS)
+    module = known_move.module
     name = "the target"
-    if isinstance(known.call, tree.RunRow) and isinstance(written, tree.Reference):
-        declared_name, literal = declaration_of(known.call, module.source.text)
+    if isinstance(known_move.call, tree.BulkRow) and isinstance(written, tree.DataReference):
+        declared_name, literal = declaration_of(known_move.call, module.source.text)
         return _confdata_edit(module.span(literal), f"`{declared_name}`", wanted)
-    if isinstance(written, tree.Reference):
-        symbol = data_of(program, known, *_TARGETS)
+    if isinstance(written, tree.DataReference):
+        symbol = data_of(program, known_move, *_TARGETS)
         if symbol is None or symbol.node is None or symbol.storage is Storage.VAR:
             return None
         if symbol.module is None or symbol.node.dimensions:

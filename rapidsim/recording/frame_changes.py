@@ -10,11 +10,11 @@ from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import Pose
 from rapidsim.motion.configurations.targets import transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Change:
+@value_class(frozen=True, slots=True, eq=False)
+class FrameChange:
     """A frame has this value from an instant on."""
 
     time_s: float
@@ -27,22 +27,22 @@ def changes(
     moves: Iterable[ExecutedMove],
     frame_of: Callable[[ExecutedMove], Pose],
     parent_of: Callable[[ExecutedMove], str] = lambda _: "",
-) -> tuple[Change, ...]:
+) -> tuple[FrameChange, ...]:
     """The values of a frame over some moves, each with its first instant [s]; none for no moves.
 
     The first one holds from 0 s: the arm has the tool in its hand before it moves.
     """
-    found: list[Change] = []
+    found: list[FrameChange] = []
     last: tuple[Pose, str] | None = None
     for move in moves:
         frame = frame_of(move), parent_of(move)
         if frame != last:
-            found.append(Change(move.start_s if found else 0.0, transform(frame[0]), frame[1]))
+            found.append(FrameChange(move.start_s if found else 0.0, transform(frame[0]), frame[1]))
             last = frame
     return tuple(found)
 
 
-def stacked(values: tuple[Change, ...]) -> Transform:
+def stacked(values: tuple[FrameChange, ...]) -> Transform:
     """The frames of some changes as a batch (k,)."""
     return Transform(
         np.stack([change.frame.rotation for change in values]),

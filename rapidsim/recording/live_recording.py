@@ -30,7 +30,7 @@ from rapidsim.recording.scene.arm import Chain, log_arm, log_motion
 from rapidsim.recording.stream import APPLICATION
 from rapidsim.recording.timelines import SIM_TIME, Clock
 from rapidsim.recording.transforms import BASE, WORLD, static_frame
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LOG: Final = "log"
 STATES: Final = "states"
@@ -38,7 +38,7 @@ TARGETS: Final = "sensor"
 _CLOCK: Final = Clock(np.zeros(0))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class LiveArm:
     """One of its arms; implements `scene.arm.MovingArm`."""
 
@@ -85,7 +85,7 @@ def _open_viewer() -> None:
             return
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class LiveRecording:
     """It can only be added to, in the order of time; the file appears when it is closed."""
 
@@ -127,7 +127,7 @@ class LiveRecording:
             logged = log_arm(stream, arm)
             self._chains[arm.name] = logged.chain
             for remark in logged.remarks:
-                self.told(0.0, "recording", remark, "WARN")
+                self.log_text(0.0, "recording", remark, "WARN")
             for number, joint in enumerate(arm.robot.joints, start=1):
                 line = rr.SeriesLines(names=[f"{number} {joint.name}"])
                 stream.log(arm.entity(f"axes/{number}"), line, static=True)
@@ -141,7 +141,7 @@ class LiveRecording:
             columns = rr.Scalars.columns(scalars=values)
             self._stream.send_columns(arm.entity(f"axes/{number}"), indexes=index, columns=columns)
 
-    def told(self, time_s: float, source: str, text: str, level: str = "INFO") -> None:
+    def log_text(self, time_s: float, source: str, text: str, level: str = "INFO") -> None:
         """Something was said or asked at a time [s]."""
         self._log(time_s, f"{LOG}/{source}", rr.TextLog(text, level=level))
 
@@ -168,10 +168,10 @@ class LiveRecording:
             stream.disconnect()
             self._open.close()
 
-    def _log(self, time_s: float, entity: str, what: rr.AsComponents) -> None:
+    def _log(self, time_s: float, entity: str, components: rr.AsComponents) -> None:
         assert self._stream is not None
         self._stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
-        self._stream.log(entity, what)
+        self._stream.log(entity, components)
 
 
 def _layout(arms: Sequence[LiveArm]) -> rrb.Blueprint:

@@ -13,7 +13,7 @@ from rapidsim.recording.transforms import BASE, FOOT
 from rapidsim.simulation.results.relative_motion import is_on_track
 from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_DT = 0.012
 """[s]; the beat at which a controller itself computes its path."""
@@ -25,7 +25,7 @@ _MOST_EDGED = MOST_SAMPLES // 2
 samples, not of its program."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class RecordedRobot:
     """A sampled run of one robot, and how it is named and timed in the recording."""
 
@@ -37,14 +37,14 @@ class RecordedRobot:
     """Time [s] between samples; those of starts and ends of moves are not counted."""
 
     @property
-    def one(self) -> RobotRun:
+    def robot_run(self) -> RobotRun:
         """What the robot did."""
-        return self.sampled.one
+        return self.sampled.robot_run
 
     @property
     def robot(self) -> Robot:
         """The arm."""
-        return self.one.robot
+        return self.robot_run.robot
 
     @property
     def samples(self) -> Samples:
@@ -87,9 +87,9 @@ class RecordedRobot:
         if not self.on_track:
             return base_from_a
         world_from_base = world_from_base_at(
-            self.robot.external, self.one.world_from_base, external
+            self.robot.external, self.robot_run.world_from_base, external
         )
-        return self.one.world_from_base.inverse() @ world_from_base @ base_from_a
+        return self.robot_run.world_from_base.inverse() @ world_from_base @ base_from_a
 
     @property
     def remarks(self) -> tuple[str, ...]:

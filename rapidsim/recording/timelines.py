@@ -13,13 +13,13 @@ import rerun as rr
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 SIM_TIME = "sim_time"
 MOVE = "move"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Clock:
     """Turns instants of virtual time into the viewer's times."""
 
@@ -33,15 +33,15 @@ class Clock:
         nanoseconds = np.round(instants * 1e9).astype("timedelta64[ns]")
         return [
             rr.TimeColumn(SIM_TIME, duration=nanoseconds),
-            rr.TimeColumn(MOVE, sequence=self._begun(instants)),
+            rr.TimeColumn(MOVE, sequence=self._move_number(instants)),
         ]
 
     def set(self, stream: rr.RecordingStream, time_s: float) -> None:
         """Let what is logged next happen at an instant [s]."""
         stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
-        stream.set_time(MOVE, sequence=int(self._begun(np.array([time_s]))[0]))
+        stream.set_time(MOVE, sequence=int(self._move_number(np.array([time_s]))[0]))
 
-    def _begun(self, times: Array) -> np.typing.NDArray[np.int64]:
+    def _move_number(self, times: Array) -> np.typing.NDArray[np.int64]:
         """Number of the move under way (k,), from 0; 0 before the first one too."""
         # Samples are rounded to nanoseconds: one at the start of a move may lie just before it.
         begun = np.searchsorted(self.starts, times + 0.5e-9, side="right") - 1

@@ -11,12 +11,12 @@ from collections.abc import Callable
 from dataclasses import fields
 
 from rapidsim.diagnostics import Severity
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _RESET = "\x1b[0m"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Palette:
     """Escape codes; empty strings give plain text."""
 
@@ -32,7 +32,7 @@ class Palette:
         """The text in a colour of this palette."""
         return f"{code}{text}{_RESET}" if code and text else text
 
-    def outside(self, change: Callable[[str], str], text: str) -> str:
+    def map_plain_text(self, change: Callable[[str], str], text: str) -> str:
         """A painted text with everything changed but the codes of this palette."""
         codes = {one for field in fields(self) if (one := getattr(self, field.name))}
         if not codes:

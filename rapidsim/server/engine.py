@@ -27,25 +27,25 @@ from rapidsim.server.journal import (
 from rapidsim.server.messages import (
     DATAGRAM,
     DONE,
+    ConsoleLine,
+    ErrorAnswer,
     FromNetwork,
     Inquiry,
-    Look,
-    Note,
-    Refusal,
+    Notification,
+    ReadState,
     RefusedRequest,
     Reply,
     Request,
     SessionEnded,
     Subscribe,
-    Told,
     Unsubscribe,
 )
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
+from rapidsim.server.resources.operator_view import looked
 from rapidsim.server.resources.table import answered
-from rapidsim.server.resources.view import looked
-from rapidsim.server.sensors import NotedSensors
-from rapidsim.server.watched import Subscriptions
-from rapidsim.server.wire import NotedWire
+from rapidsim.server.sensors import RecordingSensors
+from rapidsim.server.subscriptions import Subscriptions
+from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 
@@ -53,26 +53,26 @@ _LAG_S: Final = 0.5
 """How far [s] virtual time may lag behind the wall clock before it is reported, then twice that."""
 
 
-class Recorder(Protocol):
-    """Shows what happens while it does; see `recorder.Recorder`."""
+class RunObserver(Protocol):
+    """Shows what happens while it does; see `recorder.LiveRecorder`."""
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Show what has changed."""
         ...
 
-    def asked(self, now_s: float, request: Request, reply: Reply) -> None:
+    def on_request(self, now_s: float, request: Request, reply: Reply) -> None:
         """A client has asked for something."""
         ...
 
-    def happened(self, event: Event) -> None:
+    def on_event(self, event: Event) -> None:
         """Something has happened in the run."""
         ...
 
-    def logged(self, entry: LogEntry) -> None:
+    def on_log_entry(self, entry: LogEntry) -> None:
         """The event log has one more entry."""
         ...
 
-    def answered(self, time_s: float, answer: SensorAnswer) -> None:
+    def on_sensor_answer(self, time_s: float, answer: SensorAnswer) -> None:
         """A sensor has answered."""
         ...
 
@@ -96,7 +96,7 @@ class Pace(Protocol):
         """How long on the wall clock until that virtual time may be reached [s]; None for ever."""
         ...
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         """A request has come."""
         ...
 
@@ -127,7 +127,7 @@ class WallPace:
             return None
         return max(0.0, self.began_s + virtual_s / self.speed - monotonic())
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         """Time passes by itself."""
 
     def lag_s(self, now_s: float) -> float:
@@ -161,7 +161,7 @@ class FullPace:
         self._idle_since_s = monotonic()
         return None
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         """Time passes by itself."""
 
     def lag_s(self, now_s: float) -> float:
@@ -190,7 +190,7 @@ class LockStep:
         """Until the next request."""
         return 0.0 if virtual_s <= self.horizon_s() else None
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         """Let a little time pass."""
         self._requests += 1
 
@@ -206,34 +206,34 @@ class Engine:
 
     live: LiveController
     pace: Pace
-    told: Callable[[Told], None]
+    notify: Callable[[Notification], None]
     """Receives what clients have subscribed to, and lines for whoever started the controller."""
     journal: Callable[[str], None] | None = None
     """Receives each line of the journal; None if none is kept."""
-    recorder: Recorder | None = field(init=False, default=None)
+    recorder: RunObserver | None = field(init=False, default=None)
     """Shows what happens; None if nothing is recorded."""
-    context: Context = field(init=False)
+    context: RequestContext = field(init=False)
     subscriptions: Subscriptions = field(init=False)
-    _lag_told_s: float = _LAG_S
-    _held: list[str] | None = None
+    _lag_reported_s: float = _LAG_S
+    _deferred_lines: list[str] | None = None
     """Lines of a request's effects, which come after its own line."""
 
     def __post_init__(self) -> None:
         """Switch on."""
-        self.context = Context(self.live)
-        self.subscriptions = Subscriptions(self.context, self.told)
-        self.live.told = self._logged
-        self.live.found = self._found
+        self.context = RequestContext(self.live)
+        self.subscriptions = Subscriptions(self.context, self.notify)
+        self.live.on_log_entry = self._logged
+        self.live.on_finding = self._print_finding
         self._note(lambda: switched_on_line(self.live.motors, self.live.mode))
         if self.journal is not None:
             self._listen()
-            if isinstance(self.live.wire, NotedWire):
+            if isinstance(self.live.wire, RecordingWire):
                 self.live.wire.refused = lambda act, error: self._note(
                     lambda: refusal_line(self.live.now_s, act, error)
                 )
         self.pace.begin()
 
-    def record(self, recorder: Recorder) -> None:
+    def record(self, recorder: RunObserver) -> None:
         """Record what happens from now on."""
         self.recorder = recorder
         self._listen()
@@ -248,31 +248,31 @@ class Engine:
     def step(self) -> bool:
         """Do one thing that is due; returns whether there was any."""
         stepped = self.live.step(self.pace.horizon_s())
-        self._look()
+        self._publish_changes()
         if stepped:
-            self._tell_lag()
+            self._report_lag()
         return stepped
 
     def wait_s(self) -> float | None:
         """How long on the wall clock nothing will happen by itself [s]; None for ever."""
-        return self.pace.wait_s(self.live.wants_s)
+        return self.pace.wait_s(self.live.next_due_s)
 
     def reply(self, message: Inquiry) -> Reply:
         """Answer a message at the present virtual time."""
-        if isinstance(message, Look):
+        if isinstance(message, ReadState):
             return self._replied(message)
         if isinstance(message, Request):
-            self.pace.asked()
-        self._come_up()
-        now_s, self._held = self.live.now_s, []
+            self.pace.on_request()
+        self._catch_up()
+        now_s, self._deferred_lines = self.live.now_s, []
         reply = self._replied(message)
-        held, self._held = self._held, None
+        held, self._deferred_lines = self._deferred_lines, None
         self._note(lambda: request_line(now_s, message, reply))
         for line in held:
             self._note(lambda line=line: line)  # type: ignore[misc]
         if self.recorder is not None and isinstance(message, Request):
-            self.recorder.asked(now_s, message, reply)
-        self._look()
+            self.recorder.on_request(now_s, message, reply)
+        self._publish_changes()
         return reply
 
     def sensor_answered(self, passed_s: float) -> None:
@@ -280,7 +280,7 @@ class Engine:
         if isinstance(self.pace, LockStep):
             self.pace.answered_s += passed_s
             self.live.advance(self.pace.horizon_s())
-            self._look()
+            self._publish_changes()
 
     def _replied(self, message: Inquiry) -> Reply:
         try:
@@ -291,12 +291,14 @@ class Engine:
         except Exception as error:
             # A defect of rapidsim ends a request, not the controller.
             defect = f"rapidsim has a defect: {type(error).__name__}: {error}"
-            self.told(Note(f"error: {defect}; please report it with the request, {message!r}"))
-            return Refusal(500, -1, defect)
+            self.notify(
+                ConsoleLine(f"error: {defect}; please report it with the request, {message!r}")
+            )
+            return ErrorAnswer(500, -1, defect)
 
     def _done(self, message: Inquiry) -> Reply:
         match message:
-            case Look():
+            case ReadState():
                 return looked(self.context, message)
             case Request():
                 return answered(self.context, message)
@@ -307,10 +309,10 @@ class Engine:
             case Unsubscribe(group):
                 self.subscriptions.end(group)
             case FromNetwork(number, port, peer, data, is_over):
-                outside, now_s = self.live.outside, self.live.now_s
+                outside, now_s = self.live.external_streams, self.live.now_s
                 if number == DATAGRAM:
                     self.live.mailboxes.arrived(port, peer, data)
-                    self.live.tell()
+                    self.live.wake_programs()
                     return DONE
                 if peer:
                     outside.came(number, port, peer, now_s)
@@ -318,10 +320,10 @@ class Engine:
                     outside.arrived(number, data, now_s)
                 if is_over:
                     outside.ended(number, now_s)
-                self.live.tell()
+                self.live.wake_programs()
         return DONE
 
-    def _come_up(self) -> None:
+    def _catch_up(self) -> None:
         """Let the present be the time at which a request takes effect.
 
         In lock-step everything happens that is due before it. Else nobody waits for a controller
@@ -338,51 +340,51 @@ class Engine:
     def _note(self, line: Callable[[], str]) -> None:
         if self.journal is None:
             return
-        if self._held is None:
+        if self._deferred_lines is None:
             self.journal(line())
         else:
-            self._held.append(line())
+            self._deferred_lines.append(line())
 
-    def _look(self) -> None:
+    def _publish_changes(self) -> None:
         """Let subscriptions and the recording see what has changed."""
-        self.subscriptions.look()
+        self.subscriptions.publish_changes()
         if self.recorder is not None:
-            self.recorder.look()
+            self.recorder.update()
 
     def _listen(self) -> None:
         """Listen to what happens in the run, which has a small cost."""
         self.live.happened = self._happened
-        if isinstance(self.live.sensors, NotedSensors):
+        if isinstance(self.live.sensors, RecordingSensors):
             self.live.sensors.answered = self._answered
 
     def _happened(self, event: Event) -> None:
         self._note(lambda: event_line(event))
         if self.recorder is not None:
-            self.recorder.happened(event)
+            self.recorder.on_event(event)
 
     def _answered(self, number: int, time_s: float, answer: SensorAnswer) -> None:
         self._note(lambda: sensor_line(time_s, number, answer))
         if self.recorder is not None:
-            self.recorder.answered(time_s, answer)
+            self.recorder.on_sensor_answer(time_s, answer)
 
     def _logged(self, entry: LogEntry) -> None:
         self._note(lambda: log_line(entry))
         if self.recorder is not None:
-            self.recorder.logged(entry)
+            self.recorder.on_log_entry(entry)
         self.subscriptions.logged(entry)
         if entry.type > 1:
             kind = "error" if entry.type == 3 else "warning"
-            self.told(Note(f"{kind}: {entry.time_s:.3f} s: {entry.title}: {entry.text}"))
+            self.notify(ConsoleLine(f"{kind}: {entry.time_s:.3f} s: {entry.title}: {entry.text}"))
 
-    def _found(self, found: Diagnostic) -> None:
-        if found.severity is not Severity.NOTE:
-            where = f" ({found.file}, line {found.line})" if found.file else ""
+    def _print_finding(self, finding: Diagnostic) -> None:
+        if finding.severity is not Severity.NOTE:
+            where = f" ({finding.file}, line {finding.line})" if finding.file else ""
             time = f"{self.live.now_s:.3f} s"
-            self.told(Note(f"warning: {time}: {found.message}{where} [{found.code}]"))
+            self.notify(ConsoleLine(f"warning: {time}: {finding.message}{where} [{finding.code}]"))
 
-    def _tell_lag(self) -> None:
+    def _report_lag(self) -> None:
         lag_s = self.pace.lag_s(self.live.now_s)
-        if lag_s > self._lag_told_s:
-            self._lag_told_s = 2.0 * lag_s
+        if lag_s > self._lag_reported_s:
+            self._lag_reported_s = 2.0 * lag_s
             pace = "real time" if isinstance(self.pace, FullPace) else "its pace"
-            self.told(Note(f"note: virtual time is {lag_s:.1f} s behind {pace}"))
+            self.notify(ConsoleLine(f"note: virtual time is {lag_s:.1f} s behind {pace}"))

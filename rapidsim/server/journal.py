@@ -20,9 +20,9 @@ from rapidsim.files import InputError
 from rapidsim.language.errors import RapidError
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.messages import (
+    ErrorAnswer,
     FromNetwork,
     Message,
-    Refusal,
     Reply,
     Request,
     SessionEnded,
@@ -30,9 +30,9 @@ from rapidsim.server.messages import (
     Unsubscribe,
 )
 from rapidsim.simulation.live.event_log import LogEntry
-from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.simulation.live.states import Motors, OperatingMode
 from rapidsim.simulation.results.event_values import event_record, written
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 NETWORK: Final = "network"
 """The kind of an event caused by a peer of a program's socket."""
@@ -44,28 +44,28 @@ _MOST_LINE: Final = 128 * 2**20
 """The most characters of a line: the largest upload in base 64, and room for the rest."""
 
 
-@dataclass(frozen=True, slots=True)
-class SwitchedOnAs:
+@value_class(frozen=True, slots=True)
+class PowerOnState:
     """The state of a controller when it was switched on."""
 
     motors: Motors
-    mode: Mode
+    mode: OperatingMode
 
 
-@dataclass(frozen=True, slots=True)
-class Recorded:
+@value_class(frozen=True, slots=True)
+class RecordedInput:
     """What came from outside at a virtual time."""
 
     time_s: float
     message: Message
 
 
-@dataclass(frozen=True, slots=True)
-class RecordedLife:
+@value_class(frozen=True, slots=True)
+class RecordedSession:
     """A whole journal."""
 
-    began: SwitchedOnAs
-    recorded: tuple[Recorded, ...]
+    began: PowerOnState
+    recorded: tuple[RecordedInput, ...]
     refusals: Mapping[int, tuple[float, str]]
     """Error number and message of each refusal of the network, by the number of the operation."""
     answers: Mapping[int, SensorAnswer]
@@ -76,7 +76,7 @@ class RecordedLife:
     """As they were written."""
 
 
-def switched_on_line(motors: Motors, mode: Mode) -> str:
+def switched_on_line(motors: Motors, mode: OperatingMode) -> str:
     """The first line."""
     return _line(0.0, "event", {"kind": "on", "motors": motors.value, "opmode": mode.value})
 
@@ -121,11 +121,13 @@ def sensor_line(time_s: float, number: int, answer: SensorAnswer) -> str:
 def request_line(time_s: float, message: Message, reply: Reply) -> str:
     """What came from outside, and how a request was answered."""
     if isinstance(message, FromNetwork):
-        return _line(time_s, "event", _what(message))
-    return _line(time_s, "request", {**_what(message), "status": reply.status, **_code(reply)})
+        return _line(time_s, "event", _message_record(message))
+    return _line(
+        time_s, "request", {**_message_record(message), "status": reply.status, **_code(reply)}
+    )
 
 
-def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
+def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
     """Read a journal; an incomplete last line is left out.
 
     Args:
@@ -135,8 +137,8 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
     Raises:
         InputError: If they are no journal.
     """
-    began: SwitchedOnAs | None = None
-    recorded, kept, end_s = list[Recorded](), list[str](), 0.0
+    began: PowerOnState | None = None
+    recorded, kept, end_s = list[RecordedInput](), list[str](), 0.0
     refusals: dict[int, tuple[float, str]] = {}
     answers: dict[int, SensorAnswer] = {}
     for number, line in enumerate(lines, start=1):
@@ -154,13 +156,13 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
                     raise ValueError("time goes back")
                 time_s = end_s
             if is_asked:
-                recorded.append(Recorded(time_s, _message(what)))
+                recorded.append(RecordedInput(time_s, _message(what)))
             elif kind == SENSOR:
                 answers[int(what["exchange"])] = _answer(what)
             elif what["kind"] == REFUSED:
                 refusals[int(what["act"])] = (float(what["number"]), str(what["message"]))
             elif what["kind"] == "on" and began is None:
-                began = SwitchedOnAs(Motors(what["motors"]), Mode(what["opmode"]))
+                began = PowerOnState(Motors(what["motors"]), OperatingMode(what["opmode"]))
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             raise InputError(f"{name}, line {number}: this is no line of a journal") from None
         if is_asked or what["kind"] == "off":
@@ -170,7 +172,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedLife:
         raise InputError(
             f"{name} is no journal of a controller", "`rapidsim serve --journal` writes one"
         )
-    return RecordedLife(began, tuple(recorded), refusals, answers, end_s, tuple(kept))
+    return RecordedSession(began, tuple(recorded), refusals, answers, end_s, tuple(kept))
 
 
 class JournalFile:
@@ -205,16 +207,16 @@ class JournalFile:
             self._file.close()
 
 
-def _line(time_s: float, kind: str, what: Mapping[str, object]) -> str:
-    read = {"t": time_s, "kind": kind, "what": what}
+def _line(time_s: float, kind: str, record: Mapping[str, object]) -> str:
+    read = {"t": time_s, "kind": kind, "what": record}
     return json.dumps(read, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _code(reply: Reply) -> dict[str, object]:
-    return {"code": reply.code} if isinstance(reply, Refusal) else {}
+    return {"code": reply.code} if isinstance(reply, ErrorAnswer) else {}
 
 
-def _what(message: Message) -> dict[str, object]:
+def _message_record(message: Message) -> dict[str, object]:
     match message:
         case Request():
             what: dict[str, object] = {
@@ -246,9 +248,9 @@ def _what(message: Message) -> dict[str, object]:
             }
 
 
-def _message(what: Mapping[str, object]) -> Message:
-    """The inverse of `_what`; raises whatever reading a value of another shape raises."""
-    match what:
+def _message(record: Mapping[str, object]) -> Message:
+    """The inverse of `_message_record`; raises whatever reading a value of another shape raises."""
+    match record:
         case {
             "connection": int(number),
             "port": int(port),
@@ -270,8 +272,8 @@ def _message(what: Mapping[str, object]) -> Message:
             "form": {**form},
             "session": int(session),
         }:
-            content = b64decode(str(what.get("content", "")), validate=True)
-            generation = int(str(what.get("generation", 1)))
+            content = b64decode(str(record.get("content", "")), validate=True)
+            generation = int(str(record.get("generation", 1)))
             if generation not in (1, 2):
                 raise ValueError("no generation")
             return Request(method, path, _texts(query), _texts(form), session, content, generation)
@@ -279,12 +281,12 @@ def _message(what: Mapping[str, object]) -> Message:
             raise ValueError("no message")
 
 
-def _answer(what: Mapping[str, Any]) -> SensorAnswer:
+def _answer(record: Mapping[str, Any]) -> SensorAnswer:
     """The inverse of `sensor_line`; raises whatever reading a value of another shape raises."""
     parts = {
-        one.name: tuple(map(float, what[one.name]))
+        one.name: tuple(map(float, record[one.name]))
         for one in fields(SensorAnswer)
-        if one.name in what
+        if one.name in record
     }
     if not all(math.isfinite(value) for part in parts.values() for value in part):
         raise ValueError("not finite")

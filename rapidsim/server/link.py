@@ -6,13 +6,13 @@ from collections.abc import Callable
 from typing import Protocol
 
 from rapidsim.server.engine import Engine
-from rapidsim.server.messages import Inquiry, Reply, Told
+from rapidsim.server.messages import Inquiry, Notification, Reply
 
 
 class Link(Protocol):
     """Sends messages to the engine."""
 
-    async def ask(self, message: Inquiry) -> Reply:
+    async def request(self, message: Inquiry) -> Reply:
         """The engine's reply.
 
         Raises:
@@ -28,11 +28,11 @@ class EngineEndedError(Exception):
 class DirectLink:
     """An engine in this very thread: time passes only when it is told to."""
 
-    def __init__(self, make: Callable[[Callable[[Told], None]], Engine]) -> None:
+    def __init__(self, make: Callable[[Callable[[Notification], None]], Engine]) -> None:
         """Make the engine, given the listener for what it tells."""
-        self.listener: Callable[[Told], None] = lambda told: None
+        self.listener: Callable[[Notification], None] = lambda told: None
         self.engine = make(lambda told: self.listener(told))
 
-    async def ask(self, message: Inquiry) -> Reply:
+    async def request(self, message: Inquiry) -> Reply:
         """See `Link`."""
         return self.engine.reply(message)

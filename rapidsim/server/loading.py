@@ -9,28 +9,28 @@ from typing import Final
 
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
-from rapidsim.controller.cell.outside_streams import NoWire, Wire
-from rapidsim.controller.cell.sensors import NoSensors, Sensors
+from rapidsim.controller.cell.external_streams import NullWire, Wire
+from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.derived_parameters import with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
-from rapidsim.server.messages import Told
-from rapidsim.server.sensors import NotedSensors
+from rapidsim.server.messages import Notification
+from rapidsim.server.sensors import RecordingSensors
 from rapidsim.server.settings import EngineSettings
-from rapidsim.server.wire import NotedWire
+from rapidsim.server.wire import RecordingWire
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import TaskSetup
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _GUIDED: Final = "egmident"
 """The data type that every program guided by a sensor uses."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ReadyController:
     """A program that can be served."""
 
@@ -48,7 +48,7 @@ class ReadyController:
         return any(_GUIDED in module.source.text.lower() for module in modules)
 
 
-def ready(asked: Asked) -> ReadyController:
+def ready(request: RunRequest) -> ReadyController:
     """Load and check a program as `rapidsim run` does.
 
     Signals that the program uses and nothing declares exist, as signals of its cell.
@@ -57,14 +57,14 @@ def ready(asked: Asked) -> ReadyController:
         ProgramRejectedError: If checking finds an error.
         InputError: If something that it needs is missing.
     """
-    found = loaded(job(asked))
+    found = loaded(job(request))
     return with_cell(found, prepared(found))
 
 
-def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
+def with_cell(loaded_job: LoadedJob, made: PreparedRun) -> ReadyController:
     """A loaded program, prepared for a run as a served controller needs it."""
     io = made.options.io
-    undeclared = _undeclared(found.diagnostics)
+    undeclared = _undeclared(loaded_job.diagnostics)
     known = {one.name.lower() for one in io.signals}
     fresh = tuple(one for key, one in undeclared.items() if key not in known)
     home = made.options.home or Path("HOME")
@@ -74,31 +74,31 @@ def with_cell(found: LoadedJob, made: PreparedRun) -> ReadyController:
         made.options, io=replace(io, signals=signals), home=home, answers=None, network=None
     )
     options = replace(options, configured=with_derived(made.setups, options))
-    notices = found.robot.notices
+    notices = loaded_job.robot.notices
     ramdisk = options.ramdisk or home / "RAMDISK"
     return ReadyController(
         made.setups,
         options,
         home.resolve(),
         ramdisk.resolve(),
-        (*found.job.station.remarks, *notices),
+        (*loaded_job.job.station.remarks, *notices),
     )
 
 
 def engine_of(
     made: ReadyController,
     settings: EngineSettings,
-    told: Callable[[Told], None],
+    on_notification: Callable[[Notification], None],
     journal: Callable[[str], None] | None = None,
     wire: Wire | None = None,
-    sensors: Sensors | None = None,
+    sensors: GuidanceSensors | None = None,
 ) -> Engine:
     """Switch a controller on.
 
     Args:
         made: Its programs and cell.
         settings: Its state, and how its time passes.
-        told: Receives what the engine tells.
+        on_notification: Receives what the engine tells.
         journal: Receives each line of the journal.
         wire: The network of the programs' sockets; None for none.
         sensors: The sensors that guide robots; None for none.
@@ -111,10 +111,10 @@ def engine_of(
         made.options,
         motors=settings.motors,
         mode=settings.mode,
-        wire=NotedWire(wire or NoWire()),
-        sensors=NotedSensors(sensors or NoSensors()),
+        wire=RecordingWire(wire or NullWire()),
+        sensors=RecordingSensors(sensors or NoSensors()),
     )
-    return Engine(live, _pace(settings), told, journal)
+    return Engine(live, _pace(settings), on_notification, journal)
 
 
 def _pace(settings: EngineSettings) -> Pace:
@@ -123,10 +123,10 @@ def _pace(settings: EngineSettings) -> Pace:
     return FullPace() if settings.speed is None else WallPace(settings.speed)
 
 
-def _undeclared(found: tuple[Diagnostic, ...]) -> dict[str, SignalDeclaration]:
+def _undeclared(findings: tuple[Diagnostic, ...]) -> dict[str, SignalDeclaration]:
     """The signals that programs use and nothing declares, by folded name."""
     signals = {}
-    for one in found:
+    for one in findings:
         violation = one.violation
         if isinstance(violation, UnknownSignal) and violation.type.startswith("signal"):
             kind = SignalKind(violation.type.removeprefix("signal"))

@@ -10,13 +10,13 @@ from dataclasses import field
 from types import MappingProxyType
 from typing import Final, TypeAlias
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Fields: TypeAlias = Mapping[str, str]
 NOTHING: Fields = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Item:
     """One thing that is shown: a list item of a page, an object of JSON."""
 
@@ -32,7 +32,7 @@ class Item:
     """What it consists of, such as attributes."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Answer:
     """A successful answer: what was asked for, or that it was done."""
 
@@ -57,12 +57,12 @@ class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
     ) -> None:
         """Give HTTP status, controller's code and a text; `later` has both of RobotWare 7."""
         super().__init__(message)
-        self.refusal = Refusal(status, code, message)
-        self.later = self.refusal if later is None else Refusal(*later, message)
+        self.refusal = ErrorAnswer(status, code, message)
+        self.later = self.refusal if later is None else ErrorAnswer(*later, message)
 
 
-@dataclass(frozen=True, slots=True)
-class Refusal:
+@value_class(frozen=True, slots=True)
+class ErrorAnswer:
     """The error that a request is answered with."""
 
     status: int
@@ -70,7 +70,7 @@ class Refusal:
     message: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Request:
     """A request to the controller."""
 
@@ -91,14 +91,14 @@ class Request:
         return self.query.get("action", "")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SessionEnded:
     """A session has ended: what it holds is released."""
 
     session: int
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Subscribe:
     """Tell a group of subscriptions of changes of some resources, from now on."""
 
@@ -106,7 +106,7 @@ class Subscribe:
     resources: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Unsubscribe:
     """Stop telling a group."""
 
@@ -117,7 +117,7 @@ DATAGRAM: Final = 0
 """The number of no connection: a datagram has arrived."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FromNetwork:
     """The peer of a program's socket has done something."""
 
@@ -131,8 +131,8 @@ class FromNetwork:
     is_over: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Look:
+@value_class(frozen=True, slots=True)
+class ReadState:
     """Somebody looks at the controller, which has no effect and takes no time."""
 
     task: str = ""
@@ -142,13 +142,13 @@ class Look:
 
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
 """What affects the controller: its journal records them all."""
-Inquiry: TypeAlias = Message | Look
+Inquiry: TypeAlias = Message | ReadState
 """Everything that the engine can be asked."""
-Reply: TypeAlias = Answer | Refusal
+Reply: TypeAlias = Answer | ErrorAnswer
 
 
-@dataclass(frozen=True, slots=True)
-class Change:
+@value_class(frozen=True, slots=True)
+class ChangeEvent:
     """A change that a group of subscriptions is told."""
 
     group: int
@@ -157,11 +157,11 @@ class Change:
     items: tuple[Item, ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Note:
+@value_class(frozen=True, slots=True)
+class ConsoleLine:
     """A line for whoever started the controller."""
 
     text: str
 
 
-Told: TypeAlias = Change | Note
+Notification: TypeAlias = ChangeEvent | ConsoleLine

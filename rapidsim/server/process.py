@@ -18,26 +18,26 @@ from threading import Thread
 from time import monotonic
 from typing import Final, TypeAlias
 
-from rapidsim.controller.cell.sensors import Sensors
+from rapidsim.controller.cell.sensors import GuidanceSensors
 from rapidsim.egm.devices import sensor_devices
-from rapidsim.egm.guide import guide
 from rapidsim.egm.guided_sensors import GuidedSensors
+from rapidsim.egm.sensor_loop import run_sensor_loop
 from rapidsim.egm.udp import PacedSensors, StepSensors
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.motion.robot.robot import RobotError
 from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile
 from rapidsim.server.link import EngineEndedError
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.memory import give_large_blocks_back
-from rapidsim.server.messages import Inquiry, Note, Reply, Told
+from rapidsim.server.messages import ConsoleLine, Inquiry, Notification, Reply
 from rapidsim.server.settings import EngineSettings
 from rapidsim.server.wire import SocketWire
-from rapidsim.syntax.collection import staying_on
-from rapidsim.values import dataclass
+from rapidsim.syntax.garbage_collection import gc_for_server
+from rapidsim.values import value_class
 
 _LOOKS_S: Final = 0.001
 """How long [s] an engine runs before it looks for messages."""
@@ -45,7 +45,7 @@ _PATIENCE_S: Final = 5.0
 """How long [s] an engine may take to end."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SwitchedOn:
     """The controller is on."""
 
@@ -61,14 +61,14 @@ Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
 """The outcome of switching a controller on."""
 
 
-@dataclass(eq=False)
+@value_class(eq=False)
 class EngineProcess:
     """An engine that runs beside this process; see `started`."""
 
-    there: SwitchedOn
+    ready: SwitchedOn
     _connection: Connection
     _process: SpawnProcess
-    listener: Callable[[Told], None] = print
+    listener: Callable[[Notification], None] = print
     """Receives what the engine tells, in the loop's thread; set before `attach`."""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
     """Set when the engine has ended."""
@@ -85,7 +85,7 @@ class EngineProcess:
         )
         receive.start()
 
-    async def ask(self, message: Inquiry) -> Reply:
+    async def request(self, message: Inquiry) -> Reply:
         """See `link.Link`."""
         if self.ended.is_set():
             raise EngineEndedError
@@ -117,13 +117,13 @@ class EngineProcess:
         with suppress(RuntimeError):
             loop.call_soon_threadsafe(self._lost)
 
-    def _received(self, number: int | None, told: object) -> None:
+    def _received(self, number: int | None, message: object) -> None:
         if number is None:
-            self.listener(told)  # type: ignore[arg-type]
+            self.listener(message)  # type: ignore[arg-type]
             return
         future = self._waiting.pop(number, None)
         if future is not None and not future.done():
-            future.set_result(told)  # type: ignore[arg-type]
+            future.set_result(message)  # type: ignore[arg-type]
 
     def _lost(self) -> None:
         self.ended.set()
@@ -133,7 +133,7 @@ class EngineProcess:
         self._waiting.clear()
 
 
-def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
+def started(request: RunRequest, settings: EngineSettings) -> EngineProcess:
     """Load a program and switch a controller on in its own process.
 
     Raises:
@@ -143,7 +143,7 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
     context = get_context("spawn")
     ours, theirs = context.Pipe()
     to_guide, of_guide = context.Pipe()
-    process = context.Process(target=_run, args=(theirs, to_guide, asked, settings), daemon=True)
+    process = context.Process(target=_run, args=(theirs, to_guide, request, settings), daemon=True)
     process.start()
     theirs.close()
     to_guide.close()
@@ -155,7 +155,7 @@ def started(asked: Asked, settings: EngineSettings) -> EngineProcess:
         raise InputError("the controller's process has ended before it was there") from None
     if isinstance(start, SwitchedOn):
         if start.is_guided:
-            context.Process(target=guide, args=(of_guide,), daemon=True).start()
+            context.Process(target=run_sensor_loop, args=(of_guide,), daemon=True).start()
         of_guide.close()
         return EngineProcess(start, ours, process)
     of_guide.close()
@@ -171,7 +171,7 @@ def _await_end(process: SpawnProcess) -> None:
 
 
 def _run(
-    connection: Connection, to_guide: Connection, asked: Asked, settings: EngineSettings
+    connection: Connection, to_guide: Connection, request: RunRequest, settings: EngineSettings
 ) -> None:
     """The life of the engine's process: until it is told to end, or its parent is gone."""
     # Ctrl-C goes to all processes of a terminal; the other one says when to end.
@@ -180,17 +180,17 @@ def _run(
     give_large_blocks_back()
     with suppress(EOFError, BrokenPipeError, ConnectionResetError):
         try:
-            made = ready(asked)
+            made = ready(request)
             kept = None
             if settings.journal is not None:
                 kept = JournalFile(
-                    settings.journal, lambda text: connection.send((None, Note(text)))
+                    settings.journal, lambda text: connection.send((None, ConsoleLine(text)))
                 )
             wire = SocketWire(settings.hosts)
             is_guided = settings.request_s is None and settings.speed is not None and made.is_guided
             devices = sensor_devices(settings.sensors, made.options.configured, settings.hosts)
             steps = StepSensors(devices)
-            paced: Sensors = PacedSensors(devices, waits_full=False)
+            paced: GuidanceSensors = PacedSensors(devices, waits_full=False)
             if settings.request_s is not None:
                 paced = steps
             elif is_guided and settings.speed is not None:
@@ -205,18 +205,18 @@ def _run(
             )
             if isinstance(paced, GuidedSensors) and isinstance(engine.pace, WallPace):
                 paced.began_s = engine.pace.began_s
-            wire.unread = engine.live.outside.unread
-            _record(engine, settings, lambda text: connection.send((None, Note(text))))
+            wire.unread = engine.live.external_streams.unread
+            _record(engine, settings, lambda text: connection.send((None, ConsoleLine(text))))
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
             return
         except RobotError as error:
             connection.send(InputError(str(error)))
             return
-        connection.send(SwitchedOn(made.home, made.ramdisk, devices.shown, is_guided))
+        connection.send(SwitchedOn(made.home, made.ramdisk, devices.addresses, is_guided))
         for note in made.notes:
-            connection.send((None, Note(f"note: {note}")))
-        with recursion_limit(RUNNING_DEPTH), staying_on():
+            connection.send((None, ConsoleLine(f"note: {note}")))
+        with recursion_limit(RUNNING_DEPTH), gc_for_server():
             _serve(connection, engine, wire, steps)
         engine.switch_off()
         wire.shut()
@@ -232,10 +232,10 @@ def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], No
         return
     # The recording library is slow to load, and not everybody has it.
     from rapidsim.recording.live_recording import LiveRecording  # noqa: PLC0415
-    from rapidsim.server.recorder import Recorder  # noqa: PLC0415
+    from rapidsim.server.recorder import LiveRecorder  # noqa: PLC0415
 
     recording = LiveRecording(settings.record, settings.view)
-    recorder = Recorder(engine.live, recording, failed)
+    recorder = LiveRecorder(engine.live, recording, failed)
     recorder.begin()
     engine.record(recorder)
 
@@ -247,7 +247,7 @@ def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: St
         while (stepped := engine.step()) and monotonic() < until_s:
             pass
         wait_s = 0.0 if stepped else engine.wait_s()
-        heard = wait([connection, *wire.heard(), *sensors.heard()], wire.patience_s(wait_s))
+        heard = wait([connection, *wire.sockets(), *sensors.sockets()], wire.patience_s(wait_s))
         if passed_s := sensors.came(heard):
             engine.sensor_answered(passed_s)
         for one in wire.came(heard):

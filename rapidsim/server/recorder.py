@@ -15,7 +15,7 @@ from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.recording.live_recording import LiveArm, LiveRecording
-from rapidsim.server.messages import Refusal, Reply, Request
+from rapidsim.server.messages import ErrorAnswer, Reply, Request
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
@@ -29,7 +29,7 @@ _LEVELS: Final = {1: "INFO", 2: "WARN", 3: "ERROR"}
 
 
 @dataclass(eq=False)
-class Recorder:
+class LiveRecorder:
     """Recording has no effect on the run; if writing fails, the recording ends, not the run."""
 
     live: LiveController
@@ -51,9 +51,9 @@ class Recorder:
         self.recording.begin(
             [(self._arm(one, name, np.zeros(1)), one.setup.place) for one, name in self._arms]
         )
-        self.look()
+        self.update()
 
-    def look(self) -> None:
+    def update(self) -> None:
         """Write the motion since the last time, if that is long enough ago."""
         now_s = self.live.now_s
         if now_s - self._shown_s >= _EVERY_S:
@@ -62,28 +62,28 @@ class Recorder:
             state = "runs" if task.executes else "stands" if task.has_pointer else "failed"
             self._do(partial(self.recording.state, now_s, task.name, state))
 
-    def asked(self, now_s: float, request: Request, reply: Reply) -> None:
+    def on_request(self, now_s: float, request: Request, reply: Reply) -> None:
         """A client has asked for something."""
         if request.method == "GET":
             return
         action = f"?action={request.action}" if request.action else ""
         what = " ".join(f"{key}={value}" for key, value in request.form.items())
         text = f"{request.method} {request.path}{action} {what}".rstrip()
-        refused = isinstance(reply, Refusal)
+        refused = isinstance(reply, ErrorAnswer)
         text, level = (f"{text}: {reply.status}", "WARN") if refused else (text, "DEBUG")
-        self._do(lambda: self.recording.told(now_s, "requests", text[:500], level))
+        self._do(lambda: self.recording.log_text(now_s, "requests", text[:500], level))
 
-    def happened(self, event: Event) -> None:
+    def on_event(self, event: Event) -> None:
         """Something has happened in the run."""
         if event.kind is EventKind.TEXT and event.message:
-            self._do(lambda: self.recording.told(event.time_s, "texts", event.message))
+            self._do(lambda: self.recording.log_text(event.time_s, "texts", event.message))
 
-    def logged(self, entry: LogEntry) -> None:
+    def on_log_entry(self, entry: LogEntry) -> None:
         """The event log has one more entry."""
         text, level = f"{entry.code} {entry.title}: {entry.text}", _LEVELS[entry.type]
-        self._do(lambda: self.recording.told(entry.time_s, "events", text, level))
+        self._do(lambda: self.recording.log_text(entry.time_s, "events", text, level))
 
-    def answered(self, time_s: float, answer: SensorAnswer) -> None:
+    def on_sensor_answer(self, time_s: float, answer: SensorAnswer) -> None:
         """A sensor has said where it wants the robot."""
         for name in ("joints", "position", "correction"):
             values = getattr(answer, name)
@@ -107,7 +107,7 @@ class Recorder:
                 self.recording.moved(self._arm(task, name, times))
 
     def _arm(self, task: LiveTask, name: str, times: Array) -> LiveArm:
-        return LiveArm(name, task.unit.own.robot, foreseen(task.unit.queue).at(times))
+        return LiveArm(name, task.unit.solo_queue.robot, foreseen(task.unit.queue).at(times))
 
     def _do(self, write: Callable[[], None]) -> None:
         if not self._is_on:

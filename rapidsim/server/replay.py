@@ -11,19 +11,19 @@ from typing import Final
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.server.engine import Engine, LockStep
-from rapidsim.server.journal import RecordedLife, read_journal
+from rapidsim.server.journal import RecordedSession, read_journal
 from rapidsim.server.loading import ReadyController
-from rapidsim.server.sensors import NotedSensors, RecordedSensors
-from rapidsim.server.wire import NotedWire, RecordedWire
-from rapidsim.simulation.collected import FinishedRun
+from rapidsim.server.sensors import RecordingSensors, ReplayedSensors
+from rapidsim.server.wire import RecordingWire, ReplayedWire
 from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End
 
 _SHOWN: Final = 160
 """The most characters shown of a line."""
 
 
-def read_life(path: Path) -> RecordedLife:
+def replay_journal(path: Path) -> RecordedSession:
     """Everything a controller was asked, from beginning to end.
 
     Raises:
@@ -38,56 +38,58 @@ def read_life(path: Path) -> RecordedLife:
         raise InputError(f"--replay: {path} is no journal") from None
 
 
-def replayed(made: ReadyController, life: RecordedLife, told: Callable[[str], None]) -> FinishedRun:
+def replayed(
+    ready: ReadyController, session: RecordedSession, on_line: Callable[[str], None]
+) -> FinishedRun:
     """Let a controller live a journal again.
 
     Args:
-        made: The controller's programs and cell.
-        life: The journal.
-        told: Told, in a line, where its life departs from the journal, as it does with another
+        ready: The controller's programs and cell.
+        session: The journal.
+        on_line: Told, in a line, where its life departs from the journal, as it does with another
             program or other files at home.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
     """
-    began = life.began
+    began = session.began
     live = LiveController(
-        made.setups,
-        made.options,
+        ready.setups,
+        ready.options,
         motors=began.motors,
         mode=began.mode,
-        wire=NotedWire(RecordedWire(life.refusals)),
-        sensors=NotedSensors(RecordedSensors(life.answers)),
+        wire=RecordingWire(ReplayedWire(session.refusals)),
+        sensors=RecordingSensors(ReplayedSensors(session.answers)),
         keeps_all=True,
     )
     lines: list[str] = []
     # Time comes only as far as it is let below.
     engine = Engine(live, LockStep(0.0), lambda told: None, lines.append)
-    limit_s = made.options.max_time_s
+    limit_s = ready.options.max_time_s
     with recursion_limit(RUNNING_DEPTH):
-        for one in life.recorded:
+        for one in session.recorded:
             if one.time_s > limit_s:
                 break
             live.advance(one.time_s)
             engine.reply(one.message)
-        live.advance(min(life.end_s, limit_s))
+        live.advance(min(session.end_s, limit_s))
         engine.switch_off()
-    if life.end_s <= limit_s:
-        _tell_departure(life.lines, lines, told)
+    if session.end_s <= limit_s:
+        _report_difference(session.lines, lines, on_line)
         return live.finished()
-    told(f"note: --max-time ended it {life.end_s - limit_s:.3f} s before the journal ends")
+    on_line(f"note: --max-time ended it {session.end_s - limit_s:.3f} s before the journal ends")
     finished = live.finished()
     return replace(finished, simulation=replace(finished.simulation, end=End.TIME_LIMIT))
 
 
-def _tell_departure(
-    recorded: tuple[str, ...], lived: list[str], told: Callable[[str], None]
+def _report_difference(
+    recorded: tuple[str, ...], lived: list[str], on_line: Callable[[str], None]
 ) -> None:
     for number, (then, now) in enumerate(zip_longest(recorded, lived, fillvalue=""), start=1):
         # A controller that was killed has no last line.
         if then != now and then:
-            told(f"note: the run departs from line {number} of the journal: {_cut(then)}")
-            told(f"note: it goes on so: {_cut(now)}" if now else "note: it ends there")
+            on_line(f"note: the run departs from line {number} of the journal: {_cut(then)}")
+            on_line(f"note: it goes on so: {_cut(now)}" if now else "note: it ends there")
             return
 
 

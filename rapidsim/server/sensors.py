@@ -6,27 +6,33 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 
-from rapidsim.controller.cell.sensors import NoSensors, Sensor, Sensors, SilentSensor, Teller
+from rapidsim.controller.cell.sensors import (
+    FeedbackSchedule,
+    GuidanceSensor,
+    GuidanceSensors,
+    NoSensors,
+    SilentSensor,
+)
 from rapidsim.motion.guidance.feedback import Feedback
-from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 
 @dataclass(slots=True)
-class NotedSensors:
+class RecordingSensors:
     """Reports what sensors answer, by the number of the exchange, so that it can be replayed."""
 
-    sensors: Sensors = field(default_factory=NoSensors)
+    sensors: GuidanceSensors = field(default_factory=NoSensors)
     answered: Callable[[int, float, SensorAnswer], None] = lambda number, time_s, answer: None
     """Called with the number, the time [s] and the answer."""
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
-    def open(self, device: str) -> Sensor:
-        """See `Sensors`."""
-        return _NotedSensor(self, self.sensors.open(device))
+    def open(self, device: str) -> GuidanceSensor:
+        """See `GuidanceSensors`."""
+        return _RecordingSensor(self, self.sensors.open(device))
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
         self.sensors.close()
 
     def exchanged(self, time_s: float, answer: SensorAnswer | None) -> None:
@@ -37,12 +43,12 @@ class NotedSensors:
 
 
 @dataclass(slots=True)
-class _NotedSensor:
-    all: NotedSensors
-    sensor: Sensor
+class _RecordingSensor:
+    all: RecordingSensors
+    sensor: GuidanceSensor
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
-        self.sensor.begin(run, told)
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
+        self.sensor.begin(run, feedback)
 
     def correct(self, first_s: float, sample_s: float) -> None:
         self.sensor.correct(first_s, sample_s)
@@ -53,36 +59,36 @@ class _NotedSensor:
         return answer
 
     @property
-    def looks_ahead(self) -> bool:
-        return self.sensor.looks_ahead
+    def has_lookahead(self) -> bool:
+        return self.sensor.has_lookahead
 
-    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
-        self.sensor.stop(goes_back=goes_back, ramp_out_s=ramp_out_s)
+    def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
+        self.sensor.stop(moves_back=moves_back, ramp_out_s=ramp_out_s)
 
     def end(self, feedback: Feedback) -> None:
         self.sensor.end(feedback)
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
-        self.sensor.tell(stream)
+    def stream(self, stream: Sequence[Feedback]) -> None:
+        self.sensor.stream(stream)
 
     def close(self) -> None:
         self.sensor.close()
 
 
 @dataclass(slots=True)
-class RecordedSensors:
+class ReplayedSensors:
     """Replays recorded answers, by the number of the exchange."""
 
     answers: Mapping[int, SensorAnswer]
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
-    def open(self, device: str) -> Sensor:
-        """See `Sensors`."""
+    def open(self, device: str) -> GuidanceSensor:
+        """See `GuidanceSensors`."""
         del device
-        return _RecordedSensor(self)
+        return _ReplayedSensor(self)
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""
 
     def next(self) -> SensorAnswer | None:
         """The next recorded answer."""
@@ -90,8 +96,8 @@ class RecordedSensors:
 
 
 @dataclass(slots=True)
-class _RecordedSensor(SilentSensor):
-    all: RecordedSensors
+class _ReplayedSensor(SilentSensor):
+    all: ReplayedSensors
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         del feedback

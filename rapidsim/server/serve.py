@@ -12,18 +12,18 @@ from dataclasses import dataclass
 from aiohttp import web
 
 from rapidsim.files import InputError
-from rapidsim.server.http.app import Face, runner_of
+from rapidsim.server.http.app import HttpFrontend, runner_of
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.dialect import Dialect
 from rapidsim.server.http.digest import DigestAuthentication
-from rapidsim.server.http.first import FirstGeneration
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.second import SecondGeneration
+from rapidsim.server.http.rws1 import Rws1Dialect
+from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.memory import give_large_blocks_back
-from rapidsim.server.messages import Note, Told
+from rapidsim.server.messages import ConsoleLine, Notification
 from rapidsim.server.process import EngineProcess
 from rapidsim.server.settings import ServerSettings
-from rapidsim.syntax.collection import staying_on
+from rapidsim.syntax.garbage_collection import gc_for_server
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +56,7 @@ def serve(
     """
     give_large_blocks_back()
     try:
-        with staying_on():
+        with gc_for_server():
             return asyncio.run(_serve(engine, settings, is_ready, noted))
     finally:
         engine.end()
@@ -69,13 +69,13 @@ async def _serve(
     noted: Callable[[str], None],
 ) -> bool:
     guard = Guard(settings.host)
-    face = Face(engine, guard, noted, settings.most_sessions, settings.session_timeout_s)
+    face = HttpFrontend(engine, guard, noted, settings.most_sessions, settings.session_timeout_s)
 
-    def told(what: Told) -> None:
-        if isinstance(what, Note):
-            noted(what.text)
+    def told(notification: Notification) -> None:
+        if isinstance(notification, ConsoleLine):
+            noted(notification.text)
         else:
-            face.told(what)
+            face.notify(notification)
 
     engine.listener = told
     engine.attach()
@@ -85,8 +85,8 @@ async def _serve(
         # Windows has none in a loop; Ctrl-C raises KeyboardInterrupt there.
         with suppress(NotImplementedError):
             loop.add_signal_handler(number, over.set)
-    first = FirstGeneration(DigestAuthentication(settings.users))
-    second = SecondGeneration(BasicAuthentication(settings.users))
+    first = Rws1Dialect(DigestAuthentication(settings.users))
+    second = Rws2Dialect(BasicAuthentication(settings.users))
     runners: list[web.AppRunner] = []
     try:
         rws1 = rws2 = None
@@ -107,7 +107,7 @@ async def _serve(
 
 async def _listen(
     runners: list[web.AppRunner],
-    face: Face,
+    face: HttpFrontend,
     dialect: Dialect,
     host: str,
     port: int,

@@ -10,8 +10,8 @@ from types import MappingProxyType
 from typing import Final
 
 from rapidsim.egm.devices import Address
-from rapidsim.simulation.live.states import Mode, Motors
-from rapidsim.values import dataclass
+from rapidsim.simulation.live.states import Motors, OperatingMode
+from rapidsim.values import value_class
 
 DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
@@ -19,7 +19,7 @@ DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
 """The default users on this computer: those of a controller."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@value_class(frozen=True, slots=True, kw_only=True)
 class EngineSettings:
     """How the controller is switched on, and how its time passes."""
 
@@ -28,7 +28,7 @@ class EngineSettings:
     request_s: float | None = None
     """The virtual time [s] that passes before each request in lock-step; None for no lock-step."""
     motors: Motors = Motors.ON
-    mode: Mode = Mode.AUTO
+    mode: OperatingMode = OperatingMode.AUTO
     hosts: frozenset[str] = frozenset()
     """Other hosts that programs' sockets may bind or connect to."""
     sensors: tuple[tuple[str, Address], ...] = ()
@@ -41,7 +41,7 @@ class EngineSettings:
     """Whether a viewer shows it while it grows."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@value_class(frozen=True, slots=True, kw_only=True)
 class ServerSettings:
     """Addresses and users."""
 

@@ -1,6 +1,6 @@
 """The network of programs' sockets: real ports, polled by whoever paces the engine.
 
-Nothing here blocks. What peers do is collected (`came`) when one of `heard` is ready,
+Nothing here blocks. What peers do is collected (`came`) when one of `sockets` is ready,
 and takes effect where the engine lets it. This computer only, unless other hosts are named.
 """
 
@@ -15,8 +15,8 @@ from queue import Empty, SimpleQueue
 from threading import Event, Thread
 from typing import Final
 
+from rapidsim.controller.cell.external_streams import MOST_UNREAD, NullWire, Wire
 from rapidsim.controller.cell.network import Network
-from rapidsim.controller.cell.outside_streams import MOST_UNREAD, NoWire, Wire
 from rapidsim.language.error_numbers import ERR_SOCK_NET_UNREACH, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.server.messages import DATAGRAM, FromNetwork
@@ -33,7 +33,7 @@ _LOOK_S: Final = 0.01
 
 
 @dataclass(slots=True)
-class NotedWire:
+class RecordingWire:
     """Reports what a wire refuses, by the number of the operation, so that it can be replayed."""
 
     wire: Wire
@@ -87,7 +87,7 @@ class NotedWire:
 
 
 @dataclass(slots=True)
-class RecordedWire(NoWire):
+class ReplayedWire(NullWire):
     """Refuses what was refused before: errors by the number of the operation."""
 
     refusals: Mapping[int, tuple[float, str]]
@@ -129,7 +129,7 @@ class _Connection:
 
 @dataclass(eq=False, slots=True)
 class SocketWire:
-    """Implements `outside_streams.Wire`."""
+    """Implements `external_streams.Wire`."""
 
     hosts: frozenset[str] = frozenset()
     """Hosts other than this computer that sockets may bind or connect to."""
@@ -146,13 +146,13 @@ class SocketWire:
     """Number, peer and stream of answered calls; a peer may be gone again by now."""
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
-    _bell: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
+    _wake_pipe: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
     """Rings when a call has been answered."""
 
     def __post_init__(self) -> None:
         """Start without ports."""
         self._network = Network(self.hosts)
-        for one in self._bell:
+        for one in self._wake_pipe:
             one.setblocking(False)
 
     def listen(self, port: int, address: str) -> None:
@@ -222,10 +222,10 @@ class SocketWire:
             connection.stream.close()
         for call in self._calls.values():
             call.set()
-        for one in self._bell:
+        for one in self._wake_pipe:
             one.close()
 
-    def heard(self) -> list[socket.socket]:
+    def sockets(self) -> list[socket.socket]:
         """What may become ready."""
         room = len(self._connections) < _MOST_CONNECTIONS
         readable = [
@@ -234,7 +234,7 @@ class SocketWire:
             if not one.closes and self.unread(number) < MOST_UNREAD
         ]
         waiting = self._servers.values() if room else ()
-        return [self._bell[0], *waiting, *self._mailboxes.values(), *readable]
+        return [self._wake_pipe[0], *waiting, *self._mailboxes.values(), *readable]
 
     def patience_s(self, wait_s: float | None) -> float | None:
         """How long to wait for any of them, at most the time given [s]."""
@@ -249,7 +249,7 @@ class SocketWire:
                 self._flush(number, connection)
         lost, self._lost = self._lost, []
         yield from (FromNetwork(number, is_over=True) for number in lost)
-        if self._bell[0] in ready:
+        if self._wake_pipe[0] in ready:
             yield from self._answered()
         for port, server in tuple(self._servers.items()):
             if server in ready:
@@ -267,7 +267,7 @@ class SocketWire:
 
     def _answered(self) -> Iterator[FromNetwork]:
         with suppress(BlockingIOError):
-            self._bell[0].recv(_AT_ONCE)
+            self._wake_pipe[0].recv(_AT_ONCE)
         while True:
             try:
                 number, peer, stream = self._answers.get_nowait()
@@ -320,7 +320,7 @@ class SocketWire:
         if not connection.closes:
             self._drop(number, connection)
             self._lost.append(number)
-            self._ring()
+            self._wake()
 
     def _drop(self, number: int, connection: _Connection) -> None:
         connection.stream.close()
@@ -334,12 +334,12 @@ class SocketWire:
                 over.wait(_AGAIN_S)
                 continue
             self._answers.put((number, _name((address, port)), stream))
-            self._ring()
+            self._wake()
             return
 
-    def _ring(self) -> None:
+    def _wake(self) -> None:
         with suppress(OSError):
-            self._bell[1].send(b"!")
+            self._wake_pipe[1].send(b"!")
 
 
 def _name(address: tuple[object, ...]) -> str:

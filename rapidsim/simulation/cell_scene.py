@@ -18,11 +18,11 @@ from rapidsim.collisions.scene import (
     STEP_S,
     WORLD,
     Arm,
+    AttachedBody,
     Body,
-    Carried,
-    Frame,
     Pair,
     Scene,
+    SceneFrame,
     arm_frames,
 )
 from rapidsim.collisions.self_pairs import judged_pairs
@@ -32,7 +32,7 @@ from rapidsim.language.data import WobjData
 from rapidsim.motion.configurations.targets import transform
 from rapidsim.simulation.results.signal_history import Changes, signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _LYING_M = 1e-3
 """A part that is so near to something when it is taken or left lies on it."""
@@ -40,7 +40,7 @@ _STOPPING_S = 0.5
 """After its last command an arm is seen to move no longer than this."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class CellScene:
     """What is judged of a run, and what is not."""
 
@@ -83,7 +83,7 @@ class _Builder:
             for link in shapes.links:
                 of_links[number, link.number] = len(self._bodies)
                 name = "the base" if link.number == 0 else f"link {link.number}"
-                fixed = Carried(0.0, Frame(number, link.number), Transform.identity())
+                fixed = AttachedBody(0.0, SceneFrame(number, link.number), Transform.identity())
                 self._bodies.append(Body(self._named(name, number), link.shape, (fixed,)))
         for placed in self._geometry.objects:
             self._add_object(placed)
@@ -114,7 +114,7 @@ class _Builder:
             here = np.zeros(len(times), dtype=np.int64)
             enough = np.full(len(times), _LYING_M)
             gaps = bodies.gaps(here + pair.first, here + pair.second, seen, enough)
-            if gaps.found.min() < _LYING_M:
+            if gaps.distances_found.min() < _LYING_M:
                 pairs[number] = replace(pair, touch_only=True)
         return replace(scene, pairs=tuple(pairs))
 
@@ -122,44 +122,44 @@ class _Builder:
         whose = f" of {self._runs[robot].task}" if len(self._runs) > 1 else ""
         return BodyName(f"{name}{whose}", robot)
 
-    def _robot(self, task: str | None, whose: str) -> int | None:
+    def _robot(self, task: str | None, owner: str) -> int | None:
         """The number of the robot of a task; None where there is none, which is noted."""
         if task is None:
             return 0
         for number, one in enumerate(self._runs):
             if one.task.lower() == task.lower():
                 return number
-        self._remarks.append(f"`{whose}`: no robot of a task `{task}` is in the run")
+        self._remarks.append(f"`{owner}`: no robot of a task `{task}` is in the run")
         return None
 
-    def _add_object(self, one: CellObject) -> None:
+    def _add_object(self, item: CellObject) -> None:
         number = len(self._bodies)
-        placed = self._placed(one)
+        placed = self._placed(item)
         if not placed:
             return
         first = placed[0].frame
-        label = BodyName(f"`{one.name}`", None if first.axes else first.robot)
-        self._objects[number] = one
+        label = BodyName(f"`{item.name}`", None if first.axes else first.robot)
+        self._objects[number] = item
         self._carriers[number] = set()
-        carried = self._carried_about(number, one, placed)
-        self._bodies.append(Body(label, one.shape, carried))
+        carried = self._carried_about(number, item, placed)
+        self._bodies.append(Body(label, item.shape, carried))
 
-    def _placed(self, one: CellObject) -> tuple[Carried, ...]:
+    def _placed(self, item: CellObject) -> tuple[AttachedBody, ...]:
         """Where an object is while nobody carries it; nothing where that is not known."""
-        parent, pose = one.parent, one.parent_from_object
+        parent, pose = item.parent, item.parent_from_object
         if parent.kind is ParentKind.WORLD:
-            return (Carried(0.0, WORLD, pose),)
-        robot = self._robot(parent.robot, one.name)
+            return (AttachedBody(0.0, WORLD, pose),)
+        robot = self._robot(parent.robot, item.name)
         if robot is None:
             return ()
         joints = len(self._runs[robot].robot.joints)
         if parent.kind is ParentKind.TOOL:
-            return (Carried(0.0, Frame(robot, joints + 1), pose),)
+            return (AttachedBody(0.0, SceneFrame(robot, joints + 1), pose),)
         if parent.kind is ParentKind.LINK:
             if parent.link <= joints:
-                return (Carried(0.0, Frame(robot, parent.link), pose),)
+                return (AttachedBody(0.0, SceneFrame(robot, parent.link), pose),)
             self._remarks.append(
-                f"`{one.name}`: {self._runs[robot].robot.name} has no link {parent.link}"
+                f"`{item.name}`: {self._runs[robot].robot.name} has no link {parent.link}"
             )
             return ()
         if parent.kind is ParentKind.UNIT:
@@ -167,12 +167,12 @@ class _Builder:
             if unit is None:
                 which = f"axis {parent.link} of " if parent.link else ""
                 self._remarks.append(
-                    f"`{one.name}`: no positioner of the run has {which}`{parent.name}`"
+                    f"`{item.name}`: no positioner of the run has {which}`{parent.name}`"
                 )
-            return () if unit is None else (Carried(0.0, unit, pose),)
-        return self._in_work_object(one, robot, joints)
+            return () if unit is None else (AttachedBody(0.0, unit, pose),)
+        return self._in_work_object(item, robot, joints)
 
-    def _unit(self, name: str, count: int = 0) -> Frame | None:
+    def _unit(self, name: str, count: int = 0) -> SceneFrame | None:
         """The frame that the first axes of a positioner carry, all for 0; None without such."""
         for robot, run in enumerate(self._runs):
             axes = tuple(
@@ -181,74 +181,78 @@ class _Builder:
                 if axis.carries == "wobj" and axis.unit.lower() == name.lower()
             )
             if axes and count <= len(axes):
-                return Frame(robot, axes=axes[: count or None])
+                return SceneFrame(robot, axes=axes[: count or None])
         return None
 
-    def _in_work_object(self, one: CellObject, robot: int, joints: int) -> tuple[Carried, ...]:
-        placed: list[Carried] = []
+    def _in_work_object(
+        self, item: CellObject, robot: int, joints: int
+    ) -> tuple[AttachedBody, ...]:
+        placed: list[AttachedBody] = []
         last: WobjData | None = None
         runs = (
-            (self._runs[robot], *self._runs) if one.parent.robot is None else (self._runs[robot],)
+            (self._runs[robot], *self._runs) if item.parent.robot is None else (self._runs[robot],)
         )
         for run in runs:
             for move in run.moves:
                 wobj = move.move.wobj
                 name = move.place.arguments.get("wobj", "wobj0")
-                if name.strip().lower() != one.parent.name.lower() or wobj == last:
+                if name.strip().lower() != item.parent.name.lower() or wobj == last:
                     continue
                 unit = None if wobj.ufprog else self._unit(wobj.ufmec)
                 if unit is None and not wobj.ufprog:
-                    self._remarks.append(f"`{one.name}`: `{wobj.ufmec}` moves its work object")
+                    self._remarks.append(f"`{item.name}`: `{wobj.ufmec}` moves its work object")
                     return ()
-                frame = unit or (Frame(robot, joints + 1) if wobj.robhold else WORLD)
+                frame = unit or (SceneFrame(robot, joints + 1) if wobj.robhold else WORLD)
                 user = Transform.identity() if unit else transform(wobj.uframe)
-                pose = user @ transform(wobj.oframe) @ one.parent_from_object
-                placed.append(Carried(move.start_s if placed else 0.0, frame, pose))
+                pose = user @ transform(wobj.oframe) @ item.parent_from_object
+                placed.append(AttachedBody(move.start_s if placed else 0.0, frame, pose))
                 last = wobj
             if placed:
                 return tuple(placed)
         self._remarks.append(
-            f"`{one.name}`: no move of the run uses the work object {one.parent.name}"
+            f"`{item.name}`: no move of the run uses the work object {item.parent.name}"
         )
         return ()
 
     def _carried_about(
-        self, number: int, one: CellObject, placed: tuple[Carried, ...]
-    ) -> tuple[Carried, ...]:
+        self, number: int, item: CellObject, placed: tuple[AttachedBody, ...]
+    ) -> tuple[AttachedBody, ...]:
         """Where an object is, with the times in which robots carry it."""
         changes: list[tuple[float, int, bool]] = []
         for attachment in self._geometry.attachments:
-            if attachment.object.lower() != one.name.lower():
+            if attachment.object.lower() != item.name.lower():
                 continue
-            robot = self._robot(attachment.robot, one.name)
+            robot = self._robot(attachment.robot, item.name)
             condition = read_condition(attachment.when)
             if robot is None:
                 continue
             for name in condition.signals():
                 if name.lower() not in self._signals:
                     self._remarks.append(
-                        f"`{one.name}`: nothing sets or declares the signal {name}"
+                        f"`{item.name}`: nothing sets or declares the signal {name}"
                     )
             self._carriers[number].add(robot)
             changes += [(t, robot, held) for t, held in _truths(condition, self._signals)]
         if not changes:
             return placed
         if len(placed) > 1:
-            self._remarks.append(f"`{one.name}`: its work object changes while robots carry it")
+            self._remarks.append(f"`{item.name}`: its work object changes while robots carry it")
         home, found, holder = placed[0], [placed[0]], -1
         for time_s, robot, held in sorted(changes, key=lambda change: change[0]):
             if held:
-                frame = Frame(robot, len(self._runs[robot].robot.joints) + 1)
+                frame = SceneFrame(robot, len(self._runs[robot].robot.joints) + 1)
             elif robot == holder:
                 frame = home.frame
             else:
                 continue
             holder = robot if held else -1
             here = self._frame_at(found[-1].frame, time_s) @ found[-1].frame_from_body
-            found.append(Carried(time_s, frame, self._frame_at(frame, time_s).inverse() @ here))
+            found.append(
+                AttachedBody(time_s, frame, self._frame_at(frame, time_s).inverse() @ here)
+            )
         return tuple(found)
 
-    def _frame_at(self, frame: Frame, time_s: float) -> Transform:
+    def _frame_at(self, frame: SceneFrame, time_s: float) -> Transform:
         if frame.robot is None:
             return Transform.identity()
         arm = self._arms[frame.robot]
@@ -297,7 +301,7 @@ class _Builder:
         owner = min(self._movers(first) or moving)
         return Pair(first, second, owner, touch_only=False)
 
-    def _frames(self, body: int) -> set[Frame]:
+    def _frames(self, body: int) -> set[SceneFrame]:
         """What ever carries a body."""
         return {one.frame for one in self._bodies[body].carried}
 
@@ -349,22 +353,26 @@ class _Builder:
         return {"robot", name, task, f"{name} of {task}"}
 
 
-def _arm(one: RobotRun) -> Arm:
-    busy = tuple((move.start_s, move.end_s) for move in one.moves)
-    end_s = one.trajectory.duration
+def _arm(robot_run: RobotRun) -> Arm:
+    busy = tuple((move.start_s, move.end_s) for move in robot_run.moves)
+    end_s = robot_run.trajectory.duration
     if busy:
         busy = (*busy, (busy[-1][1], max(end_s, busy[-1][1])))
-    busy += tuple((stretch.start_s, stretch.end_s) for stretch in one.trajectory.guided)
+    busy += tuple((stretch.start_s, stretch.end_s) for stretch in robot_run.trajectory.guided)
     brief = [0.5 * (begin + end) for begin, end in busy if SHORTEST_S < end - begin < STEP_S]
     return Arm(
-        one.robot, one.world_from_base, one.trajectory.postures, _together(busy), np.array(brief)
+        robot_run.robot,
+        robot_run.world_from_base,
+        robot_run.trajectory.postures,
+        _merge_intervals(busy),
+        np.array(brief),
     )
 
 
-def _together(stretches: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
+def _merge_intervals(intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
     """Stretches of time that touch or overlap as one each."""
     found: list[tuple[float, float]] = []
-    for begin, end in sorted(stretches):
+    for begin, end in sorted(intervals):
         if found and begin <= found[-1][1] + _STOPPING_S:
             found[-1] = (found[-1][0], max(found[-1][1], end))
         else:

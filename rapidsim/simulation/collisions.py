@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from rapidsim.collisions.along_motion import search
-from rapidsim.collisions.contact import Contact, Found
+from rapidsim.collisions.contact import CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic, Related
@@ -32,7 +32,7 @@ def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulatio
 
 
 def _findings(simulation: Simulation, collisions: Collisions) -> Iterator[Diagnostic]:
-    found, robots = collisions.found, simulation.robots
+    found, robots = collisions.report, simulation.robots
     groups: dict[tuple[int, int, str], list[Contact]] = {}
     for contact in found.contacts:
         if not contact.continued:
@@ -63,9 +63,11 @@ def _deep(contacts: tuple[Contact, ...]) -> str:
     return f", {max(known) * _MM:.1f} mm deep" if known else ""
 
 
-def _near(simulation: Simulation, found: Found, clearance_m: float) -> Iterator[Diagnostic]:
-    touched = {(one.robot, one.move) for one in found.contacts}
-    for near in found.clearances:
+def _near(
+    simulation: Simulation, report: CollisionReport, clearance_m: float
+) -> Iterator[Diagnostic]:
+    touched = {(one.robot, one.move) for one in report.contacts}
+    for near in report.clearances:
         if near.distance_m < clearance_m and (near.robot, near.move) not in touched:
             violation = LowClearance(
                 near.first.name,

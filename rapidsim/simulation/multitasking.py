@@ -11,14 +11,14 @@ from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
 from rapidsim.language.moves import Place
-from rapidsim.simulation.board import TurnsBoard
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
 from rapidsim.simulation.scheduler import Scheduler
-from rapidsim.simulation.task_run import Outcome, TaskRun, run_to_end
+from rapidsim.simulation.shared_access import ScheduledAccess
+from rapidsim.simulation.task_run import TaskOutcome, TaskRun, run_to_end
 
 
-def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> list[Outcome]:
+def run_all_tasks(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> list[TaskOutcome]:
     """Let all tasks run on one clock, until those that count have ended or one of them fails.
 
     Args:
@@ -30,16 +30,16 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
         How each ended; a task of the background ends with the run.
     """
     scheduler = Scheduler()
-    cell.share(scheduler)
+    cell.attach_scheduler(scheduler)
     programs = [run.setup.program for run in runs]
     written = [run.setup.written for run in runs]
-    shared = shared_persistents(programs, TurnsBoard(scheduler), written)
+    shared = shared_persistents(programs, ScheduledAccess(scheduler), written)
     # Every task has its data before the first one runs: they may be shared.
     loaded = [_loaded(run, shared) for run in runs]
-    outcomes: dict[str, Outcome] = {}
-    neighbours = {run.setup.name.lower(): run.controller.others for run in runs}
+    outcomes: dict[str, TaskOutcome] = {}
+    neighbours = {run.setup.name.lower(): run.controller.coordination for run in runs}
     for run in runs:
-        run.controller.others.neighbours = neighbours
+        run.controller.coordination.neighbours = neighbours
 
     def execute(run: TaskRun, task: Callable[[], Task]) -> None:
         outcome = run_to_end(run, task, options, partial(_resting, run, runs, scheduler))
@@ -51,7 +51,7 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
             stopped_s = run.controller.clock.pointer_s()
             for other in runs:
                 if other is not run:
-                    other.controller.others.stop_robot(stopped_s)
+                    other.controller.coordination.stop_robot(stopped_s)
 
     for run, task in zip(runs, loaded, strict=True):
         scheduler.add(run.controller.clock, partial(execute, run, task), counts=run.setup.counts)
@@ -63,11 +63,11 @@ def run_together(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> li
     ]
 
 
-def _left_running(task: Callable[[], Task]) -> Outcome:
+def _left_running(task: Callable[[], Task]) -> TaskOutcome:
     """What becomes of a task that the end of the run leaves in the middle of its work."""
     with suppress(FatalError):
-        return Outcome(End.ENDED, task=task())
-    return Outcome(End.ENDED)
+        return TaskOutcome(End.ENDED, task=task())
+    return TaskOutcome(End.ENDED)
 
 
 def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:

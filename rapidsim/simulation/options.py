@@ -16,10 +16,10 @@ from rapidsim.frames.transform import Transform
 from rapidsim.language.equipment import Configured
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.external_axes import ExternalAxis
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RunOptions:
     """Inputs and limits of a run."""
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from rapidsim.diagnostics import Span
 from rapidsim.simulation.task_run import TaskRun
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Progress:
     """What robots were given so far."""
 
@@ -25,7 +25,7 @@ class Progress:
     """The statement that it executes; None before there is one."""
 
 
-class Watched:
+class MoveCounter:
     """Counts the moves of tasks; looks at each only once, however often it is asked."""
 
     def __init__(self, runs: Sequence[TaskRun]) -> None:

@@ -29,7 +29,7 @@ from rapidsim.findings.runs import (
     UncaughtError,
     WorldZoneReached,
 )
-from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.interpreter.runtime.call_stack import CallFrame, FatalError, rapid_stack
 from rapidsim.language.error_answers import AnsweredError, ErrorOutcome
 from rapidsim.language.error_numbers import event_of, name_of, named
 from rapidsim.language.errors import NotAllowed, NotDeclared, NotSimulated, Stopped
@@ -42,7 +42,7 @@ _SHOWN_CALLS = 5
 
 def fatal_answer(fatal: FatalError, place: Place) -> AnsweredError:
     """The error that nothing caught, as the run lists it; see `fatal_finding`."""
-    routine, span, _ = _where(fatal.stack, place)
+    routine, span, _ = _stack_place(fatal.stack, place)
     error = fatal.error
     raised = Place(span, routine)
     return AnsweredError(
@@ -57,7 +57,7 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
         fatal: The error.
         place: The last statement that reported to the controller.
     """
-    routine, span, callers = _where(fatal.stack, place)
+    routine, span, callers = _stack_place(fatal.stack, place)
     error = fatal.error
     violation = error.violation if isinstance(error, NotReachableError) else None
     if span.line == place.span.line and span.file == place.span.file:
@@ -68,66 +68,66 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
 
 def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
     """Where the program stopped itself, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(ProgramStopped(stopped.reason), span, callers, routine=routine)
 
 
 def not_allowed_finding(stopped: NotAllowed, place: Place) -> Diagnostic:
     """The instruction that a controller stops at, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(UncaughtError(stopped.reason), span, callers, routine=routine)
 
 
 def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:
     """The instruction that names what is missing, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(NotDeclaredHere(stopped.reason), span, callers, routine=routine)
 
 
 def not_followed_finding(stopped: NotSimulated, place: Place) -> Diagnostic:
     """The instruction that would follow a conveyor, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(ConveyorNotFollowed(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:
     """The move that nothing can make possible, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(stopped.violation, span, callers, routine=routine, assumed=stopped.assumed)
 
 
 def endless_wait_finding(
     stopped: WaitsForever,
     waiting: tuple[str, Place],
-    others: Sequence[tuple[str, Place]] = (),
+    other_waits: Sequence[tuple[str, Place]] = (),
 ) -> Diagnostic:
     """The wait that nothing can end.
 
     Args:
         stopped: Why.
         waiting: The task and the statement that waits.
-        others: Further tasks that wait, which could have ended it.
+        other_waits: Further tasks that wait, which could have ended it.
     """
     _, place = waiting
     if isinstance(stopped, PollsForever):
-        routine, span, callers = _where(rapid_stack(stopped), place)
+        routine, span, callers = _stack_place(rapid_stack(stopped), place)
         return Diagnostic(EndlessWait(stopped.reason, stopped.cure), span, callers, routine=routine)
-    if not others or stopped.cure is not None:
+    if not other_waits or stopped.cure is not None:
         # What it waits for lies outside the cell, whatever the other tasks do.
         violation = EndlessWait(stopped.reason, stopped.cure)
         return Diagnostic(violation, place.span, routine=place.routine)
     each = [
         f"{name} at {at.span.file}:{at.span.line} in `{_first_line(at)}`"
-        for name, at in (waiting, *others)
+        for name, at in (waiting, *other_waits)
     ]
     violation = EndlessWait(f"the tasks wait for each other: {', '.join(each)}")
-    related = tuple(Related(at.span, f"{name} waits here") for name, at in others)
+    related = tuple(Related(at.span, f"{name} waits here") for name, at in other_waits)
     return Diagnostic(violation, place.span, related, routine=place.routine)
 
 
 def trap_storm_finding(stopped: TrapStorm, place: Place) -> Diagnostic:
     """Where the program was when interrupts came too fast, with the call chain."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(TrapStorms(stopped.reason), span, callers, routine=routine)
 
 
@@ -138,7 +138,7 @@ def zone_finding(stopped: ZoneReached, place: Place) -> Diagnostic:
 
 def time_limit_finding(stopped: TimeLimitReached, place: Place) -> Diagnostic:
     """Where the program was when its time was up, with the call chain as related places."""
-    routine, span, callers = _where(rapid_stack(stopped), place)
+    routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(CutOff(stopped.reason), span, callers, routine=routine)
 
 
@@ -175,7 +175,9 @@ def _first_line(place: Place) -> str:
     return place.span.text.splitlines()[0].rstrip(" ;") if place.span.text else place.routine
 
 
-def _where(stack: tuple[Frame, ...], place: Place) -> tuple[str, Span, tuple[Related, ...]]:
+def _stack_place(
+    stack: tuple[CallFrame, ...], place: Place
+) -> tuple[str, Span, tuple[Related, ...]]:
     """Routine and place that a stack ends in, and who called it; `place` where it is empty."""
     if not stack:
         return place.routine, place.span, ()

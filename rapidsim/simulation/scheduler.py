@@ -1,8 +1,9 @@
 """One clock for several tasks: whoever has the earliest time runs, one at a time.
 
-Each task is a greenlet. A task that wants to go to a later time says so (`until`) and sleeps while
+Each task is a greenlet. A task that wants to go to a later time says so (`request_advance`) and
+sleeps while
 others are earlier; ties go by the order of the station file. What one task does can wake another
-before its time (`look_again`). Nothing depends on anything but virtual time, so runs repeat.
+before its time (`wake_at`). Nothing depends on anything but virtual time, so runs repeat.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ class _Entry:
 
 @dataclass(slots=True, eq=False)
 class Scheduler:
-    """Implements `cell.Turns` for several tasks."""
+    """Implements `cell.TimeScheduler` for several tasks."""
 
     current: object = None
     """The task that runs; None outside of `run`."""
@@ -57,7 +58,7 @@ class Scheduler:
         """Take a task in; the order of adding is that of tasks at the same time.
 
         Args:
-            task: Its controller, which calls `until`.
+            task: Its controller, which calls `request_advance`.
             body: Runs it; must not raise.
             counts: Whether the run lasts until this task has ended.
         """
@@ -85,8 +86,8 @@ class Scheduler:
         """End the run when the task that runs has ended."""
         self._stopped = True
 
-    def until(self, task: object, time_s: float) -> float:
-        """See `cell.Turns`."""
+    def request_advance(self, task: object, time_s: float) -> float:
+        """See `cell.TimeScheduler`."""
         entry = self._by_task[task]
         assert self.current is task
         assert self._hub is not None
@@ -102,14 +103,14 @@ class Scheduler:
         others = (one for one in self._alive() if one.task is not task)
         return min((max(one.wake_s, one.task.idle_until_s) for one in others), default=math.inf)
 
-    def look_again(self, time_s: float) -> None:
+    def wake_at(self, time_s: float) -> None:
         """Wake the other tasks at a time [s] at which something happens."""
         for entry in self._entries:
             entry.rests, entry.task.idle_until_s = False, -math.inf
             if entry.task is not self.current:
                 entry.wake_s = min(entry.wake_s, time_s)
 
-    def rest(self, task: object) -> bool:
+    def mark_waiting(self, task: object) -> bool:
         """Note that a task waits for what others do; whether all of them do the same."""
         self._by_task[task].rests = True
         return all(one.rests or math.isinf(one.wake_s) for one in self._alive())

@@ -11,13 +11,13 @@ from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import load
-from rapidsim.motion.compiled import decided_anew
+from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.simulation.collected import FinishedRun, collected
-from rapidsim.simulation.multitasking import run_together
+from rapidsim.simulation.dry_run import dry_run, stopped_by_contact
+from rapidsim.simulation.multitasking import run_all_tasks
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.progress import Progress, Watched
-from rapidsim.simulation.rehearsal import rehearsed, stopped_by_contact
+from rapidsim.simulation.progress import MoveCounter, Progress
+from rapidsim.simulation.result_builder import FinishedRun, build_result
 from rapidsim.simulation.results.simulation import (
     Simulation,
 )
@@ -27,7 +27,7 @@ from rapidsim.simulation.task_run import (
     require_limits,
     run_to_end,
 )
-from rapidsim.syntax.collection import seldom_collected
+from rapidsim.syntax.garbage_collection import gc_rarely
 
 
 def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulation:
@@ -56,8 +56,8 @@ def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulati
     return run_tasks(setups, options).simulation
 
 
-@seldom_collected()
-@decided_anew()
+@gc_rarely()
+@jit_reconsidered()
 def run_tasks(
     setups: Sequence[TaskSetup],
     options: RunOptions,
@@ -76,7 +76,7 @@ def run_tasks(
     """
     if options.geometry is None or not options.geometry.stops:
         return _run(setups, options, watch)
-    with rehearsed(options) as (rehearsal, again):
+    with dry_run(options) as (rehearsal, again):
         collisions = _run(setups, rehearsal, watch).simulation.collisions
     hits = () if collisions is None else collisions.hits
     if not hits or hits[0].time_s >= options.max_time_s:
@@ -98,24 +98,24 @@ def _run(
     for arm in arms:
         require_limits(arm, options)
     journal = Journal(setups[0].name)
-    journals = (journal, *(journal.beside(setup.name) for setup in setups[1:]))
+    journals = (journal, *(journal.for_task(setup.name) for setup in setups[1:]))
     cell = Cell(options.cell, journal)
     runs = [
         prepare(setup, arms[0], cell, own, options)
         for setup, own in zip(setups, journals, strict=True)
     ]
     if watch is not None:
-        watch(Watched(runs))
+        watch(MoveCounter(runs))
     try:
         if len(runs) == 1:
             only = runs[0]
             loading = partial(load, only.setup.program, only.controller.concerns)
             outcomes = [run_to_end(only, loading, options)]
         else:
-            outcomes = run_together(runs, cell, options)
+            outcomes = run_all_tasks(runs, cell, options)
         time_s = max(run.controller.clock.end_time_s() for run in runs if run.setup.counts)
     finally:
         cell.close()
         cell.watchdog.rest()
-    cell.end_sharing()
-    return collected(runs, outcomes, cell, time_s, options)
+    cell.detach_scheduler()
+    return build_result(runs, outcomes, cell, time_s, options)

@@ -8,7 +8,7 @@ from typing import NoReturn
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.files import InputError
 from rapidsim.interpreter.linking.loader import FatalError, load
-from rapidsim.language.controller import one_for_all
+from rapidsim.language.controller import uniform_controller
 from rapidsim.language.errors import Stopped
 
 
@@ -22,7 +22,7 @@ def start_values(program: Program) -> Callable[[DataSymbol], object]:
         InputError: If an initial value cannot be computed without a robot that stands somewhere.
     """
     try:
-        task = load(program, one_for_all(_NotRunning()))
+        task = load(program, uniform_controller(_NotRunning()))
     except FatalError as fatal:
         raise InputError(f"an initial value cannot be computed: {fatal.error.message}") from fatal
     except Stopped as stopped:
@@ -39,7 +39,7 @@ class _NotRunning:
     """A controller on which nothing runs: whatever an initial value asks of it ends the attempt."""
 
     def __init__(self) -> None:
-        self.left = 0
+        self.ticks_left = 0
         self.place: object = None
         self.errno = 0.0
         self.intno = 0.0

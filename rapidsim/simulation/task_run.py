@@ -12,7 +12,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.cell.message_queues import QueueSettings
 from rapidsim.controller.controller import VirtualController, virtual_controller
-from rapidsim.controller.journal.failed_moves import FailedMove, failed_on_the_way
+from rapidsim.controller.journal.failed_moves import FailedMove, failed_at_fraction
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import (
     MoveImpossible,
@@ -53,10 +53,10 @@ from rapidsim.simulation.run_findings import (
     zone_finding,
 )
 from rapidsim.station.task_kind import TaskKind
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskSetup:
     """What a task is given."""
 
@@ -92,8 +92,8 @@ class TaskSetup:
         return self.world_from_base or Transform.identity()
 
 
-@dataclass(frozen=True, slots=True)
-class Outcome:
+@value_class(frozen=True, slots=True)
+class TaskOutcome:
     """How a task ended."""
 
     end: End
@@ -103,7 +103,7 @@ class Outcome:
     """The program with the values it left; None where it could not be made ready."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskRun:
     """A task with its controller and its robot's motion."""
 
@@ -114,32 +114,32 @@ class TaskRun:
 
 
 def prepare(
-    setup: TaskSetup, stand_in: Robot, cell: Cell, journal: Journal, options: RunOptions
+    setup: TaskSetup, placeholder: Robot, cell: Cell, journal: Journal, options: RunOptions
 ) -> TaskRun:
     """Set a task's controller up at time zero.
 
     Args:
         setup: The task.
-        stand_in: An arm that never moves, for a task that has none.
+        placeholder: An arm that never moves, for a task that has none.
         cell: What it shares with other tasks.
         journal: Where it reports.
         options: Limits and the motion model.
     """
-    unit = unit_of(setup, stand_in, cell, journal, options)
-    unit.own.start_is_free = setup.start_joints_deg is None
-    return begun(setup, unit, cell, journal, options)
+    unit = unit_of(setup, placeholder, cell, journal, options)
+    unit.solo_queue.start_is_free = setup.start_joints_deg is None
+    return new_task_run(setup, unit, cell, journal, options)
 
 
 def unit_of(
-    setup: TaskSetup, stand_in: Robot, cell: Cell, journal: Journal, options: RunOptions
+    setup: TaskSetup, placeholder: Robot, cell: Cell, journal: Journal, options: RunOptions
 ) -> MechanicalUnit:
     """The robot of a task, which stands where it starts; see `prepare`."""
-    robot = setup.robot or stand_in
+    robot = setup.robot or placeholder
     start = _start_waypoint(robot, setup.start_joints_deg)
-    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.look))
+    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.check))
 
 
-def begun(
+def new_task_run(
     setup: TaskSetup, unit: MechanicalUnit, cell: Cell, journal: Journal, options: RunOptions
 ) -> TaskRun:
     """A task with a new controller: of what its program did, only where its robot is stays.
@@ -152,7 +152,7 @@ def begun(
         options: Limits and the motion model.
     """
     resolver = Resolver(
-        unit.own.robot,
+        unit.solo_queue.robot,
         journal,
         setup.place.inverse(),
         options.model.payload_acceleration,
@@ -167,10 +167,10 @@ def begun(
     controller = virtual_controller(
         cell, unit, resolver, journal, place, has_robot=has_robot, queue=setup.queue
     )
-    controller.others.robot_label = setup.robot_label
+    controller.coordination.robot_label = setup.robot_label
     if not setup.counts:
         controller.clock.run_in_background()
-    return TaskRun(setup, journal, unit.own, controller)
+    return TaskRun(setup, journal, unit.solo_queue, controller)
 
 
 def require_limits(robot: Robot, options: RunOptions) -> None:
@@ -193,15 +193,15 @@ def run_to_end(
     run: TaskRun,
     load: Callable[[], Task],
     options: RunOptions,
-    others: Callable[[], Sequence[tuple[str, Place]]] = tuple,
-) -> Outcome:
+    other_waits: Callable[[], Sequence[tuple[str, Place]]] = tuple,
+) -> TaskOutcome:
     """Load a task, run its main as often as asked and let its robot come to rest.
 
     Args:
         run: The task.
         load: Makes its program ready to run.
         options: Limits of the run.
-        others: The tasks that wait where this one waits forever, and where.
+        other_waits: The tasks that wait where this one waits forever, and where.
     """
     task: Task | None = None
     try:
@@ -211,9 +211,9 @@ def run_to_end(
             end = _run_cycles(task, run, options)
             while not _came_to_rest(run.controller):
                 pass
-        outcome = Outcome(end, task=task)
+        outcome = TaskOutcome(end, task=task)
     except (FatalError, MotionError, Stopped) as error:
-        outcome = replace(outcome_of(error, run, others), task=task)
+        outcome = replace(outcome_of(error, run, other_waits), task=task)
     run.controller.motion.end_with_the_run()
     return outcome
 
@@ -221,16 +221,16 @@ def run_to_end(
 def outcome_of(
     error: FatalError | MotionError | Stopped,
     run: TaskRun,
-    others: Callable[[], Sequence[tuple[str, Place]]] = tuple,
-) -> Outcome:
+    other_waits: Callable[[], Sequence[tuple[str, Place]]] = tuple,
+) -> TaskOutcome:
     """What became of a task that ended otherwise than by its end; its robot does what is left.
 
     Args:
         error: What ended it.
         run: The task.
-        others: The tasks that wait where this one waits forever, and where.
+        other_waits: The tasks that wait where this one waits forever, and where.
     """
-    outcome = _outcome_of(error, run, others)
+    outcome = _outcome_of(error, run, other_waits)
     if not isinstance(error, TimeLimitReached | WaitsForever):
         run.controller.execution.end()
     return outcome
@@ -239,8 +239,8 @@ def outcome_of(
 def _outcome_of(
     error: FatalError | MotionError | Stopped,
     run: TaskRun,
-    others: Callable[[], Sequence[tuple[str, Place]]],
-) -> Outcome:
+    other_waits: Callable[[], Sequence[tuple[str, Place]]],
+) -> TaskOutcome:
     controller = run.controller
     place = controller.clock.place
     match error:
@@ -248,20 +248,20 @@ def _outcome_of(
             return _failed_motion(error, run)
         case TimeLimitReached():
             # What the robot would do after the run is not part of it, but for its coming to rest.
-            controller.others.stop_robot(controller.clock.pointer_s())
-            return Outcome(End.TIME_LIMIT, (time_limit_finding(error, place),))
+            controller.coordination.stop_robot(controller.clock.pointer_s())
+            return TaskOutcome(End.TIME_LIMIT, (time_limit_finding(error, place),))
         case WaitsForever():
-            found = endless_wait_finding(error, (run.setup.name, place), others())
-            return Outcome(End.ERROR, (found,))
+            found = endless_wait_finding(error, (run.setup.name, place), other_waits())
+            return TaskOutcome(End.ERROR, (found,))
         case TrapStorm():
-            return Outcome(End.ERROR, (trap_storm_finding(error, place),))
+            return TaskOutcome(End.ERROR, (trap_storm_finding(error, place),))
         case ZoneReached():
-            return Outcome(End.ERROR, (zone_finding(error, place),))
+            return TaskOutcome(End.ERROR, (zone_finding(error, place),))
         case _:
             return _abandoned(error, run)
 
 
-def _abandoned(error: FatalError | Stopped, run: TaskRun) -> Outcome:
+def _abandoned(error: FatalError | Stopped, run: TaskRun) -> TaskOutcome:
     """What became of a task whose program stopped while its robot may still have had moves."""
     controller = run.controller
     place = controller.clock.place
@@ -271,28 +271,28 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> Outcome:
     match error:
         case FatalError():
             run.journal.error(mark, fatal_answer(error, place))
-            return Outcome(End.ERROR, (fatal_finding(error, place),))
+            return TaskOutcome(End.ERROR, (fatal_finding(error, place),))
         case MoveImpossible():
             error.assumed |= not run.setup.is_base_known
-            return Outcome(End.ERROR, (impossible_move_finding(error, place),))
+            return TaskOutcome(End.ERROR, (impossible_move_finding(error, place),))
         case NotDeclared():
-            return Outcome(End.ERROR, (not_declared_finding(error, place),))
+            return TaskOutcome(End.ERROR, (not_declared_finding(error, place),))
         case NotSimulated():
-            return Outcome(End.ERROR, (not_followed_finding(error, place),))
+            return TaskOutcome(End.ERROR, (not_followed_finding(error, place),))
         case NotAllowed():
-            return Outcome(End.ERROR, (not_allowed_finding(error, place),))
+            return TaskOutcome(End.ERROR, (not_allowed_finding(error, place),))
         case _:
-            return Outcome(End.STOPPED, (stopped_finding(error, place),))
+            return TaskOutcome(End.STOPPED, (stopped_finding(error, place),))
 
 
-def _failed_motion(error: MotionError, run: TaskRun) -> Outcome:
+def _failed_motion(error: MotionError, run: TaskRun) -> TaskOutcome:
     """A move that turned out not to be possible when its path was planned."""
     finding = motion_finding(error)
     if not run.setup.is_base_known:
         finding = replace(finding, assumed=True)
     queued = error.queued
     way = (queued.place, finding.violation, queued.segment, error.fault.fraction, run.queue.robot)
-    return Outcome(End.ERROR, (finding,), (failed_on_the_way(*way),))
+    return TaskOutcome(End.ERROR, (finding,), (failed_at_fraction(*way),))
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:

@@ -26,7 +26,7 @@ def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
     """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "camera"):
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         name = reader.text(table, path, "name")
         if not name:
             reader.wrong(f"{path}.name", "is missing")
@@ -81,7 +81,7 @@ def _pictures(
 
 
 def _target(reader: Reader, table: Table, path: str, camera: str, scene: float) -> CameraTarget:
-    reader.known(path, table, _FOUND_KEYS)
+    reader.note_unknown_keys(path, table, _FOUND_KEYS)
     position = reader.numbers(table, path, "position", 3)
     rotation = reader.numbers(table, path, "quaternion", 4)
     frame = Pose(

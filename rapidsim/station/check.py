@@ -8,7 +8,7 @@ from pathlib import Path
 from rapidsim.diagnostics import Severity
 from rapidsim.files import input_bytes, require_inside
 from rapidsim.station.toml_reader import Reader, Table, read_toml
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 PROJECT_FILE = "pyproject.toml"
 
@@ -18,7 +18,7 @@ _KEYS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CheckSettings:
     """Selectors are codes, prefixes of codes, or names of rules."""
 
@@ -52,7 +52,7 @@ class CheckSettings:
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:
     """Read the table; errors are noted."""
-    reader.known(path, check, _KEYS)
+    reader.note_unknown_keys(path, check, _KEYS)
     ignores = reader.table(check, "per-file-ignores", f"{path}.per-file-ignores")
     baseline = reader.text(check, path, "baseline")
     return CheckSettings(

@@ -26,7 +26,7 @@ def read_stubs(reader: Reader, controller: Table) -> tuple[Path, ...]:
 
 def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:
     """The RobotWare version; None if the file does not give it."""
-    reader.known("controller", controller, _KEYS)
+    reader.note_unknown_keys("controller", controller, _KEYS)
     text = reader.text(controller, "controller", "robotware")
     if text is None:
         return None

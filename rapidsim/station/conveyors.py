@@ -22,7 +22,7 @@ def read_conveyors(reader: Reader, tables: Table) -> tuple[ConveyorScript, ...]:
     """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "conveyor"):
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         unit, speed = reader.text(table, path, "unit"), reader.positive(table, path, "speed")
         for key, value in (("unit", unit), ("speed", speed)):
             if value is None and key not in table:

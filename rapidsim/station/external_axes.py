@@ -29,7 +29,7 @@ def read_external_axes(
     reader: Reader,
     station: Table,
     acceleration_time: float,
-    known: Sequence[ExternalAxis] = (),
+    defaults: Sequence[ExternalAxis] = (),
 ) -> tuple[ExternalAxis, ...]:
     """Read the tables; errors are noted.
 
@@ -37,27 +37,27 @@ def read_external_axes(
         reader: Reads the file.
         station: The whole file.
         acceleration_time: How long an axis without `acceleration` takes to reach its speed [s].
-        known: The axes of a backup. Those of other letters stay; a key that a table lacks has the
-            value of the axis of its unit and, where it gives one, its letter.
+        defaults: The axes of a backup. Those of other letters stay; a key that a table lacks has
+            the value of the axis of its unit and, where it gives one, its letter.
 
     Returns:
         The axes in the order of their letters.
     """
     axes = [
-        _read_axis(reader, path, table, acceleration_time, _axis_of(table, known))
+        _read_axis(reader, path, table, acceleration_time, _axis_of(table, defaults))
         for path, table in reader.tables(station, "external_axis")
     ]
     found = [axis for axis in axes if axis is not None]
     _refuse_twice(reader, [axis.letter for axis in found])
     letters = [axis.letter for axis in found]
-    found += [axis for axis in known if axis.letter not in letters]
+    found += [axis for axis in defaults if axis.letter not in letters]
     return tuple(sorted(found, key=lambda axis: axis.letter))
 
 
-def _axis_of(table: Table, known: Sequence[ExternalAxis]) -> ExternalAxis | None:
+def _axis_of(table: Table, defaults: Sequence[ExternalAxis]) -> ExternalAxis | None:
     """The axis of a backup that a table describes; None if there is none."""
     unit, letter = str(table.get("name", "")).lower(), table.get("axis")
-    axes = [axis for axis in known if axis.unit.lower() == unit]
+    axes = [axis for axis in defaults if axis.unit.lower() == unit]
     if letter is None:
         return axes[0] if len(axes) == 1 else None
     return next((axis for axis in axes if axis.letter == letter), None)
@@ -65,7 +65,7 @@ def _axis_of(table: Table, known: Sequence[ExternalAxis]) -> ExternalAxis | None
 
 def read_frame(reader: Reader, table: Table, path: str) -> Transform:
     """A frame [mm] as a transform [m]; the identity if it is missing."""
-    reader.known(path, table, _FRAME_KEYS)
+    reader.note_unknown_keys(path, table, _FRAME_KEYS)
     position = reader.numbers(table, path, "position", 3) or (0.0, 0.0, 0.0)
     quaternion = reader.numbers(table, path, "quaternion", 4) or (1.0, 0.0, 0.0, 0.0)
     length = math.hypot(*quaternion)
@@ -80,30 +80,32 @@ def _read_axis(
     path: str,
     table: Table,
     acceleration_time: float,
-    known: ExternalAxis | None,
+    fallback: ExternalAxis | None,
 ) -> ExternalAxis | None:
-    reader.known(path, table, _KEYS)
+    reader.note_unknown_keys(path, table, _KEYS)
     name = reader.text(table, path, "name")
     letter = reader.text(table, path, "axis")
     kind = reader.text(table, path, "kind")
-    if known is not None:
-        letter, of_known = known.letter, "linear" if known.linear else "rotational"
-        known, kind = (known if kind in (None, of_known) else None), kind or of_known
+    if fallback is not None:
+        letter, of_known = fallback.letter, "linear" if fallback.linear else "rotational"
+        fallback, kind = (fallback if kind in (None, of_known) else None), kind or of_known
     limits = reader.numbers(table, path, "limits", 2)
     speed = reader.positive(table, path, "speed")
     acceleration = reader.positive(table, path, "acceleration")
-    carries = known.carries if known and "carries" not in table else _carries(reader, table, path)
+    carries = (
+        fallback.carries if fallback and "carries" not in table else _carries(reader, table, path)
+    )
     direction = reader.numbers(table, path, "direction", 3)
     if direction is not None and math.hypot(*direction) < 1e-6:
         reader.wrong(f"{path}.direction", "a direction must not be all zeros")
         direction = None
-    world_from_user = known.world_from_user if known else Transform.identity()
+    world_from_user = fallback.world_from_user if fallback else Transform.identity()
     if "frame" in table:
         world_from_user = read_frame(
             reader, reader.table(table, "frame", f"{path}.frame"), f"{path}.frame"
         )
     for key in ("name", "axis", "kind", "limits", "speed"):
-        if key not in table and known is None:
+        if key not in table and fallback is None:
             reader.wrong(f"{path}.{key}", "is missing")
     if letter is not None and (len(letter) != 1 or letter not in LETTERS):
         reader.wrong(f"{path}.axis", f"`{letter}` is none of a, b, c, d, e, f")
@@ -114,11 +116,11 @@ def _read_axis(
     if limits is not None and limits[0] >= limits[1]:
         reader.wrong(f"{path}.limits", "the first must be below the second")
         limits = None
-    if known is not None:
-        scale = MM if known.linear else math.radians(1.0)
-        limits = limits or (known.lower / scale, known.upper / scale)
-        acceleration = acceleration or known.max_acceleration / scale
-        speed, direction = speed or known.max_speed / scale, direction or known.direction
+    if fallback is not None:
+        scale = MM if fallback.linear else math.radians(1.0)
+        limits = limits or (fallback.lower / scale, fallback.upper / scale)
+        acceleration = acceleration or fallback.max_acceleration / scale
+        speed, direction = speed or fallback.max_speed / scale, direction or fallback.direction
     if name is None or letter is None or kind is None or limits is None or speed is None:
         return None
     scale = MM if kind == "linear" else math.radians(1.0)

@@ -31,7 +31,7 @@ def read_grippers(reader: Reader, tables: Table) -> tuple[Gripper, ...]:
         listed = list(reader.tables(tables, "gripper"))
     grippers = []
     for path, table in listed:
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         close = read_when(reader, table, path, "close")
         closed = read_when(reader, table, path, "closed")
         at = reader.text(table, path, "at")
@@ -51,7 +51,7 @@ def read_smart_grippers(reader: Reader, tables: Table) -> tuple[DescribedFingers
     """Read the list; errors are noted."""
     described = []
     for path, table in reader.tables(tables, "smart_gripper"):
-        reader.known(path, table, ("task", "object"))
+        reader.note_unknown_keys(path, table, ("task", "object"))
         object_mm = reader.not_negative(table, path, "object")
         task = reader.text(table, path, "task")
         if object_mm is None:

@@ -17,18 +17,18 @@ _AS_DELIVERED = QueueSettings()
 
 
 def read_queue(
-    reader: Reader, path: str, task: Table, known: QueueSettings | None = None
+    reader: Reader, path: str, task: Table, default: QueueSettings | None = None
 ) -> QueueSettings | None:
     """The queue of a [[task]], completed from that of a backup; None if there is neither.
 
     Errors are noted.
     """
     if "rmq" not in task:
-        return known
-    usual = known or _AS_DELIVERED
+        return default
+    usual = default or _AS_DELIVERED
     path = f"{path}.rmq"
     described = reader.table(task, "rmq", path)
-    reader.known(path, described, _KEYS)
+    reader.note_unknown_keys(path, described, _KEYS)
     kind = reader.text(described, path, "type") or usual.type.value
     mode = reader.text(described, path, "mode")
     if kind.lower() not in [one.value for one in QueueType]:

@@ -60,12 +60,12 @@ def read_motion(
     Returns:
         The model, and remarks on settings that no longer have an effect.
     """
-    reader.known("motion", motion, _KEYS)
-    reader.known("dynamics", dynamics, _OF_DYNAMICS)
+    reader.note_unknown_keys("motion", motion, _KEYS)
+    reader.note_unknown_keys("dynamics", dynamics, _OF_DYNAMICS)
 
-    def word(key: str, known: object, default: _Word) -> _Word:
+    def word(key: str, fallback: object, default: _Word) -> _Word:
         """One of the words of a `Literal`."""
-        words: tuple[_Word, ...] = get_args(known)
+        words: tuple[_Word, ...] = get_args(fallback)
         found = reader.text(motion, "motion", key)
         if found is None:
             return default
@@ -136,10 +136,10 @@ def _neither(words: Sequence[str]) -> str:
     return f"none of {', '.join(f'`{one}`' for one in words)}"
 
 
-def _above_zero(reader: Reader, motion: Table, key: str, what: str) -> tuple[float, ...] | None:
+def _above_zero(reader: Reader, motion: Table, key: str, subject: str) -> tuple[float, ...] | None:
     numbers = reader.numbers(motion, "motion", key, None)
     if numbers and min(numbers) <= 0.0:
-        reader.wrong(f"motion.{key}", f"{what} must be above 0")
+        reader.wrong(f"motion.{key}", f"{subject} must be above 0")
     return numbers
 
 

@@ -76,12 +76,14 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
     )
 
 
-def _settings(reader: Reader, table: Table, found: CellGeometry) -> CellGeometry:
+def _settings(reader: Reader, table: Table, geometry: CellGeometry) -> CellGeometry:
     """The table [collisions]."""
-    reader.known("collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore"))
+    reader.note_unknown_keys(
+        "collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore")
+    )
     clearance = reader.not_negative(table, "collisions", "clearance")
     return replace(
-        found,
+        geometry,
         clearance_m=(clearance or 0.0) * MM,
         stops=_flag(reader, table, "stop-on-collision", False),
         own_links=_flag(reader, table, "own-links", True),
@@ -101,7 +103,7 @@ def _ignored(reader: Reader, table: Table) -> tuple[IgnoredPair, ...]:
     pairs = []
     for path, pair in reader.tables(table, "ignore"):
         path = f"collisions.{path}"
-        reader.known(path, pair, ("between", "reason"))
+        reader.note_unknown_keys(path, pair, ("between", "reason"))
         between = reader.texts(pair, path, "between")
         reason = reader.text(pair, path, "reason")
         if len(between) != 2 or not reason:
@@ -116,7 +118,7 @@ def _ignored(reader: Reader, table: Table) -> tuple[IgnoredPair, ...]:
 def _attachment(
     reader: Reader, path: str, table: Table, objects: Sequence[str]
 ) -> Attachment | None:
-    reader.known(path, table, ("when", "object", "to", "robot"))
+    reader.note_unknown_keys(path, table, ("when", "object", "to", "robot"))
     condition = read_when(reader, table, path, "when")
     name = reader.text(table, path, "object")
     to = reader.text(table, path, "to")
@@ -136,7 +138,7 @@ def _attachment(
 
 
 def _object(reader: Reader, path: str, table: Table) -> CellObject | None:
-    reader.known(path, table, _KEYS)
+    reader.note_unknown_keys(path, table, _KEYS)
     name = reader.text(table, path, "name")
     if not name:
         reader.wrong(f"{path}.name", "is missing")
@@ -174,7 +176,7 @@ def _solid(reader: Reader, path: str, table: Table, kind: str) -> Shape | None:
         return shape.half_space()
     sizes = reader.table(table, kind, f"{path}.{kind}")
     keys = ("diameter",) if kind == "sphere" else ("diameter", "length")
-    reader.known(f"{path}.{kind}", sizes, keys)
+    reader.note_unknown_keys(f"{path}.{kind}", sizes, keys)
     given = [reader.positive(sizes, f"{path}.{kind}", key) for key in keys]
     if missing := [key for key in keys if key not in sizes]:
         reader.wrong(f"{path}.{kind}.{missing[0]}", "is missing")

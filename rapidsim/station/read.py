@@ -73,7 +73,7 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     """
     table = read_toml(file)
     reader = Reader(file)
-    reader.known("", table, _KEYS)
+    reader.note_unknown_keys("", table, _KEYS)
     robots = read_robots(reader, table, backup.robots)
     model, remarks = read_motion(
         reader, reader.table(table, "motion"), reader.table(table, "dynamics")
@@ -114,7 +114,7 @@ def read_io(file: Path) -> CellIo:
     """
     table = read_toml(file)
     reader = Reader(file)
-    reader.known("", table, _IO_KEYS)
+    reader.note_unknown_keys("", table, _IO_KEYS)
     io = _io(reader, table)
     reader.finish()
     return io
@@ -122,7 +122,7 @@ def read_io(file: Path) -> CellIo:
 
 def _starts_at(reader: Reader, clock: Table) -> datetime | None:
     """`[clock] start`: what the controller's clock shows at time zero, as TOML writes dates."""
-    reader.known("clock", clock, ("start",))
+    reader.note_unknown_keys("clock", clock, ("start",))
     start = clock.get("start")
     if start is None or isinstance(start, datetime):
         return None if start is None else start.replace(tzinfo=None)

@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.catalogue import entry_name
 from rapidsim.station.external_axes import read_frame
 from rapidsim.station.toml_reader import UNITS_M, Reader, Table
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.motion.robot.external_axes import ExternalAxis
@@ -23,7 +23,7 @@ _USUAL_AXES = 6
 _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class StationRobot:
     """What a station says about its robot."""
 
@@ -92,27 +92,27 @@ class StationRobot:
 
 
 def read_robots(
-    reader: Reader, station: Table, known: Sequence[StationRobot] = ()
+    reader: Reader, station: Table, defaults: Sequence[StationRobot] = ()
 ) -> tuple[StationRobot, ...]:
     """Read [robot], or each [[robot]]; empty if there is neither. Errors are noted.
 
     Args:
         reader: Reads the file.
         station: The top-level table.
-        known: The robots of a backup. A table describes the one with its `name`, else the first
+        defaults: The robots of a backup. A table describes the one with its `name`, else the first
             that no other table describes; a key that it lacks has that robot's value.
     """
     if "robot" not in station:
-        return tuple(known)
+        return tuple(defaults)
     keys: tuple[str, ...] = _KEYS_OF_SEVERAL
     if isinstance(station.get("robot"), list):
         tables = list(reader.tables(station, "robot"))
     else:
         tables, keys = [("robot", reader.table(station, "robot"))], _KEYS
-    robots = list(known)
-    for (path, robot), place in zip(tables, _places(tables, known), strict=True):
-        if place < len(known):
-            robots[place] = _read_robot(reader, path, robot, keys, known[place])
+    robots = list(defaults)
+    for (path, robot), place in zip(tables, _places(tables, defaults), strict=True):
+        if place < len(defaults):
+            robots[place] = _read_robot(reader, path, robot, keys, defaults[place])
         else:
             robots.append(_read_robot(reader, path, robot, keys, StationRobot()))
     labels = [robot.label.lower() for robot in robots if robot.label]
@@ -121,9 +121,9 @@ def read_robots(
     return tuple(robots) or (StationRobot(),)
 
 
-def _places(tables: Sequence[tuple[str, Table]], known: Sequence[StationRobot]) -> list[int]:
+def _places(tables: Sequence[tuple[str, Table]], defaults: Sequence[StationRobot]) -> list[int]:
     """The place of the robot that each table describes."""
-    labels = [robot.label.lower() for robot in known if robot.label]
+    labels = [robot.label.lower() for robot in defaults if robot.label]
     named: dict[int, int] = {}
     for number, (_, table) in enumerate(tables):
         name = str(table.get("name")).lower()
@@ -133,20 +133,22 @@ def _places(tables: Sequence[tuple[str, Table]], known: Sequence[StationRobot]) 
     return [named[number] if number in named else next(free) for number in range(len(tables))]
 
 
-def dropped_bounds(robots: Sequence[StationRobot], known: Sequence[StationRobot]) -> Iterator[str]:
+def dropped_bounds(
+    robots: Sequence[StationRobot], defaults: Sequence[StationRobot]
+) -> Iterator[str]:
     """Remarks on axis bounds of a backup that belong to another arm."""
-    for robot, backup in zip(robots, known, strict=False):
+    for robot, backup in zip(robots, defaults, strict=False):
         if any(backup.bounds) and not robot.bounds:
             yield f"joint limits of the backup are those of {backup.name}, not of {robot.name}"
 
 
 def _read_robot(
-    reader: Reader, path: str, robot: Table, keys: Sequence[str], known: StationRobot
+    reader: Reader, path: str, robot: Table, keys: Sequence[str], default: StationRobot
 ) -> StationRobot:
-    reader.known(path, robot, keys)
+    reader.note_unknown_keys(path, robot, keys)
     if "model" in robot and "urdf" in robot:
         reader.wrong(path, "give `model` or `urdf`, not both")
-    base = known.world_from_base
+    base = default.world_from_base
     if "base" in robot:
         base = read_frame(reader, reader.table(robot, "base", f"{path}.base"), f"{path}.base")
     name = reader.text(robot, path, "model")
@@ -159,14 +161,14 @@ def _read_robot(
     elif scale is not None and scale <= 0.0:
         reader.wrong(f"{path}.scale", f"must be greater than 0, not {scale:g}")
     found = replace(
-        known,
-        name=name or known.name,
+        default,
+        name=name or default.name,
         scale=scale,
         start_joints_deg=reader.numbers(robot, path, "start", None),
         world_from_base=base,
-        label=reader.text(robot, path, "name") or known.label,
-        unknown=None if name else known.unknown,
-        bounds=known.bounds if name is None or known.has_bounds_of(name) else (),
+        label=reader.text(robot, path, "name") or default.label,
+        unknown=None if name else default.unknown,
+        bounds=default.bounds if name is None or default.has_bounds_of(name) else (),
     )
     return _with_shapes(reader, path, robot, found)
 

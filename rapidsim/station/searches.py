@@ -20,7 +20,7 @@ def read_searches(reader: Reader, tables: Table) -> tuple[PartPose, ...]:
     """Read the list; errors are noted."""
     parts = []
     for path, table in reader.tables(tables, "search"):
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         if not {"position", "quaternion"} & table.keys():
             reader.wrong(f"{path}.position", "is missing: [0, 0, 0] where the part is as taught")
         position = reader.numbers(table, path, "position", 3)

@@ -32,17 +32,17 @@ _KINDS = ", ".join(kind.value for kind in SignalKind)
 
 
 def read_signals(
-    reader: Reader, signals: Table, known: Sequence[SignalDeclaration] = ()
+    reader: Reader, signals: Table, defaults: Sequence[SignalDeclaration] = ()
 ) -> tuple[SignalDeclaration, ...]:
     """Read the table; errors are noted.
 
     Args:
         reader: Reads the file.
         signals: The table.
-        known: The signals of a backup: those the table does not name stay, and a key that one of
+        defaults: The signals of a backup: those the table does not name stay, and a key that one of
             its signals lacks has their value. Signals of the table come last.
     """
-    backup = {signal.name.lower(): signal for signal in known}
+    backup = {signal.name.lower(): signal for signal in defaults}
     declared: dict[str, SignalDeclaration] = {}
     for name, value in signals.items():
         path = f"signals.{name}"
@@ -60,7 +60,7 @@ def read_signals(
 
 
 def read_crosses(
-    reader: Reader, tables: Table, known: Sequence[CrossConnection] = ()
+    reader: Reader, tables: Table, defaults: Sequence[CrossConnection] = ()
 ) -> tuple[CrossConnection, ...]:
     """Read the list; errors are noted, circular connections too.
 
@@ -68,7 +68,7 @@ def read_crosses(
     """
     crosses = []
     for path, table in reader.tables(tables, "cross"):
-        reader.known(path, table, _CROSS_KEYS)
+        reader.note_unknown_keys(path, table, _CROSS_KEYS)
         result = reader.text(table, path, "set")
         condition = read_when(reader, table, path, "from")
         if result is None or condition is None:
@@ -80,7 +80,7 @@ def read_crosses(
         if follows_itself(cross, crosses):
             reader.wrong(f"cross {number + 1}", f"`{cross.result}` depends on itself")
     results = {cross.result.lower() for cross in crosses}
-    return (*(cross for cross in known if cross.result.lower() not in results), *crosses)
+    return (*(cross for cross in defaults if cross.result.lower() not in results), *crosses)
 
 
 def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
@@ -98,7 +98,7 @@ def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | 
 def _signal(
     reader: Reader, path: str, name: str, table: Table, backup: SignalDeclaration | None
 ) -> SignalDeclaration | None:
-    reader.known(path, table, _KEYS)
+    reader.note_unknown_keys(path, table, _KEYS)
     text = reader.text(table, path, "type") or ("" if backup is None else backup.kind.value)
     if text.lower() not in list(SignalKind):
         reader.wrong(f"{path}.type", f"`{text}` is not a type of signal; there are {_KINDS}")

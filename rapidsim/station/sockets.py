@@ -26,7 +26,7 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
     """Read the list; errors are noted."""
     scripts = []
     for path, table in reader.tables(tables, "socket"):
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         if ("accept" in table) == ("connect" in table):
             reader.wrong(path, "give either `accept` for a server or `connect` for a client")
             continue
@@ -77,7 +77,7 @@ def _steps(reader: Reader, path: str, table: Table) -> tuple[SocketStep, ...]:
     steps = []
     for place, step in reader.tables(table, "steps"):
         here = f"{path}.{place}"
-        reader.known(here, step, _STEP_KEYS)
+        reader.note_unknown_keys(here, step, _STEP_KEYS)
         if not step:
             reader.wrong(here, 'give what happens, as in { expect = "GET", send = "12" }')
         steps.append(

@@ -19,7 +19,7 @@ from rapidsim.module_files import named_file
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.check import CheckSettings
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.collisions.geometry import CellGeometry
@@ -31,7 +31,7 @@ FILE_NAME = "rapidsim.toml"
 _MODULE_FOLDERS = ("RAPID", "PROGMOD", "SYSMOD")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Station:
     """The content of a station file; without one, all defaults."""
 
@@ -121,7 +121,9 @@ def find_station(paths: Iterable[str]) -> Path | None:
         if path != "-" and (place := named_file(path)).exists():
             folder = place.resolve() if place.is_dir() else place.resolve().parent
             modules = _module_folders(folder) if place.is_dir() else ()
-            found = next((f for f in (folder, *modules, *folder.parents) if _is_here(f)), None)
+            found = next(
+                (f for f in (folder, *modules, *folder.parents) if _has_station_file(f)), None
+            )
             room = folder if found in modules else found
             return found and room and require_inside([found / FILE_NAME], [room])[0]
     return None
@@ -134,7 +136,7 @@ def _module_folders(folder: Path) -> Sequence[Path]:
         return ()
 
 
-def _is_here(folder: Path) -> bool:
+def _has_station_file(folder: Path) -> bool:
     try:
         return (folder / FILE_NAME).is_file()
     except OSError:

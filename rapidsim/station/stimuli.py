@@ -21,7 +21,7 @@ def read_stimuli(reader: Reader, tables: Table) -> tuple[Stimulus, ...]:
     """Read the list; errors are noted."""
     stimuli = []
     for path, table in reader.tables(tables, "stimulus"):
-        reader.known(path, table, _KEYS)
+        reader.note_unknown_keys(path, table, _KEYS)
         at_s = reader.not_negative(table, path, "at")
         every_s = reader.positive(table, path, "every")
         when = read_when(reader, table, path, "when")

@@ -25,13 +25,13 @@ from rapidsim.files import did_you_mean
 from rapidsim.station.message_queues import read_queue
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.station.toml_reader import Reader, Table
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_TASK = "T_ROB1"
 _KEYS = ("name", "modules", "type", "motion", "robot", "entry", "check_references", "rmq")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class StationTask:
     """One task."""
 
@@ -64,7 +64,7 @@ def read_tasks(
     reader: Reader,
     station: Table,
     robots: Sequence[str | None],
-    known: Sequence[StationTask] = (),
+    defaults: Sequence[StationTask] = (),
 ) -> tuple[StationTask, ...]:
     """Read the tables; what is wrong is noted.
 
@@ -72,10 +72,10 @@ def read_tasks(
         reader: Reads the file.
         station: The top-level table.
         robots: The names of the robots; None for one without a name.
-        known: The tasks of a backup: they come first, in their order, and a key that a table of
+        defaults: The tasks of a backup: they come first, in their order, and a key that a table of
             their name lacks has their value.
     """
-    backup = {task.name.lower(): task for task in known}
+    backup = {task.name.lower(): task for task in defaults}
     tasks = [
         _read_task(reader, path, task, backup) for path, task in reader.tables(station, "task")
     ]
@@ -92,7 +92,7 @@ def read_tasks(
 def _read_task(
     reader: Reader, path: str, task: Table, backup: Mapping[str, StationTask]
 ) -> StationTask:
-    reader.known(path, task, _KEYS)
+    reader.note_unknown_keys(path, task, _KEYS)
     name = reader.text(task, path, "name") or DEFAULT_TASK
     known = backup.get(name.lower(), _NO_TASK)
     modules = reader.texts(task, path, "modules")

@@ -10,14 +10,14 @@ from pathlib import Path
 from typing import TypeGuard
 
 from rapidsim.files import InputError, did_you_mean, input_text, require_inside
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Table = Mapping[str, object]
 UNITS_M = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
 """Units of length [m] that drawings count in."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Reader:
     """Reads one file; a wrong value is noted and treated as missing."""
 
@@ -51,7 +51,7 @@ class Reader:
         lines = (f"{message} ({help})" if help else message for message, help in self._mistakes)
         raise InputError("\n".join(lines))
 
-    def known(self, path: str, table: Table, keys: Iterable[str]) -> None:
+    def note_unknown_keys(self, path: str, table: Table, keys: Iterable[str]) -> None:
         """Note the unknown keys of a table."""
         keys = tuple(keys)
         for key in table:

@@ -15,12 +15,12 @@ from rapidsim.syntax.blocks import (
     ITEMS,
     OPENERS,
     ROUTINES,
-    Block,
+    OpenBlock,
     closed_blocks,
     open_blocks,
 )
-from rapidsim.syntax.recognition import START, in_list, takes
-from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
+from rapidsim.syntax.parse_failure import ParseFailure, Patch, Token, TokenBuffer, deletion
+from rapidsim.syntax.recognizer import START, accepts, in_list
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
@@ -32,7 +32,7 @@ _MOST_APART = 8
 """Blocks open at one place that are looked at one by one; more get one report together."""
 
 
-def unclosed_block(at: Situation) -> Patch | None:
+def unclosed_block(at: ParseFailure) -> Patch | None:
     """Close the block that should have been closed before this word."""
     row = at.row
     index = at.index
@@ -44,7 +44,7 @@ def unclosed_block(at: Situation) -> Patch | None:
         return None
     if at.kind in {END, "MODULE"}:
         return _cut_short(at, blocks)
-    inner: list[Block] = []
+    inner: list[OpenBlock] = []
     for block in reversed(blocks):
         if block.kind in wanted and not (block is blocks[-1] and _is_divided(row, block, at.kind)):
             break
@@ -62,7 +62,7 @@ def unclosed_block(at: Situation) -> Patch | None:
     )
 
 
-def stray_block_word(at: Situation) -> Patch | None:
+def stray_block_word(at: ParseFailure) -> Patch | None:
     """Find what should have opened the block that this word closes or divides, or drop it."""
     row, kind = at.row, at.kind
     wanted = _wanted(kind)
@@ -82,7 +82,7 @@ def stray_block_word(at: Situation) -> Patch | None:
     return deletion(row, at.index, stop, StrayBlockWord(kind, names))
 
 
-def _cut_short(at: Situation, blocks: list[Block]) -> Patch:
+def _cut_short(at: ParseFailure, blocks: list[OpenBlock]) -> Patch:
     """The text or the module ends with blocks open: one report, however many they are."""
     row = at.row
     start = at.index
@@ -90,13 +90,13 @@ def _cut_short(at: Situation, blocks: list[Block]) -> Patch:
     if not in_list(at.stack) and in_list(at.statement_stack):
         start = at.statement
         begin, end = row.starts[start], row.place_before(at.index)
-        if takes(at.statement_stack, ["BROKEN"]):
+        if accepts(at.statement_stack, ["BROKEN"]):
             tokens.append(("BROKEN", begin, end))
     closing = _closing_all(row, blocks, at.index)
     return Patch(start, at.index, (*tokens, *closing.tokens), closing.diagnostic)
 
 
-def _closing_all(row: Row, blocks: Sequence[Block], index: int) -> Patch:
+def _closing_all(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) -> Patch:
     """Close all of some blocks, outermost first, before a token; one report for them."""
     place = row.place_before(index)
     tokens = tuple((CLOSERS[block.kind], place, place) for block in reversed(blocks))
@@ -125,13 +125,13 @@ def _wanted(kind: str) -> frozenset[str] | None:
     return None
 
 
-def _is_divided(row: Row, block: Block, kind: str) -> bool:
+def _is_divided(row: TokenBuffer, block: OpenBlock, kind: str) -> bool:
     """Whether a block has had its ELSE or DEFAULT, after which it cannot be divided again."""
     final = {"ELSE", "DEFAULT"}
     return kind in {*final, "ELSEIF", "CASE"} and any(row.kinds[i] in final for i in block.dividers)
 
 
-def _misspelt_closer(at: Situation, block: Block, stop: int) -> Patch | None:
+def _misspelt_closer(at: ParseFailure, block: OpenBlock, stop: int) -> Patch | None:
     """A line that consists of a name much like the missing word."""
     row = at.row
     word = CLOSERS[block.kind]
@@ -146,7 +146,9 @@ def _misspelt_closer(at: Situation, block: Block, stop: int) -> Patch | None:
     return None
 
 
-def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patch | None:
+def _by_indentation(
+    row: TokenBuffer, start: int, stop: int, inner: list[OpenBlock]
+) -> Patch | None:
     """Blame a block one of whose words stands in the column of a block further out."""
     outermost = inner[-1].index
     blocks = open_blocks(row.kinds, start, stop)
@@ -169,7 +171,7 @@ def _by_indentation(row: Row, start: int, stop: int, inner: list[Block]) -> Patc
     return None
 
 
-def _dedent(row: Row, block: Block, stop: int) -> int:
+def _dedent(row: TokenBuffer, block: OpenBlock, stop: int) -> int:
     """Where a reader would expect the closing word: the first line that stands no deeper."""
     column = row.indent(block.index)
     own = set(block.dividers)
@@ -191,7 +193,7 @@ def _dedent(row: Row, block: Block, stop: int) -> int:
     return stop
 
 
-def _closing(row: Row, block: Block, index: int, latest: int) -> Patch:
+def _closing(row: TokenBuffer, block: OpenBlock, index: int, latest: int) -> Patch:
     """Close a block before a token; if the parser does not follow there, at the latest place."""
     if index != latest and row.kinds[index - 1] not in {"SEMICOLON", *OPENERS, "THEN", "DO"}:
         index = latest
@@ -204,7 +206,7 @@ def _closing(row: Row, block: Block, index: int, latest: int) -> Patch:
     return Patch(index, index, ((word, place, place),), Diagnostic(violation, span, related))
 
 
-def _misspelt_opener(at: Situation, wanted: frozenset[str]) -> Patch | None:
+def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
     """A line above that would open the block, were one word of it spelt right."""
     row = at.row
     words = rapid_table().words
@@ -220,6 +222,6 @@ def _misspelt_opener(at: Situation, wanted: frozenset[str]) -> Patch | None:
         for word in near:
             patched = [*row.kinds[at.module : at.index + 1]]
             patched[index - at.module] = words[word]
-            if takes(START, patched):
+            if accepts(START, patched):
                 return respelling(row, index, index + 1, word)
     return None

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 CLOSERS = MappingProxyType(
     {
@@ -41,8 +41,8 @@ ITEMS = frozenset({"PROC", "FUNC", "TRAP", "RECORD", "ALIAS"})
 """Words that begin what cannot stand in a routine."""
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
+@value_class(frozen=True, slots=True)
+class OpenBlock:
     """An open block: the kind and the index of the token that opens it."""
 
     kind: str
@@ -51,29 +51,31 @@ class Block:
     """Indices of the ELSE, ELSEIF, CASE, DEFAULT or clause words in it."""
 
 
-@dataclass(frozen=True, slots=True)
-class Closed:
+@value_class(frozen=True, slots=True)
+class ClosedBlock:
     """A block and the index of the token that closes it, with what was open around it then."""
 
-    block: Block
+    block: OpenBlock
     closer: int
-    around: tuple[Block, ...]
+    around: tuple[OpenBlock, ...]
 
 
-def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[Block]:
+def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[OpenBlock]:
     """The blocks that tokens from `start` up to `stop` leave open, outermost first."""
-    blocks: list[Block] = []
+    blocks: list[OpenBlock] = []
     for _ in _walk(kinds, start, stop, blocks):
         pass
     return blocks
 
 
-def closed_blocks(kinds: Sequence[str], start: int, stop: int) -> Iterator[Closed]:
+def closed_blocks(kinds: Sequence[str], start: int, stop: int) -> Iterator[ClosedBlock]:
     """The blocks that are closed, in the order of their closing words."""
     return _walk(kinds, start, stop, [])
 
 
-def _walk(kinds: Sequence[str], start: int, stop: int, blocks: list[Block]) -> Iterator[Closed]:
+def _walk(
+    kinds: Sequence[str], start: int, stop: int, blocks: list[OpenBlock]
+) -> Iterator[ClosedBlock]:
     # Only THEN tells a block IF from a compact one, and only if no ELSEIF began its line.
     pending_if: int | None = None
     for index in range(start, stop):
@@ -82,7 +84,7 @@ def _walk(kinds: Sequence[str], start: int, stop: int, blocks: list[Block]) -> I
             pending_if = index
         elif kind == "THEN":
             if pending_if is not None:
-                blocks.append(Block("IF", pending_if))
+                blocks.append(OpenBlock("IF", pending_if))
                 pending_if = None
         elif kind == "SEMICOLON":
             pending_if = None
@@ -91,7 +93,7 @@ def _walk(kinds: Sequence[str], start: int, stop: int, blocks: list[Block]) -> I
             if blocks and blocks[-1].kind in DIVIDERS[kind]:
                 blocks[-1] = replace(blocks[-1], dividers=(*blocks[-1].dividers, index))
         elif kind in CLOSERS:
-            blocks.append(Block(kind, index))
+            blocks.append(OpenBlock(kind, index))
         elif kind in OPENERS and blocks and blocks[-1].kind == OPENERS[kind]:
             block = blocks.pop()
-            yield Closed(block, index, tuple(blocks))
+            yield ClosedBlock(block, index, tuple(blocks))

@@ -19,7 +19,9 @@ Build: TypeAlias = Callable[..., Any]
 T = TypeVar("T")
 Dimensions: TypeAlias = "tuple[tree.Expression, ...] | None"
 Clause: TypeAlias = "tuple[str, tree.Node, tree.Body | tree.ErrorHandler]"
-Parameters: TypeAlias = "tuple[tree.Parameter | tree.OptionalGroup | tree.Placeholder, ...]"
+Parameters: TypeAlias = (
+    "tuple[tree.ParameterDeclaration | tree.OptionalGroup | tree.Placeholder, ...]"
+)
 
 
 class Head(NamedTuple):
@@ -70,9 +72,9 @@ class Builder:
 
     def field(
         self, start: int, end: int, type: tree.Name, name: tree.Name, dimensions: Dimensions
-    ) -> tree.Field:
+    ) -> tree.ComponentDeclaration:
         """A component of a record."""
-        return tree.Field(start, end, type, name, dimensions or ())
+        return tree.ComponentDeclaration(start, end, type, name, dimensions or ())
 
     def alias(self, start: int, end: int, local: tree.Name | None, *names: tree.Name) -> tree.Node:
         """ALIAS."""
@@ -189,8 +191,8 @@ class Builder:
         return "ERROR", tree.Node(start, end), tree.ErrorHandler(start, end, numbers, body)
 
     def parameters(
-        self, start: int, end: int, *parts: tree.Parameter | tree.OptionalGroup | None
-    ) -> tuple[tree.Parameter | tree.OptionalGroup, ...]:
+        self, start: int, end: int, *parts: tree.ParameterDeclaration | tree.OptionalGroup | None
+    ) -> tuple[tree.ParameterDeclaration | tree.OptionalGroup, ...]:
         """A parameter list in its parentheses; its only part is None where it is empty."""
         return tuple(part for part in parts if part is not None)
 
@@ -202,12 +204,14 @@ class Builder:
         type: tree.Name,
         name: tree.Name,
         stars: tuple[tree.Name, ...] | None,
-    ) -> tree.Parameter:
+    ) -> tree.ParameterDeclaration:
         """One parameter."""
-        return tree.Parameter(start, end, _word(mode) or "IN", type, name, len(stars or ()))
+        return tree.ParameterDeclaration(
+            start, end, _word(mode) or "IN", type, name, len(stars or ())
+        )
 
     def optional_group(
-        self, start: int, end: int, *alternatives: tree.Parameter | tree.Placeholder
+        self, start: int, end: int, *alternatives: tree.ParameterDeclaration | tree.Placeholder
     ) -> tree.OptionalGroup:
         """Optional parameters that exclude each other."""
         return tree.OptionalGroup(start, end, alternatives)
@@ -249,7 +253,7 @@ class Builder:
         first = arguments[0]
         if (
             first.start > name.end
-            and type(first) is tree.Required
+            and type(first) is tree.RequiredArgument
             and self.text.find(self.line_end, name.end, first.start) >= 0
             # A call that goes on in the next line is written deeper there.
             and self._indent(first.start) <= self._indent(start)
@@ -290,10 +294,10 @@ class Builder:
         end: int,
         first: tree.Branch,
         more: tuple[tree.Branch, ...],
-        otherwise: tree.Body | None,
+        else_body: tree.Body | None,
     ) -> tree.If:
         """IF."""
-        return tree.If(start, end, (first, *more), otherwise)
+        return tree.If(start, end, (first, *more), else_body)
 
     def branch_without_then(
         self, start: int, end: int, condition: tree.Expression, body: tree.Body
@@ -328,13 +332,15 @@ class Builder:
 
     # --- arguments
 
-    def named(self, start: int, end: int, name: tree.Name, value: tree.Expression) -> tree.Required:
+    def named(
+        self, start: int, end: int, name: tree.Name, value: tree.Expression
+    ) -> tree.RequiredArgument:
         """`Par := x`."""
-        return tree.Required(start, end, value, name)
+        return tree.RequiredArgument(start, end, value, name)
 
-    def star(self, start: int, end: int, mark: tree.Name) -> tree.Required:
+    def star(self, start: int, end: int, mark: tree.Name) -> tree.RequiredArgument:
         """`*`, a target that is not taught yet."""
-        return tree.Required(start, end, tree.Placeholder(start, end, "*"))
+        return tree.RequiredArgument(start, end, tree.Placeholder(start, end, "*"))
 
     def function_call(
         self, start: int, end: int, name: tree.Name, arguments: tuple[tree.Argument, ...] | None
@@ -394,8 +400,8 @@ class Builder:
 
     branch = tree.Branch
     compact_if = tree.CompactIf
-    component = tree.Component
-    conditional = tree.Conditional
+    component = tree.ComponentAccess
+    conditional = tree.ConditionalArgument
     connect = tree.Connect
     case = tree.Case
     empty = tree.Empty
@@ -404,11 +410,11 @@ class Builder:
     goto = tree.Goto
     index = tree.Index
     label = tree.Label
-    optional = tree.Optional
+    optional = tree.OptionalArgument
     parenthesised = tree.Parenthesised
-    positional = tree.Required
+    positional = tree.RequiredArgument
     raise_ = tree.Raise
-    reference = tree.Reference
+    reference = tree.DataReference
     retry = tree.Retry
     return_ = tree.Return
     test = tree.Test
@@ -439,26 +445,33 @@ def _word(word: tree.Name | None) -> str | None:
     return word.text.upper() if word else None
 
 
-def _may_be_a_statement(first: tree.Required, others: tuple[tree.Argument, ...]) -> bool:
+def _may_be_a_statement(
+    first: tree.RequiredArgument, other_arguments: tuple[tree.Argument, ...]
+) -> bool:
     r"""Whether an argument list alone on its line reads as an assignment or a call.
 
     `Stop` above `x:=1;` is a call with a named argument to the grammar, `Stop` above `Home\Fast;`
     one with two arguments; to the programmer each is two statements.
     """
     if first.name is not None:
-        return not others
-    return type(first.value) is tree.Reference and not any(
-        type(other) is tree.Required for other in others
+        return not other_arguments
+    return type(first.value) is tree.DataReference and not any(
+        type(other) is tree.RequiredArgument for other in other_arguments
     )
 
 
 def _literal_value(element: tree.Expression) -> tree.LiteralValue | None:
     match element:
-        case tree.Number() | tree.String() | tree.Bool() | tree.LiteralAggregate():
+        case (
+            tree.NumberLiteral()
+            | tree.StringLiteral()
+            | tree.BoolLiteral()
+            | tree.LiteralAggregate()
+        ):
             return element.value
-        case tree.Unary(operator="-", operand=tree.Number(value=value)):
+        case tree.Unary(operator="-", operand=tree.NumberLiteral(value=value)):
             return -value
-        case tree.Unary(operator="+", operand=tree.Number(value=value)):
+        case tree.Unary(operator="+", operand=tree.NumberLiteral(value=value)):
             return value
         case _:
             return None

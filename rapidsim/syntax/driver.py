@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Build, Builder
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.shapes import Shapes, after_passes
-from rapidsim.syntax.shapes import beginnings as beginnings_of_statements
+from rapidsim.syntax.line_templates import LineTemplates, after_passes
+from rapidsim.syntax.line_templates import beginnings as beginnings_of_statements
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import ACCEPT
 from rapidsim.syntax.terminals import TERMINALS
@@ -52,7 +52,7 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
     firsts: list[int] = []  # offset where each value begins
     position = 0
     kind = kinds[0]
-    shapes, beginnings = Shapes(kinds), beginnings_of_statements()
+    shapes, beginnings = LineTemplates(kinds), beginnings_of_statements()
     builds = [reduction.build for reduction in reductions]
     while True:
         if kind in _FIRST_OF_SHAPES and states[-1] in beginnings:

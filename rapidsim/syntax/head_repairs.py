@@ -5,8 +5,8 @@ from __future__ import annotations
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.syntax import wording
 from rapidsim.syntax.blocks import ROUTINES
-from rapidsim.syntax.recognition import in_file, in_list, takes
-from rapidsim.syntax.situation import Patch, Row, Situation, Token, deletion
+from rapidsim.syntax.parse_failure import ParseFailure, Patch, Token, TokenBuffer, deletion
+from rapidsim.syntax.recognizer import accepts, in_file, in_list
 from rapidsim.syntax.spelling import distance
 from rapidsim.syntax.text_violations import NoModule, TextBehindModule, TextOutsideModule
 from rapidsim.syntax.token_repairs import BLOCK_WORDS, respelling
@@ -25,7 +25,7 @@ _DECLARES = frozenset({"VAR", "PERS", "CONST", "ALIAS", "RECORD", *ROUTINES})
 _BEGIN_ITEM = frozenset({"VAR", "PERS", "CONST", "LOCAL", "TASK", "ALIAS"})
 
 
-def text_outside_modules(at: Situation) -> Patch | None:
+def skip_text_between_modules(at: ParseFailure) -> Patch | None:
     """Skip to the next line that begins with MODULE and a name."""
     if not in_file(at.stack):
         return None
@@ -40,7 +40,7 @@ def text_outside_modules(at: Situation) -> Patch | None:
     return deletion(row, at.index, stop, TextOutsideModule())
 
 
-def broken_head(at: Situation) -> Patch | None:
+def broken_head(at: ParseFailure) -> Patch | None:
     """Rebuild the head of a module, routine or block, so that its body can be read."""
     row, first = at.row, at.statement
     if row.kinds[first] == "LOCAL":
@@ -59,7 +59,7 @@ def broken_head(at: Situation) -> Patch | None:
     if row.kinds[stop] != last or stop == head + 1:
         return None
     before = row.kinds[at.statement : head + 1]
-    if not takes(at.statement_stack, [*before, *substitute, last]):
+    if not accepts(at.statement_stack, [*before, *substitute, last]):
         return None
     span = row.span(head + 1, stop)
     counter = _first_name(row, head + 1, stop)
@@ -69,26 +69,26 @@ def broken_head(at: Situation) -> Patch | None:
     return Patch(head + 1, stop, tokens, _complaint(at, BrokenHead))
 
 
-def panic(at: Situation) -> Patch:
+def panic(at: ParseFailure) -> Patch:
     """Give up the statement or declaration, up to its semicolon or to where the next one begins."""
     row, first = at.row, at.statement
     complaint = _complaint(at, BrokenSyntax)
     if not in_list(at.statement_stack) or (first == at.index and at.kind in BLOCK_WORDS):
         return Patch(at.index, at.index + 1, (), complaint)
-    if takes(at.statement_stack, ["RDN"]):
+    if accepts(at.statement_stack, ["RDN"]):
         stop = _statements_end(at)
         if row.kinds[first] not in _BEGIN_ITEM:
             statement = wording.construct(row, first, stop)
             complaint = Diagnostic(StrayStatement(statement), row.span(first, first + 1))
     else:
         stop = _statement_end(at)
-    if not takes(at.statement_stack, ["BROKEN"]):
+    if not accepts(at.statement_stack, ["BROKEN"]):
         return Patch(first, stop, (), complaint)  # a component of a record
     span = row.span(first, stop)
     return Patch(first, stop, (("BROKEN", span.start, span.end),), complaint)
 
 
-def _statement_end(at: Situation) -> int:
+def _statement_end(at: ParseFailure) -> int:
     """One past the semicolon, or where something else begins without one."""
     row = at.row
     column = row.indent(at.statement)
@@ -102,7 +102,7 @@ def _statement_end(at: Situation) -> int:
     return max(stop, at.statement + 1)
 
 
-def _statements_end(at: Situation) -> int:
+def _statements_end(at: ParseFailure) -> int:
     """The same between routines, where stray statements come in heaps and count as one."""
     row = at.row
     stop = at.index
@@ -116,13 +116,13 @@ def _statements_end(at: Situation) -> int:
     return max(stop, at.statement + 1)
 
 
-def _complaint(at: Situation, rule: type[BrokenHead] | type[BrokenSyntax]) -> Diagnostic:
+def _complaint(at: ParseFailure, rule: type[BrokenHead] | type[BrokenSyntax]) -> Diagnostic:
     row, index = at.row, at.index
     construct = wording.construct(row, at.statement, index + 1)
     return Diagnostic(rule(construct, wording.problem(at)), row.span(index, index + 1))
 
 
-def _definition_head(at: Situation, first: int) -> Patch | None:
+def _definition_head(at: ParseFailure, first: int) -> Patch | None:
     """Let the head of a module or routine be its names and an empty parameter list."""
     row = at.row
     stop = row.line_stop(first)
@@ -141,14 +141,14 @@ def _definition_head(at: Situation, first: int) -> Patch | None:
     return Patch(first + 1, stop, tuple(tokens), _complaint(at, BrokenHead))
 
 
-def _first_name(row: Row, first: int, stop: int) -> Token:
+def _first_name(row: TokenBuffer, first: int, stop: int) -> Token:
     for index in range(first, stop):
         if row.kinds[index] == "NAME":
             return row.token(index)
     return "NAME", row.starts[first], row.starts[first]
 
 
-def _module_begin(row: Row, index: int) -> int | None:
+def _module_begin(row: TokenBuffer, index: int) -> int | None:
     for begin in range(index, len(row.kinds) - 1):
         if (
             row.kinds[begin] == "MODULE"
@@ -159,7 +159,7 @@ def _module_begin(row: Row, index: int) -> int | None:
     return None
 
 
-def _misspelt_module(row: Row) -> Patch | None:
+def _misspelt_module(row: TokenBuffer) -> Patch | None:
     """The first line that would begin a module, were its first word spelt right."""
     for index in range(len(row.kinds) - 2):
         if (
@@ -171,7 +171,7 @@ def _misspelt_module(row: Row) -> Patch | None:
     return None
 
 
-def _no_module(row: Row) -> Patch:
+def _no_module(row: TokenBuffer) -> Patch:
     source = row.source
     end = len(source.line(1)) if source.text else 0
     diagnostic = Diagnostic(NoModule(), Span(source, 0, end))

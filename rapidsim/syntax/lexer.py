@@ -15,7 +15,7 @@ from itertools import pairwise
 from rapidsim.syntax import tree
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 UNKNOWN = "UNKNOWN"
 """The kind of a character that no token begins with; the grammar has no such terminal."""
@@ -29,7 +29,7 @@ _WORDS_AFTER_STRING = ("THEN", "DO")
 _LAST_WORD = re.compile(r"(?<!\w)[A-Za-z]{2,4}$")
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class Tokens:
     """The tokens of a text; the last is `END`, of no width."""
 
@@ -46,7 +46,7 @@ class Tokens:
     """Every name and reserved word, as written."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class _Lexicon:
     pattern: re.Pattern[str]
     header: re.Pattern[str]

@@ -16,7 +16,7 @@ from dataclasses import replace
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import literals
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.situation import Row
+from rapidsim.syntax.parse_failure import TokenBuffer
 from rapidsim.syntax.table import END
 from rapidsim.syntax.text_violations import BadEscape, LimitExceeded
 
@@ -80,7 +80,7 @@ def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, .
     if not gaps:
         return tokens, ()
     diagnostics = []
-    row = Row.of(tokens, source)
+    row = TokenBuffer.of(tokens, source)
     for start, stop, gap in reversed(gaps):
         span = row.span(start, stop)
         violation = LimitExceeded("what begins here", "is nested too deep", f"{DEEPEST} levels")

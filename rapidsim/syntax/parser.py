@@ -14,24 +14,24 @@ from typing import TYPE_CHECKING
 from rapidsim.diagnostics import Diagnostic, Source, Span
 from rapidsim.syntax import tree
 from rapidsim.syntax.builder import Builder
-from rapidsim.syntax.collection import uncollected
 from rapidsim.syntax.driver import build_tree
+from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.limits import bounded, token_limits
 from rapidsim.syntax.repair import cut_calls_ended, repaired
 from rapidsim.syntax.text_violations import NoModule, UnterminatedString
 from rapidsim.syntax.violations import RepeatedClause
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
-    from rapidsim.syntax.runs import Stretch
+    from rapidsim.syntax.bulk_statements import SkippedSpan
 
 
 _SHORTEST_MOVE = 60
 """Characters of a move with its target written out."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Parsed:
     """The tree of a file, as far as it could be read, and what is wrong with its text."""
 
@@ -44,7 +44,7 @@ class Parsed:
         return f"<{self.file!r}, {len(self.diagnostics)} findings>"
 
 
-@uncollected()
+@gc_paused()
 def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = False) -> Parsed:
     """Read a file.
 
@@ -68,9 +68,9 @@ def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = Fals
 def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Parsed | None:
     """A file whose runs are left out; None where there are too few, or not all can be."""
     # For files of which most have none, and it takes numpy.
-    from rapidsim.syntax.runs import stretches  # noqa: PLC0415
+    from rapidsim.syntax.bulk_statements import skipped_spans  # noqa: PLC0415
 
-    found = stretches(source.text, keeps_data=keeps_data)
+    found = skipped_spans(source.text, keeps_data=keeps_data)
     if sum(len(one.numbers) for one in found if not one.names) <= runs_of:
         return None
     parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
@@ -84,17 +84,17 @@ def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Pars
     return replace(parsed, file=replace(parsed.file, modules=modules))
 
 
-def _with_runs(module: tree.Module, found: Sequence[Stretch]) -> tree.Module:
+def _with_runs(module: tree.Module, spans: Sequence[SkippedSpan]) -> tree.Module:
     """A module with its runs: of declarations outside of routines, of moves outside of blocks."""
     lists: list[tuple[int, int, Sequence[tree.Item | tree.Statement]]] = [
         (module.start, module.end, module.items),
         *((one.start, one.end, one.body) for one in module.routines),
     ]
-    runs: list[tree.Run] = []
+    runs: list[tree.BulkStatements] = []
     for start, end, nodes in lists:
         starts = [node.start for node in nodes]
-        first = bisect_left(found, start, key=_place)
-        for one in found[first : bisect_left(found, end, key=_place)]:
+        first = bisect_left(spans, start, key=_place)
+        for one in spans[first : bisect_left(spans, end, key=_place)]:
             at = bisect_left(starts, one.like)
             run = _run(one, nodes[at : at + 2], module.source.text)
             if run is not None:
@@ -102,40 +102,40 @@ def _with_runs(module: tree.Module, found: Sequence[Stretch]) -> tree.Module:
     return replace(module, runs=tuple(sorted(runs, key=lambda run: run.start)))
 
 
-def _place(stretch: Stretch) -> int:
-    return stretch.like
+def _place(span: SkippedSpan) -> int:
+    return span.like
 
 
 def _run(
-    found: Stretch, around: Sequence[tree.Item | tree.Statement], text: str
-) -> tree.Run | None:
+    span: SkippedSpan, around: Sequence[tree.Item | tree.Statement], text: str
+) -> tree.BulkStatements | None:
     """A run between two statements; None where the lines around it are read as anything else."""
     match around:
         case (tree.Data(value=tree.LiteralAggregate()) as like, tree.Data() as behind):
-            kind = bool(found.names)
+            kind = bool(span.names)
         case (
-            tree.Call(arguments=(tree.Required(value=target, name=None), *_)) as like,
+            tree.Call(arguments=(tree.RequiredArgument(value=target, name=None), *_)) as like,
             tree.Call() as behind,
         ):
-            literal = tree.LiteralAggregate if found.declared is None else tree.Reference
-            kind = isinstance(target, literal) and not found.names
+            literal = tree.LiteralAggregate if span.declared is None else tree.DataReference
+            kind = isinstance(target, literal) and not span.names
         case _:
             return None
-    first, last = int(found.lines[0]), int(found.lines[-1])
-    indent = like.start - found.like
-    is_line = not text[found.like : like.start].strip()
+    first, last = int(span.lines[0]), int(span.lines[-1])
+    indent = like.start - span.like
+    is_line = not text[span.like : like.start].strip()
     if not (kind and is_line and like.end < first and behind.start == last + indent):
         return None
-    return tree.Run(
+    return tree.BulkStatements(
         first,
         last,
         like,
-        found.lines[:-1] + indent,
-        found.lines[1:] - (first - like.end),
-        found.numbers,
-        found.numbers_of_like,
-        found.names,
-        found.declared,
+        span.lines[:-1] + indent,
+        span.lines[1:] - (first - like.end),
+        span.numbers,
+        span.numbers_of_like,
+        span.names,
+        span.declared,
     )
 
 

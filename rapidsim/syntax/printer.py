@@ -44,17 +44,17 @@ def print_statement(statement: tree.Statement, module: tree.Module) -> list[str]
 def print_expression(expression: tree.Expression) -> str:
     """An expression as text."""
     match expression:
-        case tree.Number(text=text):
+        case tree.NumberLiteral(text=text):
             return text
-        case tree.String(value=value):
+        case tree.StringLiteral(value=value):
             return _string(value)
-        case tree.Bool(value=value):
+        case tree.BoolLiteral(value=value):
             return "TRUE" if value else "FALSE"
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             return name.text
         case tree.Index(array=array, indices=indices):
             return f"{print_expression(array)}{{{_list(indices)}}}"
-        case tree.Component(record=record, name=name):
+        case tree.ComponentAccess(record=record, name=name):
             return f"{print_expression(record)}.{name.text}"
         case tree.FunctionCall(name=name, arguments=arguments):
             return f"{name.text}({_arguments(arguments)})"
@@ -96,7 +96,7 @@ def _item(item: tree.Item, module: tree.Module) -> Iterator[str]:
             yield _data(item)
         case tree.Proc() | tree.Func() | tree.Trap():
             yield from _routine(item, module)
-        case tree.Broken():
+        case tree.InvalidStatement():
             yield module.span(item).text
         case tree.Placeholder(kind=kind):
             yield _placeholder(kind)
@@ -140,18 +140,18 @@ def _routine(routine: tree.Routine, module: tree.Module) -> Iterator[str]:
 
 
 def _parameters(
-    parameters: Sequence[tree.Parameter | tree.OptionalGroup | tree.Placeholder],
+    parameters: Sequence[tree.ParameterDeclaration | tree.OptionalGroup | tree.Placeholder],
 ) -> str:
     return ",".join(_parameter(parameter) for parameter in parameters)
 
 
-def _parameter(parameter: tree.Parameter | tree.OptionalGroup | tree.Placeholder) -> str:
+def _parameter(parameter: tree.ParameterDeclaration | tree.OptionalGroup | tree.Placeholder) -> str:
     match parameter:
         case tree.Placeholder(kind=kind):
             return _placeholder(kind)
         case tree.OptionalGroup(alternatives=alternatives):
             return "\\" + "|".join(_parameter(alternative) for alternative in alternatives)
-        case tree.Parameter(mode=mode, type=of, name=name, dimensions=dimensions):
+        case tree.ParameterDeclaration(mode=mode, type=of, name=name, dimensions=dimensions):
             stars = f"{{{','.join('*' * dimensions)}}}" if dimensions else ""
             return f"{'' if mode == 'IN' else mode + ' '}{of.text} {name.text}{stars}"
         case _:
@@ -201,7 +201,7 @@ def _statement(statement: tree.Statement, module: tree.Module) -> Iterator[str]:
             yield _data(statement)
         case tree.Empty():
             yield ";"
-        case tree.Broken():
+        case tree.InvalidStatement():
             yield module.span(statement).text
         case tree.Placeholder(kind=kind):
             yield _placeholder(kind)
@@ -272,13 +272,13 @@ def _arguments(arguments: Iterable[tree.Argument]) -> str:
     text = ""
     for argument in arguments:
         match argument:
-            case tree.Required(value=value, name=name):
+            case tree.RequiredArgument(value=value, name=name):
                 named = "" if name is None else f"{name.text}:="
                 text += f",{named}{print_expression(value)}"
-            case tree.Optional(name=name, value=option):
+            case tree.OptionalArgument(name=name, value=option):
                 given = "" if option is None else f":={print_expression(option)}"
                 text += f"\\{name.text}{given}"
-            case tree.Conditional(name=name, present=present):
+            case tree.ConditionalArgument(name=name, present=present):
                 text += f"\\{name.text}?{present.text}"
             case _:
                 assert_never(argument)

@@ -15,10 +15,10 @@ from dataclasses import replace
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax.block_repairs import stray_block_word, unclosed_block
 from rapidsim.syntax.blocks import CLOSERS, open_blocks
-from rapidsim.syntax.head_repairs import broken_head, panic, text_outside_modules
+from rapidsim.syntax.head_repairs import broken_head, panic, skip_text_between_modules
 from rapidsim.syntax.lexer import Tokens
-from rapidsim.syntax.recognition import START, advance, in_file, in_list
-from rapidsim.syntax.situation import Patch, Row, Situation
+from rapidsim.syntax.parse_failure import ParseFailure, Patch, TokenBuffer
+from rapidsim.syntax.recognizer import START, advance, in_file, in_list
 from rapidsim.syntax.token_repairs import (
     BLOCK_WORDS,
     doubled_token,
@@ -34,10 +34,10 @@ from rapidsim.syntax.token_repairs import (
     wrong_token,
 )
 from rapidsim.syntax.violations import BrokenSyntax
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
-REPAIRS: tuple[Callable[[Situation], Patch | None], ...] = (
-    text_outside_modules,
+REPAIRS: tuple[Callable[[ParseFailure], Patch | None], ...] = (
+    skip_text_between_modules,
     unknown_character,
     # Before the semicolon, or `EDNIF` would get one and be a call.
     misspelt_word,
@@ -63,7 +63,7 @@ _BEFORE_STATEMENT = frozenset(
 )
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Checkpoint:
     """A place where a statement, declaration or module begins."""
 
@@ -79,7 +79,7 @@ def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, 
     Returns:
         Tokens that the grammar accepts, and one diagnostic for each change.
     """
-    row = Row.of(tokens, source)
+    row = TokenBuffer.of(tokens, source)
     diagnostics: list[Diagnostic] = []
     checkpoints = [_Checkpoint(0, START, 0)]
     stack = list(START)
@@ -95,7 +95,9 @@ def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, 
             index += 1
             continue
         latest = checkpoints[-1]
-        situation = Situation(row, index, tuple(stack), latest.index, latest.stack, latest.module)
+        situation = ParseFailure(
+            row, index, tuple(stack), latest.index, latest.stack, latest.module
+        )
         if len(diagnostics) == MOST_REPAIRS:
             patch = _give_up(situation)
         else:
@@ -119,7 +121,7 @@ def cut_calls_ended(
         source: Their text.
         offsets: Where those arguments begin.
     """
-    row = Row.of(tokens, source)
+    row = TokenBuffer.of(tokens, source)
     diagnostics = []
     for offset in sorted(offsets, reverse=True):
         index = bisect_left(row.starts, offset)
@@ -135,7 +137,7 @@ def cut_calls_ended(
     return changed, (*reversed(diagnostics), *found)
 
 
-def _may_begin(row: Row, index: int) -> bool:
+def _may_begin(row: TokenBuffer, index: int) -> bool:
     return (
         (index > 0 and row.kinds[index - 1] in _BEFORE_STATEMENT)
         or row.kinds[index] in BLOCK_WORDS
@@ -143,13 +145,13 @@ def _may_begin(row: Row, index: int) -> bool:
     )
 
 
-def _apply(row: Row, patch: Patch) -> None:
+def _apply(row: TokenBuffer, patch: Patch) -> None:
     row.kinds[patch.start : patch.stop] = [kind for kind, _, _ in patch.tokens]
     row.starts[patch.start : patch.stop] = [start for _, start, _ in patch.tokens]
     row.ends[patch.start : patch.stop] = [end for _, _, end in patch.tokens]
 
 
-def _give_up(at: Situation) -> Patch:
+def _give_up(at: ParseFailure) -> Patch:
     """Leave out what follows, and close what is open."""
     row = at.row
     blocks = open_blocks(row.kinds, at.module, at.statement)

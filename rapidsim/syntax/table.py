@@ -9,7 +9,7 @@ from __future__ import annotations
 import zlib
 from typing import TypedDict
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 GRAMMAR_FILE = "rapid.lark"
 TABLE_FILE = "rapid.table.json"
@@ -36,7 +36,7 @@ class Exported(TypedDict):
     """For each state, symbol and target in turn; terminals first."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class GrammarRule:
     """A production: pop `length` values, push what `build` makes of the `children` among them."""
 
@@ -49,7 +49,7 @@ class GrammarRule:
     """Which of the popped values are children; None where an optional one is absent."""
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@value_class(frozen=True, eq=False, slots=True)
 class Table:
     """The automaton, and what the lexer must know of the terminals."""
 

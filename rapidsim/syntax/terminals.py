@@ -12,16 +12,16 @@ BuildTerminal: TypeAlias = Callable[[int, int, str], tree.Node]
 """`build(start, end, text)`."""
 
 
-def _number(start: int, end: int, text: str) -> tree.Number:
-    return tree.Number(start, end, text, literals.number(text))
+def _number(start: int, end: int, text: str) -> tree.NumberLiteral:
+    return tree.NumberLiteral(start, end, text, literals.number(text))
 
 
-def _string(start: int, end: int, text: str) -> tree.String:
-    return tree.String(start, end, literals.string(text))
+def _string(start: int, end: int, text: str) -> tree.StringLiteral:
+    return tree.StringLiteral(start, end, literals.string(text))
 
 
-def _bool(start: int, end: int, text: str) -> tree.Bool:
-    return tree.Bool(start, end, text.upper() == "TRUE")
+def _bool(start: int, end: int, text: str) -> tree.BoolLiteral:
+    return tree.BoolLiteral(start, end, text.upper() == "TRUE")
 
 
 def _literals(start: int, end: int, text: str) -> tree.LiteralAggregate:
@@ -37,11 +37,11 @@ def _missing_operand(start: int, end: int, text: str) -> tree.Placeholder:
     return tree.Placeholder(start, end, "EXP")
 
 
-def _broken(start: int, end: int, text: str) -> tree.Broken:
-    return tree.Broken(start, end)
+def _broken(start: int, end: int, text: str) -> tree.InvalidStatement:
+    return tree.InvalidStatement(start, end)
 
 
-def _kept(meant: str) -> BuildTerminal:
+def _fixed_word(meant: str) -> BuildTerminal:
     """A word or mark of the language. Repair takes other text for it: `VRA` for VAR."""
 
     def build(start: int, end: int, text: str) -> tree.Name:
@@ -72,8 +72,8 @@ _PLACEHOLDERS = "TDN DDN RDN PAR ALT DIM SMT VAR_PLACEHOLDER EIT CSE ARG"
 TERMINALS: MappingProxyType[str, BuildTerminal] = MappingProxyType(
     {
         "NAME": tree.Name,
-        **{word: _kept(word) for word in _WORDS.split()},
-        **{kind: _kept(mark) for kind, mark in _MARKS.items()},
+        **{word: _fixed_word(word) for word in _WORDS.split()},
+        **{kind: _fixed_word(mark) for kind, mark in _MARKS.items()},
         **dict.fromkeys(_PLACEHOLDERS.split(), _placeholder),
         "EXP": _missing_operand,
         "NUMBER": _number,

@@ -6,7 +6,7 @@ from rapidsim.diagnostics import Violation
 
 
 class LimitExceeded(Violation, code="E108"):
-    what: str
+    subject: str
     extent: str
     limit: str
 

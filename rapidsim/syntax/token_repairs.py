@@ -9,8 +9,15 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span
 from rapidsim.syntax import wording
 from rapidsim.syntax.blocks import CLOSERS, DIVIDERS, ITEMS, OPENERS
 from rapidsim.syntax.lexer import UNKNOWN, lex
-from rapidsim.syntax.recognition import in_list, takes
-from rapidsim.syntax.situation import Patch, Row, Situation, deletion, insertion, replacement
+from rapidsim.syntax.parse_failure import (
+    ParseFailure,
+    Patch,
+    TokenBuffer,
+    deletion,
+    insertion,
+    replacement,
+)
+from rapidsim.syntax.recognizer import accepts, in_list
 from rapidsim.syntax.spelling import near_words
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
@@ -40,7 +47,7 @@ _FARTHEST = 100
 _LONGEST_PART = 8
 
 
-def unknown_character(at: Situation) -> Patch | None:
+def unknown_character(at: ParseFailure) -> Patch | None:
     """Drop characters that RAPID does not have."""
     row, stop = at.row, at.index
     while row.kinds[stop] == UNKNOWN and (
@@ -53,17 +60,17 @@ def unknown_character(at: Situation) -> Patch | None:
     return deletion(row, at.index, stop, UnknownCharacter(characters))
 
 
-def misspelt_word(at: Situation) -> Patch | None:
+def misspelt_word(at: ParseFailure) -> Patch | None:
     """Find the name in the statement that is a reserved word gone wrong."""
     return _respelt(at, at.window(at.index)) or _split_word(at)
 
 
-def half_readable_word(at: Situation) -> Patch | None:
+def half_readable_word(at: ParseFailure) -> Patch | None:
     """The same where there is another error soon after."""
     return _respelt(at, [at.kind])
 
 
-def _respelt(at: Situation, window: list[str]) -> Patch | None:
+def _respelt(at: ParseFailure, window: list[str]) -> Patch | None:
     """The nearest respelling with which the parse takes the token at fault and those after it."""
     row = at.row
     kinds = [*row.kinds[at.statement : at.index], *window]
@@ -74,7 +81,7 @@ def _respelt(at: Situation, window: list[str]) -> Patch | None:
         for slips, word in near_words(row.text(index)):
             respelt = list(kinds)
             respelt[index - at.statement] = rapid_table().words[word]
-            if takes(at.statement_stack, respelt):
+            if accepts(at.statement_stack, respelt):
                 best = min(best, (slips, -index, word)) if best else (slips, -index, word)
     if best is None:
         return None
@@ -82,7 +89,7 @@ def _respelt(at: Situation, window: list[str]) -> Patch | None:
     return respelling(row, -index, 1 - index, word)
 
 
-def respelling(row: Row, start: int, stop: int, word: str) -> Patch:
+def respelling(row: TokenBuffer, start: int, stop: int, word: str) -> Patch:
     """Read what stands there as a reserved word."""
     span = row.span(start, stop)
     # What a word was meant to be is a guess; behind a backslash it may be spelt right already.
@@ -92,7 +99,7 @@ def respelling(row: Row, start: int, stop: int, word: str) -> Patch:
     return replacement(row, start, stop, rapid_table().words[word], violation, fix)
 
 
-def _split_word(at: Situation) -> Patch | None:
+def _split_word(at: ParseFailure) -> Patch | None:
     """`END IF` for ENDIF."""
     row = at.row
     for first in (at.index, at.index - 1):
@@ -100,12 +107,12 @@ def _split_word(at: Situation) -> Patch | None:
             continue
         word = (row.text(first) + row.text(first + 1)).upper()
         kind = rapid_table().words.get(word)
-        if kind and takes(at.statement_stack, [*row.kinds[at.statement : first], kind]):
+        if kind and accepts(at.statement_stack, [*row.kinds[at.statement : first], kind]):
             return respelling(row, first, first + 2, word)
     return None
 
 
-def missing_semicolon(at: Situation) -> Patch | None:
+def missing_semicolon(at: ParseFailure) -> Patch | None:
     """Put a semicolon at the end of a line, when the next line then parses."""
     row = at.row
     candidates = [
@@ -116,13 +123,13 @@ def missing_semicolon(at: Situation) -> Patch | None:
     for index in candidates:
         before = row.kinds[at.statement : index]
         after = [*row.kinds[index : at.index], *at.window(at.index)]
-        stack_takes = takes(at.statement_stack, [*before, "SEMICOLON", *after])
+        stack_takes = accepts(at.statement_stack, [*before, "SEMICOLON", *after])
         if stack_takes and not _ends_statement(before):
             return semicolon_before(row, at.statement, index)
     return None
 
 
-def semicolon_before(row: Row, statement: int, index: int) -> Patch:
+def semicolon_before(row: TokenBuffer, statement: int, index: int) -> Patch:
     """End the statement that begins at one token before another one."""
     place = row.place_before(index)
     span = Span(row.source, place, place)
@@ -134,19 +141,19 @@ def semicolon_before(row: Row, statement: int, index: int) -> Patch:
     return Patch(patch.start, patch.stop, patch.tokens, diagnostic)
 
 
-def reserved_name(at: Situation) -> Patch | None:
+def reserved_name(at: ParseFailure) -> Patch | None:
     """Read a reserved word as a name where nothing but a name can stand."""
     row, index = at.row, at.index
     word = row.text(index).upper()
     if word not in rapid_table().words or row.first_on_line(index):
         return None
-    only_a_name = takes(at.stack, ["NAME"]) and not takes(at.stack, ["NUMBER"])
-    if not only_a_name or in_list(at.stack) or not at.goes_on(["NAME"], index + 1):
+    only_a_name = accepts(at.stack, ["NAME"]) and not accepts(at.stack, ["NUMBER"])
+    if not only_a_name or in_list(at.stack) or not at.accepts_after(["NAME"], index + 1):
         return None
     return replacement(row, index, index + 1, "NAME", ReservedName(row.text(index)))
 
 
-def name_with_parentheses(at: Situation) -> Patch | None:
+def name_with_parentheses(at: ParseFailure) -> Patch | None:
     """Drop the part in parentheses of a declared name such as `grip(open)`."""
     row, index = at.row, at.index
     if at.kind != "LPAR" or row.kinds[index - 1] != "NAME":
@@ -159,13 +166,13 @@ def name_with_parentheses(at: Situation) -> Patch | None:
         ),
         None,
     )
-    if closing is None or not at.goes_on([], closing + 1):
+    if closing is None or not at.accepts_after([], closing + 1):
         return None
     span = row.span(index - 1, closing + 1)
     return Patch(index, closing + 1, (), Diagnostic(NameWithParentheses(span.text), span))
 
 
-def square_index(at: Situation) -> Patch | None:
+def square_index(at: ParseFailure) -> Patch | None:
     """Read `a[1]` as `a{1}`."""
     row = at.row
     for opening in range(at.index, max(at.index - 8, at.statement), -1):
@@ -195,27 +202,27 @@ def square_index(at: Situation) -> Patch | None:
         )
         kinds = [kind for kind, _, _ in tokens]
         before = row.kinds[at.statement : opening]
-        if takes(at.statement_stack, [*before, *kinds, *row.kinds[stop : stop + 2]]):
+        if accepts(at.statement_stack, [*before, *kinds, *row.kinds[stop : stop + 2]]):
             diagnostic = Diagnostic(SquareIndex(row.text(opening - 1)), span)
             return Patch(opening, stop, tokens, diagnostic)
     return None
 
 
-def doubled_token(at: Situation) -> Patch | None:
+def doubled_token(at: ParseFailure) -> Patch | None:
     """Leave out the second of two equal marks, before an expression is put between them."""
     row, index = at.row, at.index
     doubled = index > at.statement and at.kind == row.kinds[index - 1] and at.kind != "NAME"
-    if not doubled or at.kind in BLOCK_WORDS or not at.goes_on([], index + 1):
+    if not doubled or at.kind in BLOCK_WORDS or not at.accepts_after([], index + 1):
         return None
     where = wording.construct(row, at.statement, index)
     return deletion(row, index, index + 1, UnexpectedSymbol(wording.token(row, index), where))
 
 
-def missing_token(at: Situation) -> Patch | None:
+def missing_token(at: ParseFailure) -> Patch | None:
     """Put in the one token that lets the parse go on."""
     row, index = at.row, at.index
     for kind in _MISSING:
-        if not at.goes_on([kind], index):
+        if not at.accepts_after([kind], index):
             continue
         if kind == "SEMICOLON":
             if in_list(at.stack) or _glued_to_number(row, index):
@@ -226,7 +233,7 @@ def missing_token(at: Situation) -> Patch | None:
     return None
 
 
-def wrong_token(at: Situation) -> Patch | None:
+def wrong_token(at: ParseFailure) -> Patch | None:
     """Leave one token out, or read it as another."""
     row, index = at.row, at.index
     if at.kind == END:
@@ -234,24 +241,24 @@ def wrong_token(at: Situation) -> Patch | None:
     where = wording.construct(row, at.statement, index)
     written = wording.token(row, index)
     condition = row.kinds[at.statement] in {"IF", "ELSEIF", "WHILE"}
-    if at.kind == "BECOMES" and condition and at.goes_on(["EQUAL"], index + 1):
+    if at.kind == "BECOMES" and condition and at.accepts_after(["EQUAL"], index + 1):
         violation = UnexpectedSymbol("`:=`, which assigns where `=` compares,", where)
         return replacement(row, index, index + 1, "EQUAL", violation)
-    if at.kind == "EQUAL" and at.goes_on(["BECOMES"], index + 1):
+    if at.kind == "EQUAL" and at.accepts_after(["BECOMES"], index + 1):
         violation = UnexpectedSymbol("`=`, which compares where `:=` gives a value,", where)
         return replacement(row, index, index + 1, "BECOMES", violation)
     if at.kind in BLOCK_WORDS:
         return None
-    if at.goes_on([], index + 1):
+    if at.accepts_after([], index + 1):
         return deletion(row, index, index + 1, UnexpectedSymbol(written, where))
     for kind in ("COMMA", "BECOMES", "COLON", "RPAR", "RBRACE", "RSQB", "LPAR", "EXP"):
-        if at.goes_on([kind], index + 1):
+        if at.accepts_after([kind], index + 1):
             violation = UnexpectedSymbol(f"{written}, read as {wording.symbol(kind)},", where)
             return replacement(row, index, index + 1, kind, violation)
     return None
 
 
-def _glued_to_number(row: Row, index: int) -> bool:
+def _glued_to_number(row: TokenBuffer, index: int) -> bool:
     """`10mm`: two tokens, but not the end of one statement and the beginning of the next."""
     return row.kinds[index - 1] == "NUMBER" and row.starts[index] == row.ends[index - 1]
 
@@ -260,7 +267,7 @@ def _ends_statement(kinds: list[str]) -> bool:
     return not kinds or kinds[-1] == "SEMICOLON"
 
 
-def _opening(at: Situation, closing: str) -> tuple[Related, ...]:
+def _opening(at: ParseFailure, closing: str) -> tuple[Related, ...]:
     """The bracket that a missing one would close."""
     opener = _BRACKETS.get(closing)
     depth = 0

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rapidsim.syntax.recognition import takes
-from rapidsim.syntax.situation import Row, Situation
+from rapidsim.syntax.parse_failure import ParseFailure, TokenBuffer
+from rapidsim.syntax.recognizer import accepts
 from rapidsim.syntax.stored_table import rapid_table
 from rapidsim.syntax.table import END
 
@@ -32,7 +32,7 @@ _CONSTRUCTS = {
 }
 
 
-def token(row: Row, index: int) -> str:
+def token(row: TokenBuffer, index: int) -> str:
     """A token in a message: its text in backquotes, shortened."""
     if row.kinds[index] == END:
         return "the end of the text"
@@ -54,7 +54,7 @@ def symbol(kind: str) -> str:
     return kind
 
 
-def construct(row: Row, first: int, stop: int) -> str:
+def construct(row: TokenBuffer, first: int, stop: int) -> str:
     """What the statement or declaration of these tokens is called, such as "the call of `P`"."""
     kinds = row.kinds
     while first < stop and kinds[first] in {"LOCAL", "TASK"}:
@@ -81,7 +81,7 @@ def construct(row: Row, first: int, stop: int) -> str:
     return "the statement"
 
 
-def problem(situation: Situation) -> str:
+def problem(situation: ParseFailure) -> str:
     """What does not fit, and what would."""
     row, index = situation.row, situation.index
     expected = _expected(situation)
@@ -91,11 +91,11 @@ def problem(situation: Situation) -> str:
     return f"{found} does not fit"
 
 
-def _expected(situation: Situation) -> str | None:
+def _expected(situation: ParseFailure) -> str | None:
     """What could stand instead, when that is one thing."""
-    if takes(situation.stack, ["EXP"]):
+    if accepts(situation.stack, ["EXP"]):
         return "an expression"
-    if takes(situation.stack, ["NAME"]):
+    if accepts(situation.stack, ["NAME"]):
         return "a name"
     fitting = [
         kind
@@ -113,14 +113,14 @@ def _expected(situation: Situation) -> str | None:
             "WITH",
             "COLON",
         )
-        if takes(situation.stack, [kind])
+        if accepts(situation.stack, [kind])
     ]
     if 1 <= len(fitting) <= 3:
         return " or ".join(symbol(kind) for kind in fitting)
     return None
 
 
-def _target_end(row: Row, first: int, stop: int) -> int:
+def _target_end(row: TokenBuffer, first: int, stop: int) -> int:
     """One past the mark that may follow the target of an assignment."""
     depth = 0
     for index in range(first, stop):

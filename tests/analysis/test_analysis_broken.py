@@ -11,7 +11,7 @@ def with_broken_declaration(text: str, unread: str) -> tree.File:
     file = parse(Source("broken.mod", text.replace(unread, " " * len(unread)))).file
     (module,) = file.modules
     start = text.index(unread)
-    broken = tree.Broken(start, start + len(unread))
+    broken = tree.InvalidStatement(start, start + len(unread))
     source = Source("broken.mod", text)
     items = (broken, *module.items)
     whole = tree.Module(module.start, module.end, source, module.name, module.attributes, items)

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from laws import cases
 
-from rapidsim.analysis.passes.checker import Checked, check
+from rapidsim.analysis.passes.checker import CheckOutcome, check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suggestions import closest, reserved_words
 from rapidsim.analysis.tree_walk import descendants
@@ -29,11 +29,11 @@ LAW = settings(max_examples=cases(150))
 EVERY_RULE = detectors_of(lambda rule: True)
 
 
-def checked(text: str) -> Checked:
+def checked(text: str) -> CheckOutcome:
     return check([parse(Source("any.mod", text)).file], EVERY_RULE)
 
 
-def is_without_error(found: Checked) -> bool:
+def is_without_error(found: CheckOutcome) -> bool:
     return all(one.severity is not Severity.ERROR for one in found.diagnostics)
 
 
@@ -68,7 +68,14 @@ def test_long_and_deep_expressions_are_checked() -> None:
 def test_every_expression_of_a_program_has_a_type() -> None:
     """What the interpreter may look up is there."""
     expressions = (
-        *(tree.Number, tree.String, tree.Bool, tree.Unary, tree.Binary, tree.Parenthesised),
+        *(
+            tree.NumberLiteral,
+            tree.StringLiteral,
+            tree.BoolLiteral,
+            tree.Unary,
+            tree.Binary,
+            tree.Parenthesised,
+        ),
         *(tree.FunctionCall, tree.Aggregate, tree.LiteralAggregate),
     )
     seen = 0
@@ -82,7 +89,7 @@ def test_every_expression_of_a_program_has_a_type() -> None:
             for node in descendants(*module.items):
                 if isinstance(node, expressions) and node not in program.type_of:
                     raise AssertionError(f"{module.span(node).text} has no type")
-                if isinstance(node, tree.Reference | tree.Call | tree.FunctionCall):
+                if isinstance(node, tree.DataReference | tree.Call | tree.FunctionCall):
                     assert node in program.symbol_of, module.span(node).text
     assert seen
 

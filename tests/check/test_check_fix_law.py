@@ -14,7 +14,7 @@ from fuzzing.texts import characters_changed, inside, random_tokens, spliced, to
 
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.cli.boundary import run_commands
-from rapidsim.cli.tools.fixes import choose_fixes, cured, harmless_fixes
+from rapidsim.cli.tools.fixes import apply_fixes, choose_fixes, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import SourceFile, decode
@@ -48,10 +48,10 @@ def errors(found: tuple[Diagnostic, ...]) -> int:
 def law(text: str, *, unsafe: bool) -> None:
     before = as_task(text)
     found = find(before)
-    once = cured(before, found, find, unsafe=unsafe)
+    once = apply_fixes(before, found, find, unsafe=unsafe)
     left = find(once.tasks)
     assert errors(left) <= errors(found)
-    twice = cured(once.tasks, left, find, unsafe=unsafe)
+    twice = apply_fixes(once.tasks, left, find, unsafe=unsafe)
     assert (twice.count, twice.tasks) == (0, once.tasks)
 
 
@@ -80,7 +80,7 @@ def test_a_fix_that_would_do_harm_is_left_out(text: str) -> None:
     found = find(tasks)
     all_of_them = choose_fixes(found, unsafe=False).edits.get("m.mod", ())
     assert errors(find(as_task(edited_text(text, all_of_them)))) > errors(found)
-    assert harmless_fixes(found, tasks, unsafe=False).left_out == 1
+    assert harmless_fixes(found, tasks, unsafe=False).skipped == 1
     law(text, unsafe=False)
 
 

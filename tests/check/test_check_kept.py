@@ -16,15 +16,15 @@ from command_line import Ended, call
 from rapidsim.cli.tools.check_output import FORMATS
 from rapidsim.diagnostics import Violation
 from rapidsim.files import InputError
-from rapidsim.jobs import check_many, fingerprints
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs import batch_check, fingerprints
+from rapidsim.jobs.batch_check import check_jobs
 from rapidsim.jobs.check_files import check_job
-from rapidsim.jobs.check_many import check_jobs
-from rapidsim.jobs.finding_records import Found, NoRecordError, found_in, record_of
+from rapidsim.jobs.finding_records import NoRecordError, StoredFindings, read_findings, record_of
 from rapidsim.jobs.fingerprints import NoFingerprintError, fingerprint, of_installation
 from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.kept_results import KeptResults, sources_of
+from rapidsim.jobs.result_cache import ResultCache, sources_of
 from rapidsim.jobs.result_store import ResultStore, cache_folder
+from rapidsim.jobs.run_request import RunRequest
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 CASES: list[tuple[str, ...]] = [
@@ -79,7 +79,7 @@ def refused(*_: object) -> None:
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch) -> None:
     """All of rapidsim is not read for each of the folders that tests keep results in."""
-    monkeypatch.setattr("rapidsim.jobs.kept_results.of_installation", lambda _: "installation")
+    monkeypatch.setattr("rapidsim.jobs.result_cache.of_installation", lambda _: "installation")
 
 
 @pytest.mark.usefixtures("installed")
@@ -201,13 +201,13 @@ def test_a_task_that_did_not_change_is_not_looked_at_again(tmp_path: Path) -> No
     unload = folder / "Unload.mod"
     unload.write_text(unload.read_text() + "! a comment\n")
     looked_at = []
-    made = check_many._Watched.record
+    made = batch_check._ObservedJob.record
 
     def noted(watched: object, found: object, *more: object) -> object:
         looked_at.append(type(found).__name__)
         return made(watched, found, *more)  # type: ignore[arg-type]
 
-    with patch.object(check_many._Watched, "record", noted):
+    with patch.object(batch_check._ObservedJob, "record", noted):
         found = check(kept, folder, ".")
     assert found == timeless(call("check", ".", cwd=folder))
     assert looked_at == ["ReachReport", "CheckResult"]
@@ -246,7 +246,7 @@ def test_rapidsim_itself_is_one_of_the_inputs(
 
 
 def a_job(*paths: Path, **asked: object) -> Job:
-    return job(Asked(paths=tuple(map(str, paths)), **asked))  # type: ignore[arg-type]
+    return job(RunRequest(paths=tuple(map(str, paths)), **asked))  # type: ignore[arg-type]
 
 
 def kinds_of_facts(violation: Violation) -> dict[str, type]:
@@ -265,9 +265,9 @@ def test_records_hold_all_that_the_rules_find(rule_programs: list[Path]) -> None
         except InputError:
             continue
         result = check_job(made)
-        found = Found(result.diagnostics, result.coverage, ("a notice",), lasts=True)
+        found = StoredFindings(result.diagnostics, result.coverage, ("a notice",), lasts=True)
         sources = sources_of(made)
-        read = found_in(json.loads(json.dumps(record_of(found, sources))), sources)
+        read = read_findings(json.loads(json.dumps(record_of(found, sources))), sources)
         assert len(read.diagnostics) == len(found.diagnostics)
         for ours, theirs in zip(read.diagnostics, found.diagnostics, strict=True):
             assert ours.violation == theirs.violation
@@ -317,7 +317,7 @@ PLACE: tuple[object, ...] = (None, [], None, None, False)
 )
 def test_what_is_no_record_is_refused(record: object) -> None:
     with pytest.raises(NoRecordError):
-        found_in(record, ())
+        read_findings(record, ())
 
 
 def test_what_cannot_be_read_is_made_anew(cell: Path, tmp_path: Path) -> None:
@@ -351,17 +351,17 @@ def test_what_was_ended_by_the_clock_is_not_kept(
     cell: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ends = iter(range(1000))
-    monkeypatch.setattr(check_many, "_runs_ended", lambda: next(ends))
+    monkeypatch.setattr(batch_check, "_runs_ended", lambda: next(ends))
     store = ResultStore(tmp_path / "kept")
-    [*_] = check_jobs([a_job(cell)], KeptResults(store))
+    [*_] = check_jobs([a_job(cell)], ResultCache(store))
     assert len(entries(store.folder)) == 1, "only what is known of the installation"
 
 
 def test_arms_from_files_of_the_user_are_checked_anew(cell: Path, tmp_path: Path) -> None:
     store = ResultStore(tmp_path / "kept")
-    made, kept = a_job(cell), KeptResults(store)
+    made, kept = a_job(cell), ResultCache(store)
     [robot] = made.station.robots
-    record = record_of(Found((), check_job(made).coverage, (), lasts=True), ())
+    record = record_of(StoredFindings((), check_job(made).coverage, (), lasts=True), ())
     named = replace(made, robot=replace(made.robot, name="arms/My.URDF"))
     shaped = replace(robot, shapes=Path("shapes"))
     dressed = replace(made, station=replace(made.station, robots=(shaped,)))

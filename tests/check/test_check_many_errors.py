@@ -4,7 +4,7 @@ import pytest
 
 from rapidsim.analysis.suggestions import closest
 from rapidsim.files import SourceFile
-from rapidsim.jobs import faultless_part
+from rapidsim.jobs import error_free_subset
 from rapidsim.jobs.check_files import check_tasks
 from rapidsim.jobs.checked_program import load
 from rapidsim.module_files import TaskFiles
@@ -38,13 +38,13 @@ def test_a_name_is_compared_once_in_a_routine(
 
 def test_a_routine_is_searched_once(monkeypatch: pytest.MonkeyPatch) -> None:
     searched: list[object] = []
-    own_names = faultless_part._own_names
+    own_names = error_free_subset._own_names
 
     def counted(routine: object) -> frozenset[str]:
         searched.append(routine)
         return own_names(routine)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(faultless_part, "_own_names", counted)
+    monkeypatch.setattr(error_free_subset, "_own_names", counted)
     tasks = [TaskFiles("T_ROB1", (SourceFile("m.mod", program(1), "utf-8"),))]
     result = check_tasks(tasks, (), lambda *_, **__: ReachReport())
     assert len(result.coverage.unchecked) == COUNT

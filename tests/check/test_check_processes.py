@@ -132,10 +132,10 @@ def test_a_mistake_is_told_as_in_one_process() -> None:
 def test_a_defect_is_told_as_one() -> None:
     with pytest.raises(DefectError) as told:
         [*in_processes(_answer, [1, 5], 2)]
-    line = boundary._told(told.value)
+    line = boundary._defect_line(told.value)
     assert "has a defect (ZeroDivisionError: integer division or modulo by zero" in line
     assert re.search(r"at test_check_processes\.py:\d+\)", line)
-    assert "_answer" in told.value.told
+    assert "_answer" in told.value.report
 
 
 def test_a_process_that_dies_is_told() -> None:

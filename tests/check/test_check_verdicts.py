@@ -15,8 +15,8 @@ from command_line import call
 from laws import some
 
 import rapidsim
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.loading import ready
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
@@ -108,7 +108,7 @@ def test_no_door_is_green(mistake: str, clause: str, cell: str, tmp_path: Path) 
     loaded = rapidsim.load(program, robot="irb1600" if cell == "circle" else None)
     assert not loaded.check().ok
     is_refused = MISTAKES[mistake][1].startswith("N")
-    asked = Asked(paths=(str(program),), robot="irb1600" if cell == "circle" else None)
+    asked = RunRequest(paths=(str(program),), robot="irb1600" if cell == "circle" else None)
     if is_refused:
         with pytest.raises(ProgramRejectedError):
             loaded.run()

@@ -14,7 +14,7 @@ from machine_output_cases import Case, cases, machine_commands, write_files
 import rapidsim
 from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.group import commands
-from rapidsim.cli.machine_output import wants_json
+from rapidsim.cli.machine_output import is_json_requested
 
 SCHEMAS = {
     "run": ("run",),
@@ -159,4 +159,4 @@ def test_help_is_text_in_an_object(tmp_path: Path) -> None:
     ],
 )
 def test_the_words_say_whether_json_is_wanted(words: tuple[str, ...], wants: bool) -> None:
-    assert wants_json(words) is wants
+    assert is_json_requested(words) is wants

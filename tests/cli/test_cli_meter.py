@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from rapidsim.cli.tools.meter import Meter
+from rapidsim.cli.tools.progress_meter import Meter
 from rapidsim.simulation.progress import Progress
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.cli.opening import Shell, command_line, opening, shell_of
+from rapidsim.cli.open_command import Shell, command_line, open_command, shell_of
 
 WINDOWS = {"PSModulePath": r"C:\Modules"}
 
@@ -67,5 +67,7 @@ def test_bash_opens_the_recording(
         pytest.skip("a viewer is installed for everybody")
     monkeypatch.setattr(sys, "argv", [os.path.relpath(scripts / "rapidsim")])
     Path(name).touch()
-    ended = subprocess.run(["bash", "-c", opening(Path(name))], capture_output=True, check=False)
+    ended = subprocess.run(
+        ["bash", "-c", open_command(Path(name))], capture_output=True, check=False
+    )
     assert ended.stdout.decode().strip().removeprefix("shows ").removeprefix("./") == name

@@ -79,7 +79,7 @@ def test_findings_stand_at_places_in_the_archive(tmp_path: Path) -> None:
     (found,) = json.loads(checked.out)["diagnostics"]
     assert (found["code"], found["file"]) == ("I801", name)
     with pytest.raises(InputError, match="cannot be written into a packed station"):
-        edited_bytes(SourceFile(name, MAIN, "utf-8"), [], what="fixes")
+        edited_bytes(SourceFile(name, MAIN, "utf-8"), [], subject="fixes")
 
 
 @pytest.mark.parametrize("root", ROOTS)
@@ -118,7 +118,7 @@ ENDMODULE
 def two_controllers(
     folder: Path, tasks: tuple[str, str], *, data: str = "", statement: str = ""
 ) -> None:
-    """A packed station of the controllers `Left` and `Right`, with one task and one arm each."""
+    """A packed station of the controllers `Left` and `Right`, each with a task and an arm."""
     arms = (("Left", "ROB1_1600_1.2_6", 10, 0.0), ("Right", "ROB1_120_0.58_3", -40, 1.5))
     with zipfile.ZipFile(folder / "cell.rspag", "w") as packed:
         for task, (name, arm, axis, x) in zip(tasks, arms, strict=True):

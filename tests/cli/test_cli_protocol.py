@@ -12,16 +12,16 @@ from rapidsim.jobs.protocol import (
     MODULE,
     TOPICS,
     Protocol,
-    answered_here,
     arm_of,
     questions,
     read_protocol,
+    run_protocol,
 )
 
 
 def written(folder: Path, changed: dict[str, str], robot: str = "IRB 1600-6/1.2") -> None:
     """Answers of a controller that are those of rapidsim but for some lines."""
-    ours = answered_here("irb1600")
+    ours = run_protocol("irb1600")
     lines = {"questions": "2", "robotware": "6.15.02", "robot": robot, "serial": "16-12345"}
     lines |= {"real": "TRUE", "automatic": "TRUE", "speed": "100"}
     lines |= {str(number): text for number, text in ours.answers.items()} | changed
@@ -37,7 +37,7 @@ def differing(folder: Path, *arguments: str) -> dict[str, str]:
 
 def test_a_run_answers_each_question(tmp_path: Path) -> None:
     for arm in ("irb1600", "irb120"):
-        answered = answered_here(arm)
+        answered = run_protocol(arm)
         assert tuple(answered.answers) == tuple(TOPICS)
         assert not [text for text in answered.answers.values() if not text]
         assert "the program stops" not in answered.answers.values()
@@ -75,7 +75,7 @@ def test_the_program_is_written_and_never_over_another(tmp_path: Path) -> None:
 
 
 def test_what_differs_is_marked_and_nothing_else_is_sent(tmp_path: Path) -> None:
-    swing = float(answered_here("irb1600").answers[20])
+    swing = float(run_protocol("irb1600").answers[20])
     written(tmp_path, {"1": "3", "10": "ERRNO 17", "20": f"{1.1 * swing:.3f}"})
     assert differing(tmp_path) == {
         "7.5 DIV 2": "differs",

@@ -12,7 +12,7 @@ from PIL import Image
 from rerun.chunk import RrdReader
 
 from rapidsim.plots import write
-from rapidsim.plots.look import LIGHT
+from rapidsim.plots.theme import LIGHT
 
 EXAMPLES = Path(__file__).parents[2] / "programs"
 KR10 = ("--robot", "kr10", "--tool", "0,0,160")
@@ -157,7 +157,7 @@ def test_several_steps_in_time_show_how_poses_grow() -> None:
 
 
 def test_a_warm_start_saves_steps(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("rapidsim.motion.waypoints.solver_starts._MOST_POSES", 8)
+    monkeypatch.setattr("rapidsim.motion.waypoints.solver_seeds._MOST_POSES", 8)
     line = ("--line", "600,-100,500,600,100,500", "--count", "2")
     found = json_of("follow", *line, "--speed", "500", "--starts")
     by_start = {(row["solver"], row["start"]): row for row in found["starts"]}

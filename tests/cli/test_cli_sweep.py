@@ -13,9 +13,9 @@ import pytest
 from command_line import call
 
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import LoadedJob, loaded
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.jobs.sweep import KEYS, axis_of, sweep
 from rapidsim.reach.placements import reach_from
 from rapidsim.reach.reach import check_reach
@@ -53,7 +53,7 @@ def cell(tmp_path: Path) -> Path:
 
 
 def ready(cell: Path) -> LoadedJob:
-    return loaded(job(Asked(paths=(str(cell),))))
+    return loaded(job(RunRequest(paths=(str(cell),))))
 
 
 def test_many_places_at_once_say_what_single_checks_say(cell: Path) -> None:

@@ -298,9 +298,9 @@ def test_the_viewer_is_not_looked_for_in_the_working_directory(here: Path) -> No
 
 def test_pictures_do_not_obey_a_file_in_the_working_directory() -> None:
     matplotlib = pytest.importorskip("matplotlib", reason="pictures need matplotlib")
-    from rapidsim.plots.look import LIGHT, dressed  # noqa: PLC0415
+    from rapidsim.plots.theme import LIGHT, themed  # noqa: PLC0415
 
-    with matplotlib.rc_context({"text.usetex": True}), dressed(LIGHT):
+    with matplotlib.rc_context({"text.usetex": True}), themed(LIGHT):
         assert not matplotlib.rcParams["text.usetex"]
 
 

@@ -7,7 +7,7 @@ import click
 import pytest
 from cli_helper import rapidsim
 
-from rapidsim.cli.tools import repeated
+from rapidsim.cli.tools import watch_mode
 
 GOOD = 'MODULE m\nPROC main()\nTPWrite "%s";\nENDPROC\nENDMODULE\n'
 
@@ -25,7 +25,7 @@ def looks(monkeypatch: pytest.MonkeyPatch) -> Callable[[list[Callable[[], object
                 raise click.exceptions.Exit(99)
             thing()
 
-        monkeypatch.setattr(repeated, "look_later", look)
+        monkeypatch.setattr(watch_mode, "wait_for_change", look)
 
     return does
 

@@ -11,7 +11,7 @@ from laws import cases
 
 from rapidsim import load_robot
 from rapidsim.collisions import shape
-from rapidsim.collisions.convex import Parts
+from rapidsim.collisions.convex import ConvexParts
 from rapidsim.collisions.distance import distances
 from rapidsim.collisions.overlap import shortest
 from rapidsim.frames.transform import Transform
@@ -26,7 +26,7 @@ def test_bodies_are_as_far_apart_as_their_formulas_say(kinds: tuple[str, str]) -
 
 
 def test_a_cylinder_stands_on_a_box_and_a_sphere_beside_it() -> None:
-    parts = Parts(
+    parts = ConvexParts(
         [
             shape.cylinder(0.1, 0.4).parts[0],
             shape.box(np.array([1.0, 1.0, 0.2])).parts[0],
@@ -36,19 +36,21 @@ def test_a_cylinder_stands_on_a_box_and_a_sphere_beside_it() -> None:
     beside = Transform(np.eye(3)[None], np.array([[0.3, 0.0, 0.1]]))
     above = Transform(np.eye(3)[None], np.array([[0.0, 0.0, 0.35]]))
     one, two, three = (np.array([k]) for k in range(3))
-    assert distances(parts, one, two, above).found[0] == pytest.approx(0.05, abs=1e-9)
-    assert distances(parts, three, one, beside).found[0] == pytest.approx(0.15, abs=1e-9)
+    assert distances(parts, one, two, above).distances_found[0] == pytest.approx(0.05, abs=1e-9)
+    assert distances(parts, three, one, beside).distances_found[0] == pytest.approx(0.15, abs=1e-9)
     deeper = Transform(np.eye(3)[None], np.array([[0.0, 0.0, 0.28]]))
     assert shortest(parts, one, two, deeper)[0] == pytest.approx(0.02, abs=1e-9)
 
 
 def test_what_is_all_but_above_the_middle_of_a_sheet_is_measured_to_the_end() -> None:
     """The shortest way is known to the last digit before the bound on it is."""
-    parts = Parts([shape.sphere(0.002).parts[0], shape.box(np.array([0.06, 0.06, 5e-4])).parts[0]])
+    parts = ConvexParts(
+        [shape.sphere(0.002).parts[0], shape.box(np.array([0.06, 0.06, 5e-4])).parts[0]]
+    )
     above = Transform(np.eye(3)[None], np.array([[-3.7e-7, 3.8e-7, -9.715702e-4]]))
     found = distances(parts, np.array([0]), np.array([1]), above)
-    assert found.found[0] == pytest.approx(9.715702e-4 - 2.5e-4 - 0.002, abs=1e-12)
-    assert found.least[0] == pytest.approx(found.found[0], abs=1e-9)
+    assert found.distances_found[0] == pytest.approx(9.715702e-4 - 2.5e-4 - 0.002, abs=1e-12)
+    assert found.least[0] == pytest.approx(found.distances_found[0], abs=1e-9)
 
 
 @pytest.mark.parametrize("name", ["irb1600-6-1.2", "irb140-6-0.81", "kr16-2"])

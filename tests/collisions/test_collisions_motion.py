@@ -14,12 +14,21 @@ from rapidsim import load_robot
 from rapidsim.collisions import shape
 from rapidsim.collisions.along_motion import search
 from rapidsim.collisions.contact import BodyName
-from rapidsim.collisions.scene import STEP_S, WORLD, Arm, Body, Carried, Frame, Pair, Scene
+from rapidsim.collisions.scene import (
+    STEP_S,
+    WORLD,
+    Arm,
+    AttachedBody,
+    Body,
+    Pair,
+    Scene,
+    SceneFrame,
+)
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.trajectory.trajectory import Postures
+from rapidsim.motion.trajectory.trajectory import JointSamples
 
 ROBOT = load_robot("irb1600-6-1.2")
-FLANGE = Frame(0, len(ROBOT.joints) + 1)
+FLANGE = SceneFrame(0, len(ROBOT.joints) + 1)
 
 
 def test_a_sheet_is_found_at_any_speed_and_in_time() -> None:
@@ -31,14 +40,16 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
     """Among boxes, in moves that are shorter than a step of the first look."""
     rng = np.random.default_rng(11)
     tip = Body(
-        BodyName("tip", 0), shape.capsule(0.03, 0.1), (Carried(0.0, FLANGE, Transform.identity()),)
+        BodyName("tip", 0),
+        shape.capsule(0.03, 0.1),
+        (AttachedBody(0.0, FLANGE, Transform.identity()),),
     )
     boxes = [
         Body(
             BodyName(f"box {number}"),
             shape.box(rng.uniform(0.02, 0.6, 3)),
             (
-                Carried(
+                AttachedBody(
                     0.0,
                     WORLD,
                     Transform.from_quaternion(rng.normal(size=4), rng.uniform(-1.5, 1.5, 3)),
@@ -54,8 +65,8 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
         move_s = lasts / 40.0
 
         def many(
-            times: Array, at: Callable[[Array], Postures] = at, move_s: float = move_s
-        ) -> Postures:
+            times: Array, at: Callable[[Array], JointSamples] = at, move_s: float = move_s
+        ) -> JointSamples:
             return replace(at(times), move=np.minimum(times // move_s, 39).astype(np.int64))
 
         middles = move_s * np.arange(0.5, 40.0, dtype=np.float64)
@@ -71,7 +82,7 @@ def test_the_nearest_of_each_move_is_what_looking_all_the_time_finds() -> None:
             gaps = bodies.gaps(
                 0 * row, 0 * row + pair.second, poses.seen(0, pair.second), np.full(len(row), 0.5)
             )
-            np.minimum.at(nearest, poses.moves[:, 0], np.maximum(gaps.found, 0.0))
+            np.minimum.at(nearest, poses.moves[:, 0], np.maximum(gaps.distances_found, 0.0))
         for move in np.flatnonzero(nearest < 0.49).tolist():
             (known,) = [one for one in found.clearances if one.move == move]
             exact = max(5e-4, 0.02 * nearest[move])

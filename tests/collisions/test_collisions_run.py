@@ -11,7 +11,7 @@ from command_line import call
 
 from rapidsim.api.schemas import json_schema
 from rapidsim.plots import write
-from rapidsim.plots.look import DARK
+from rapidsim.plots.theme import DARK
 
 DOWN = "    MoveL Offs(over,0,0,{0}),v200,fine,tool0;"
 

@@ -9,8 +9,8 @@ import pytest
 from rapidsim.comparison import compare as compare_module
 from rapidsim.comparison.changes import Comparison
 from rapidsim.comparison.compare import compare
-from rapidsim.comparison.told import as_text
-from rapidsim.jobs.asked import Asked
+from rapidsim.comparison.rendering import as_text
+from rapidsim.jobs.run_request import RunRequest
 
 MAIN = """MODULE Cell
   ! Take a part and put it down.
@@ -158,27 +158,27 @@ SAME = {
 }
 
 
-def folder(place: Path, main: str, points: str) -> Asked:
+def folder(place: Path, main: str, points: str) -> RunRequest:
     place.mkdir()
     (place / "Main.mod").write_text(main)
     (place / "Points.mod").write_text(points)
-    return Asked(paths=(str(place),), robot="irb1600")
+    return RunRequest(paths=(str(place),), robot="irb1600")
 
 
 @pytest.fixture(scope="module")
-def old(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Asked]:
+def old(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RunRequest]:
     """The program before all changes, which is checked and run once."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(compare_module, "_side", cache(compare_module._side))
         yield folder(tmp_path_factory.mktemp("before") / "old", MAIN, POINTS)
 
 
-def compared(old: Asked, tmp_path: Path, main: str, points: str, *, run: bool) -> Comparison:
+def compared(old: RunRequest, tmp_path: Path, main: str, points: str, *, run: bool) -> Comparison:
     return compare(old, folder(tmp_path / "new", main, points), run=run)
 
 
 @pytest.mark.parametrize("name", CHANGES)
-def test_a_change_is_named(name: str, old: Asked, tmp_path: Path) -> None:
+def test_a_change_is_named(name: str, old: RunRequest, tmp_path: Path) -> None:
     before, after, told = CHANGES[name]
     assert before in MAIN + POINTS
     everywhere = -1 if name.startswith("a renamed") else 1
@@ -192,7 +192,7 @@ def test_a_change_is_named(name: str, old: Asked, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", SAME)
-def test_what_changes_nothing_is_silent(name: str, old: Asked, tmp_path: Path) -> None:
+def test_what_changes_nothing_is_silent(name: str, old: RunRequest, tmp_path: Path) -> None:
     how = SAME[name]
     if how is None:
         head, _, rest = MAIN.partition("  PROC pick")

@@ -25,7 +25,7 @@ from rapidsim.cli.group import commands as command_group
 from rapidsim.diagnostics import Source
 from rapidsim.plots import followed_pictures, posture_pictures
 from rapidsim.plots import write as plots_write
-from rapidsim.plots.look import Theme
+from rapidsim.plots.theme import Theme
 from rapidsim.plots.write import write_pictures
 from rapidsim.station.read import read_station
 

@@ -30,7 +30,7 @@ def test_the_command_line_counts_over_the_configuration() -> None:
     devices = sensor_devices([("ucDEVICE", Address("127.0.0.1", 7000))], SIO, frozenset())
     assert devices.address("UCdevice") == ("127.0.0.1", 7000)
     assert devices.address("unheard") == ("127.0.0.1", 6510)
-    assert devices.shown == {"ucDEVICE": "127.0.0.1:7000", "Far": "192.168.125.20:6599"}
+    assert devices.addresses == {"ucDEVICE": "127.0.0.1:7000", "Far": "192.168.125.20:6599"}
 
 
 def test_a_sensor_elsewhere_is_not_talked_to_unasked() -> None:

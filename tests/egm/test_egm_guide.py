@@ -14,16 +14,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rapidsim.controller.cell.sensors import Teller
+from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.egm.codec import decode, encode
 from rapidsim.egm.devices import Address, sensor_devices
-from rapidsim.egm.guide import talk
 from rapidsim.egm.guided_sensors import GuidedSensors
 from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR, MessageType
+from rapidsim.egm.sensor_loop import serve_sensors
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.guidance.aims import Band, JointAim
 from rapidsim.motion.guidance.feedback import Frames, Guided, GuidedFeedback, standing_feedback
-from rapidsim.motion.guidance.guided_run import Ended, GuidedRun, Terms
+from rapidsim.motion.guidance.goals import Band, JointGoal
+from rapidsim.motion.guidance.guided_execution import EndConditions, EndReason, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
 from rapidsim.motion.robot.robot import load_robot
 
@@ -38,7 +38,7 @@ def guided() -> Iterator[tuple[GuidedSensors, socket.socket]]:
     sensor.bind(("127.0.0.1", 0))
     sensor.settimeout(10.0)
     devices = sensor_devices([("dev", Address(*sensor.getsockname()))], {}, frozenset())
-    thread = Thread(target=talk, args=(theirs,))
+    thread = Thread(target=serve_sensors, args=(theirs,))
     thread.start()
     yield GuidedSensors(devices, ours, 1.0, monotonic()), sensor
     ours.close()
@@ -47,16 +47,16 @@ def guided() -> Iterator[tuple[GuidedSensors, socket.socket]]:
     sensor.close()
 
 
-def begun() -> tuple[GuidedRun, GuidedFeedback]:
+def begun() -> tuple[GuidedExecution, GuidedFeedback]:
     robot = load_robot("irb1600")
     start = robot.start
     near = np.full(6, np.radians(0.01))
     axes = GuidedAxes(robot.lower, robot.upper, np.full(6, 2.0), np.full(6, 10.0))
-    run = GuidedRun(
+    run = GuidedExecution(
         JointMotion(axes, start, np.zeros(6)),
-        JointAim(Band(np.ones(6, dtype=np.bool_), -near, near), (50.0,), start),
+        JointGoal(Band(np.ones(6, dtype=np.bool_), -near, near), (50.0,), start),
         Tuning(20.0),
-        Terms(0.05, 0.05, 30.0, False, 0.0),
+        EndConditions(0.05, 0.05, 30.0, False, 0.0),
     )
     frames = Frames(robot.kinematics, Transform.identity(), Transform.identity())
     return run, GuidedFeedback(frames, ())
@@ -73,7 +73,7 @@ def test_the_controller_has_the_motion_that_the_sensor_was_told_of() -> None:
     answer = encode(SENSOR, {"planned": {"joints": {"joints": GOAL}}})
     with guided() as (sensors, sensor):
         one = sensors.open("dev")
-        one.begin(deepcopy(run), Teller(0.1, 2, feedback))
+        one.begin(deepcopy(run), FeedbackSchedule(0.1, 2, feedback))
         frames: list[dict[str, Any]] = []
         while not frames or frames[-1]["mciConvergenceMet"] == 0:
             frame, controller = heard(sensor)
@@ -92,7 +92,7 @@ def test_the_controller_has_the_motion_that_the_sensor_was_told_of() -> None:
         while frames[-1]["mciState"]["state"] != 2:
             frames.append(heard(sensor)[0])
         one.close()
-    assert run.ended is Ended.CONVERGED
+    assert run.ended is EndReason.CONVERGED
     assert [one["header"]["seqno"] for one in frames] == list(range(len(frames)))
     assert frames[-1]["feedBack"]["joints"]["joints"] == pytest.approx(GOAL, abs=0.01)
 
@@ -105,7 +105,7 @@ def test_a_stream_goes_on_where_the_controller_says_nothing_new() -> None:
     ]
     with guided() as (sensors, sensor):
         one = sensors.open("dev")
-        one.tell(stream)
+        one.stream(stream)
         frames = [heard(sensor)[0] for _ in range(8)]
         one.close()
     first = frames[0]["header"]["tm"]
@@ -125,7 +125,7 @@ def test_what_is_streamed_of_a_corrected_path_is_answered() -> None:
     with guided() as (sensors, sensor):
         one = sensors.open("dev")
         one.correct(0.0, 0.024)
-        one.tell(words)
+        one.stream(words)
         for y_mm in (1.0, 2.0, 3.0):
             _, controller = heard(sensor)
             sensor.sendto(correction(y_mm), controller)
@@ -147,15 +147,15 @@ def test_what_is_said_during_the_stream_begins_the_first_guidance_only() -> None
     with guided() as (sensors, sensor):
         one = sensors.open("dev")
         for _ in range(2):
-            one.tell([word])
+            one.stream([word])
             _, controller = heard(sensor)
             sensor.sendto(answer, controller)
-            one.begin(deepcopy(run), Teller(0.1, 1, feedback))
+            one.begin(deepcopy(run), FeedbackSchedule(0.1, 1, feedback))
             answers.append(one.exchange(feedback(run, 0.1)))
             one.end(word)
         one.close()
         other = sensors.open("dev")
-        other.begin(deepcopy(run), Teller(0.1, 1, feedback))
+        other.begin(deepcopy(run), FeedbackSchedule(0.1, 1, feedback))
         answers.append(other.exchange(feedback(run, 0.1)))
         other.close()
     assert [answer and answer.joints for answer in answers] == [GOAL, None, None]
@@ -172,5 +172,5 @@ def test_a_guide_that_is_gone_is_a_silent_sensor() -> None:
     with guided() as (sensors, _):
         one = sensors.open("dev")
         sensors.connection.close()
-        one.begin(run, Teller(0.0, 1, feedback))
+        one.begin(run, FeedbackSchedule(0.0, 1, feedback))
         assert one.exchange(feedback(run, 0.0)) is None

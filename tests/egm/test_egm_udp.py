@@ -20,7 +20,7 @@ def _heard(host: str) -> tuple[int, int]:
         sensor = ports.to(Address(host, 6510))
         sender.sendto(ANSWER, ("127.0.0.1", sensor.stream.getsockname()[1]))
         assert select.select([sensor.stream], [], [], 10.0)[0]
-        answers = sensor.hear()
+        answers = sensor.receive()
         ports.close()
         return answers, sensor.dropped
 

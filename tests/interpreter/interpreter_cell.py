@@ -10,7 +10,7 @@ from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Severity, Source, Span
 from rapidsim.interpreter.linking.loader import FatalError, Task, load
-from rapidsim.language.controller import one_for_all
+from rapidsim.language.controller import uniform_controller
 from rapidsim.language.error_answers import AnsweredError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings, Move, Place
@@ -33,9 +33,9 @@ class RecordingController:
     traps: dict[float, Callable[[], None]] = field(default_factory=dict)
     raise_at_service: list[float] = field(default_factory=list)
     """Interrupt numbers to raise, one at each service."""
-    left: int = TICKS
+    ticks_left: int = TICKS
     watches: bool = False
-    deeds: int = 0
+    effect_count: int = 0
     settings: MotionSettings = field(default_factory=MotionSettings)
     place: Place = field(default_factory=lambda: Place(Span(Source("", ""), 0, 0), ""))
     errno: float = 0.0
@@ -47,7 +47,7 @@ class RecordingController:
     waited_s: float = 0.0
 
     def service(self) -> None:
-        self.left = TICKS
+        self.ticks_left = TICKS
         self.slices += 1
         if self.slices > self.max_slices:
             raise Stopped("time limit")
@@ -69,7 +69,7 @@ class RecordingController:
     def now(self) -> float:
         return self.waited_s
 
-    def stays_until(self, time_s: float) -> None:
+    def hold_until(self, time_s: float) -> None:
         pass
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
@@ -142,7 +142,7 @@ def checked(text: str, *more: str, assumes: bool = False) -> Program:
 
 def loaded(text: str, *more: str) -> tuple[Task, RecordingController]:
     controller = RecordingController()
-    return load(checked(text, *more), one_for_all(controller)), controller
+    return load(checked(text, *more), uniform_controller(controller)), controller
 
 
 def run(
@@ -153,7 +153,7 @@ def run(
 ) -> Ran:
     """Run main of a program."""
     controller = controller or RecordingController()
-    task = load(checked(text, *more, assumes=assumes), one_for_all(controller))
+    task = load(checked(text, *more, assumes=assumes), uniform_controller(controller))
     fatal: FatalError | None = None
     stopped: Stopped | None = None
     try:

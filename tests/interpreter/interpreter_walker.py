@@ -42,7 +42,7 @@ class Walker:
 
     def call(self, name: str, arguments: list[Slot]) -> None:
         routine = self.routine(name)
-        names = [p.name.key for p in routine.parameters if isinstance(p, tree.Parameter)]
+        names = [p.name.key for p in routine.parameters if isinstance(p, tree.ParameterDeclaration)]
         frame = dict(zip(names, arguments, strict=True))
         with contextlib.suppress(Returned):
             self.body(routine.body, frame, routine.error)
@@ -121,10 +121,10 @@ class Walker:
                     arguments = []
                     parameters = self.routine(s.name.key).parameters
                     for given, wanted in zip(s.arguments, parameters, strict=True):
-                        assert isinstance(given, tree.Required)
-                        assert isinstance(wanted, tree.Parameter)
+                        assert isinstance(given, tree.RequiredArgument)
+                        assert isinstance(wanted, tree.ParameterDeclaration)
                         if wanted.mode == "INOUT":
-                            assert isinstance(given.value, tree.Reference)
+                            assert isinstance(given.value, tree.DataReference)
                             arguments.append(self.slot(given.value.name.key, frame))
                         else:
                             arguments.append(Slot(self.value(given.value, frame)))
@@ -149,11 +149,11 @@ class Walker:
             array, index = self.element(s.target, frame)
             array[index] = value
         else:
-            assert isinstance(s.target, tree.Reference)
+            assert isinstance(s.target, tree.DataReference)
             self.slot(s.target.name.key, frame).value = value
 
     def element(self, path: tree.Index, frame: dict[str, Slot]) -> tuple[list[float], int]:
-        assert isinstance(path.array, tree.Reference)
+        assert isinstance(path.array, tree.DataReference)
         array = self.slot(path.array.name.key, frame).value
         index = self.value(path.indices[0], frame)
         if index != int(index) or not 1 <= index <= len(array):
@@ -171,11 +171,11 @@ class Walker:
 
     def raw(self, e: tree.Expression, frame: dict[str, Slot]) -> Any:
         match e:
-            case tree.Number(value=value):
+            case tree.NumberLiteral(value=value):
                 return float(np.float32(value))
-            case tree.Bool(value=value):
+            case tree.BoolLiteral(value=value):
                 return value
-            case tree.Reference(name=name):
+            case tree.DataReference(name=name):
                 return self.slot(name.key, frame).value
             case tree.Index():
                 array, index = self.element(e, frame)

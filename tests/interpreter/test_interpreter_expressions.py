@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from interpreter_cell import main, run, texts
 from laws import examples
 
-from rapidsim.language.single import SPLIT, single
+from rapidsim.language.single_precision import SPLIT, single
 
 NUM = "VAR num x; VAR num y; VAR num z; VAR bool b; VAR string s;"
 

@@ -19,7 +19,7 @@ from rapidsim.interpreter.codegen.integer_inference import integers_of
 from rapidsim.interpreter.codegen.intervals import LARGEST
 from rapidsim.interpreter.linking import translation
 from rapidsim.interpreter.linking.constants import Constants
-from rapidsim.interpreter.tools.questions import answers, ask
+from rapidsim.interpreter.tools.expression_queries import answers, check_query
 from rapidsim.syntax import tree
 
 EXACT = 2**24
@@ -32,8 +32,8 @@ def integers(text: str) -> dict[str, tuple[int, int]]:
     found = integers_of(program, Constants(program).value_of)
     bounds = {}
     for node, one in found.items():
-        if not isinstance(node, tree.Reference):
-            assert isinstance(node, tree.Data | tree.Parameter | tree.RoutineNode)
+        if not isinstance(node, tree.DataReference):
+            assert isinstance(node, tree.Data | tree.ParameterDeclaration | tree.RoutineNode)
             bounds[node.name.text] = (one.low, one.high)
     return bounds
 
@@ -152,7 +152,7 @@ def test_what_conditions_say(statements: str, expected: tuple[int, int] | None) 
         for call, symbol in program.symbol_of.items()
         if isinstance(call, tree.Call) and isinstance(symbol, RoutineSymbol)
         for reference in descendants(call)
-        if isinstance(reference, tree.Reference)
+        if isinstance(reference, tree.DataReference)
     ]
     assert [one and (one.low, one.high) for one in shown] == [expected]
 
@@ -225,14 +225,14 @@ results = st.sampled_from(["u + v", "u * v - 1", "u DIV 3 + v", "(u - v) MOD 7",
 class Watching(RecordingController):
     """Notes when something is shown; after a few ticks there is a trap, and then an end."""
 
-    left: int = 4
+    ticks_left: int = 4
     max_slices: int = 40
     raise_at_service: list[float] = field(default_factory=lambda: [1.0, 1.0, 1.0])
     instants: list[tuple[int, int]] = field(default_factory=list)
 
     def show(self, text: str) -> None:
         super().show(text)
-        self.instants.append((self.slices, self.left))
+        self.instants.append((self.slices, self.ticks_left))
 
 
 def seen(text: str) -> object:
@@ -244,7 +244,7 @@ def seen(text: str) -> object:
     fatal = ran.fatal and (ran.fatal.error.message, ran.fatal.stack)
     places = [one.span.start for one in cell.places]
     values = [ran.task.value(name) for name in ("a", "last", "traps")]
-    ended = fatal, ran.stopped and ran.stopped.reason, cell.slices, cell.left
+    ended = fatal, ran.stopped and ran.stopped.reason, cell.slices, cell.ticks_left
     # A zero may have a sign.
     return repr((cell.texts, cell.instants, places, values, ended))
 
@@ -311,7 +311,7 @@ def test_a_question_may_call_with_a_fraction() -> None:
     ran = run(
         main("last := rest(5);", "VAR num last;", "FUNC num rest(num x) RETURN x MOD 2; ENDFUNC")
     )
-    asked = ask("rest(2.5) = last", "question", ran.task.program, ())
+    asked = check_query("rest(2.5) = last", "question", ran.task.program, ())
     assert asked.question is not None
     (answer,) = answers(ran.task, [asked.question], {})
     assert answer.error == "MOD takes integers, not 2.5"

@@ -13,7 +13,7 @@ import pytest
 from interpreter_cell import checked, main, run, texts
 
 from rapidsim.interpreter.linking.translation import show_python
-from rapidsim.language.single import LARGEST_SINGLE
+from rapidsim.language.single_precision import LARGEST_SINGLE
 
 ARRAYS = """
 PROC show(num value)

@@ -16,9 +16,9 @@ from rapidsim.interpreter.codegen.persistent_parameters import persistent_parame
 from rapidsim.interpreter.linking import translation
 from rapidsim.interpreter.linking.loader import Task, load
 from rapidsim.interpreter.linking.translation import show_python
-from rapidsim.interpreter.tools.questions import answers, ask
-from rapidsim.language.annotations import Mode
-from rapidsim.language.controller import one_for_all
+from rapidsim.interpreter.tools.expression_queries import answers, check_query
+from rapidsim.language.annotations import ParameterMode
+from rapidsim.language.controller import uniform_controller
 from rapidsim.syntax import tree
 
 DATA = "PERS num kept := 1; PERS num kepts{2} := [1, 2]; VAR num own; VAR num owns{2};"
@@ -35,7 +35,7 @@ PROC never(VAR num f) f := 1; ENDPROC
 def found(statements: str) -> set[str]:
     """The names of the parameters that may be one."""
     nodes = persistent_parameters(checked(main(statements, DATA, ROUTINES)))
-    return {node.name.text for node in nodes if isinstance(node, tree.Parameter)}
+    return {node.name.text for node in nodes if isinstance(node, tree.ParameterDeclaration)}
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ class Waiting(RecordingController):
     task: Task | None = None
     changes: list[object] = field(default_factory=list)
 
-    def look_at_persistents(self) -> None:
+    def serve_persistent_changes(self) -> None:
         assert self.task is not None
         now = self.task.value("kept"), self.task.value("kepts")
         if self.changes[-1:] != [now]:
@@ -78,8 +78,8 @@ class Waiting(RecordingController):
 
 def changes(text: str) -> list[object]:
     controller = Waiting()
-    controller.task = load(checked(text), one_for_all(controller))
-    controller.look_at_persistents()
+    controller.task = load(checked(text), uniform_controller(controller))
+    controller.serve_persistent_changes()
     controller.task.run()
     return controller.changes
 
@@ -108,7 +108,7 @@ def every(program: Program) -> frozenset[tree.Node]:
         for one in routines
         if isinstance(one, RoutineSymbol)
         for parameter in one.parameters
-        if parameter.mode in (Mode.INOUT, Mode.PERS)
+        if parameter.mode in (ParameterMode.INOUT, ParameterMode.PERS)
     )
 
 
@@ -132,11 +132,11 @@ def test_a_question_may_lend_a_persistent() -> None:
     function = "FUNC num more(INOUT num x) x := x + 1; RETURN x; ENDFUNC"
     controller = Waiting()
     controller.task = load(
-        checked(main("own := more(own);", DATA, function)), one_for_all(controller)
+        checked(main("own := more(own);", DATA, function)), uniform_controller(controller)
     )
     controller.task.run()
     assert not controller.changes
-    asked = ask("more(kept) = 2", "question", controller.task.program, ())
+    asked = check_query("more(kept) = 2", "question", controller.task.program, ())
     assert asked.question is not None
     (answer,) = answers(controller.task, [asked.question], {})
     assert answer.error is None, answer.error

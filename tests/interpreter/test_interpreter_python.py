@@ -17,8 +17,8 @@ from interpreter_cell import RecordingController, checked, main, module, run
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
 from rapidsim.interpreter.linking.translation import show_python
-from rapidsim.interpreter.tools.inspection import place_of, shown
-from rapidsim.language.controller import one_for_all
+from rapidsim.interpreter.tools.inspection import place_of, rapid_text
+from rapidsim.language.controller import uniform_controller
 
 GOLDEN = Path(__file__).parent / "golden"
 
@@ -107,7 +107,7 @@ ENDMODULE
 def test_each_statement_is_one_line_event() -> None:
     """Protected or not, on one line or several: once each time it is executed."""
     controller = RecordingController()
-    task = load(checked(LINES), one_for_all(controller))
+    task = load(checked(LINES), uniform_controller(controller))
     counted: Counter[int] = Counter()
 
     def trace(frame: FrameType, event: str, argument: Any) -> Any:
@@ -135,7 +135,7 @@ def test_each_statement_is_one_line_event() -> None:
 def test_tracebacks_show_rapid_lines() -> None:
     text = module('PROC main()\n  VAR num d;\n  TPWrite "ä" + ValToStr(1 / d);\nENDPROC')
     with pytest.raises(FatalError) as caught:
-        load(checked(text), one_for_all(RecordingController())).run()
+        load(checked(text), uniform_controller(RecordingController())).run()
     shown = "".join(traceback.format_exception(caught.value))
     assert 'File "cell.mod", line 5, in main' in shown
     assert 'TPWrite "ä" + ValToStr(1 / d);' in shown
@@ -205,7 +205,7 @@ def test_a_debugger_sees_elements_that_a_small_routine_gets() -> None:
 
     def trace(frame: FrameType, event: str, _: Any) -> Any:
         if frame.f_code.co_name == "exchange" and event == "line":
-            seen.append((place_of(frame), shown("p", frame), shown("q", frame)))
+            seen.append((place_of(frame), rapid_text("p", frame), rapid_text("q", frame)))
         return trace
 
     before = sys.gettrace()

@@ -145,7 +145,7 @@ def test_an_endless_loop_lets_time_pass(loop: str) -> None:
 def test_a_tick_a_turn() -> None:
     controller = RecordingController()
     run(main("FOR k FROM 1 TO 10 DO WHILE FALSE DO ENDWHILE ENDFOR"), controller=controller)
-    assert controller.left == TICKS - 10
+    assert controller.ticks_left == TICKS - 10
 
 
 def test_a_place_says_line_routine_and_arguments() -> None:

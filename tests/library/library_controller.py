@@ -101,7 +101,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
         """Call a routine, with this controller if it wants one."""
         row = ROUTINES[name.lower()]
-        first = (row.signature.asked_of(self.whole()),) if row.signature.takes_controller else ()
+        first = (row.signature.concern_of(self.whole()),) if row.signature.takes_controller else ()
         return row.body(*first, *arguments, **options)
 
     def whole(self) -> Controller:
@@ -238,7 +238,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def take_picture(self, camera: Camera) -> float:
         raise AssertionError("there are no cameras here")
 
-    def found(self, camera: Camera) -> int:
+    def result_count(self, camera: Camera) -> int:
         raise AssertionError("there are no cameras here")
 
     def fetch(self, camera: Camera) -> CameraTarget | None:
@@ -410,16 +410,16 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     def stop_recording(self, *, clear: bool) -> None:
         self.log.append(f"record no more, clear {clear}")
 
-    def may_go_back(self, identifier: int | None) -> bool:
+    def can_move_backward(self, identifier: int | None) -> bool:
         return identifier is not None
 
-    def may_go_forth(self, identifier: int | None) -> bool:
+    def can_move_forward(self, identifier: int | None) -> bool:
         return identifier is not None
 
-    def go_back(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_backward(self, identifier: int | None, *_: Pos | SpeedData | None) -> None:
         self.log.append(f"back to {identifier}")
 
-    def go_forth(self, identifier: int | None, offset: Pos | None, speed: SpeedData | None) -> None:
+    def move_forward(self, identifier: int | None, *_: Pos | SpeedData | None) -> None:
         self.log.append(f"forth to {identifier}")
 
     def hold_interrupts(self, *, hold: bool) -> None:
@@ -466,12 +466,12 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
     ) -> bool:
         return True
 
-    def move_together(
+    def sync_move_on(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
     ) -> bool:
         return True
 
-    def move_apart(self, name: str, *, max_time: float | None = None) -> bool:
+    def sync_move_off(self, name: str, *, max_time: float | None = None) -> bool:
         return True
 
     def leave_team(self) -> None: ...
@@ -484,7 +484,7 @@ class RecordingController(NoSockets, PartsAtRest, Undisturbed):
 
     def start_robots(self, *, every: bool) -> None: ...
 
-    def robot_held(self) -> tuple[bool, bool]:
+    def is_robot_held(self) -> tuple[bool, bool]:
         return self.is_stopped(), False
 
     def frames_of(self, task: str) -> tuple[ToolData, WobjData]:

@@ -9,7 +9,7 @@ from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import ClockState, Orient, Pos, Signal
 from rapidsim.language.errors import CycleEnded, RapidError, Stopped
 from rapidsim.language.reference import Box
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 
 GUN: Box[Any] = Box(Signal("doGun"))
 PART: Box[Any] = Box(Signal("diPart"))

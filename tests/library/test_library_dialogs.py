@@ -7,7 +7,7 @@ from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import ListItem
 from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Box
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.library.predefined import DATA
 
 

@@ -12,7 +12,7 @@ from rapidsim.language import error_numbers as errors
 from rapidsim.language.data import UNUSED_AXIS
 from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Box
-from rapidsim.language.single import LARGEST_SINGLE, single
+from rapidsim.language.single_precision import LARGEST_SINGLE, single
 from rapidsim.language.types import DNUM, NUM, Alias
 
 singles = st.floats(width=32, allow_nan=False, allow_infinity=False)

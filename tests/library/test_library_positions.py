@@ -22,7 +22,7 @@ from rapidsim.language.data import (
     RobTarget,
 )
 from rapidsim.language.errors import RapidError
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 
 # Singles carry 7 digits; positions are within a metre, so this is a few units of the last one.
 POSITION_TOLERANCE_MM = 1e-3

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from library_controller import RecordingController
 
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData
 from rapidsim.language.error_numbers import ERR_OVERFLOW
 from rapidsim.language.errors import RapidError
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Box
 from rapidsim.language.types import DNUM, NUM, ArrayOf, Record, Type, resolved
@@ -72,7 +72,7 @@ def at(value: Any, place: int) -> Any:
 
 def argument(parameter: Parameter, place: int = 0) -> Any:
     value = at(sample(parameter.types[0], parameter.name), place)
-    return value if parameter.mode is Mode.IN or isinstance(value, list) else Box(value)
+    return value if parameter.mode is ParameterMode.IN or isinstance(value, list) else Box(value)
 
 
 def numbers(value: Any, of: Type) -> Iterator[float]:
@@ -92,7 +92,11 @@ def tells_numbers(row: LibraryRoutine) -> bool:
     if row.name in BY_INTERPRETER | NEEDS_MORE or not row.simulated:
         return False
     signature = row.signature
-    types = [p.types[0] for p in signature.parameters if p.mode in (Mode.INOUT, Mode.VAR)]
+    types = [
+        p.types[0]
+        for p in signature.parameters
+        if p.mode in (ParameterMode.INOUT, ParameterMode.VAR)
+    ]
     types += [signature.result] if signature.result is not None else []
     return any(rounding_of(of) is not None for of in types)
 
@@ -130,7 +134,10 @@ def test_results_are_singles(row: LibraryRoutine, monkeypatch: pytest.MonkeyPatc
         p.python: given.setdefault(p.name, argument(p))
         for p in signature.parameters
         if p.by_keyword
-        and (not p.optional or (p.mode in (Mode.INOUT, Mode.VAR) and not p.is_switch))
+        and (
+            not p.optional
+            or (p.mode in (ParameterMode.INOUT, ParameterMode.VAR) and not p.is_switch)
+        )
     }
     required = [given[p.name] for p in signature.parameters if not p.by_keyword]
     controller = Uneven()
@@ -141,7 +148,9 @@ def test_results_are_singles(row: LibraryRoutine, monkeypatch: pytest.MonkeyPatc
         found += numbers(result, signature.result)
     for parameter in signature.parameters:
         one = given.get(parameter.name)
-        if parameter.mode not in (Mode.INOUT, Mode.VAR) or not isinstance(one, Box):
+        if parameter.mode not in (ParameterMode.INOUT, ParameterMode.VAR) or not isinstance(
+            one, Box
+        ):
             continue
         if one.value != sample(parameter.types[0], parameter.name):
             found += numbers(one.value, parameter.types[0])

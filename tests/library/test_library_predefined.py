@@ -7,9 +7,9 @@ from typing import Any
 import pytest
 
 from rapidsim.language.data import FINE, TOOL0, SpeedData, ZoneData
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.records import RECORD_CLASSES, record_of
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import Alias, ArrayOf, Kind, Record, resolved
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.predefined import DATA, TYPES

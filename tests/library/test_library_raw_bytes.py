@@ -10,7 +10,7 @@ from library_controller import RecordingController, call
 from rapidsim.language import error_numbers as errors
 from rapidsim.language.errors import RapidError
 from rapidsim.language.reference import Box
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import DNUM, NUM, STRING
 
 PACKED: list[tuple[object, dict[str, object], str]] = [

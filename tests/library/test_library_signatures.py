@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from library_controller import RecordingController
 
-from rapidsim.language.annotations import Mode
-from rapidsim.language.initial import initial_value
+from rapidsim.language.annotations import ParameterMode
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.language.types import NUM, ArrayOf, Type
 from rapidsim.library.catalogue import CHAPTERS, ROUTINES
@@ -152,7 +152,7 @@ def _sample(parameter: Parameter) -> object:
     value = initial_value(NUM if of.name == "anytype" else of)
     if of.name.startswith("signal"):
         value = type(value)("doGun")  # type: ignore[call-arg]
-    return value if parameter.mode is Mode.IN else Box(value)
+    return value if parameter.mode is ParameterMode.IN else Box(value)
 
 
 @pytest.mark.parametrize("row", DECLARED, ids=lambda row: row.name)

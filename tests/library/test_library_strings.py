@@ -19,7 +19,7 @@ from rapidsim.language.data import (
 from rapidsim.language.errors import RapidError
 from rapidsim.language.records import record_of
 from rapidsim.language.reference import Box
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, Alias, ArrayOf, Type
 
 TEXTS: list[tuple[object, Type, str]] = [

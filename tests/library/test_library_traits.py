@@ -15,7 +15,7 @@ import rapidsim
 from rapidsim.language.moves import MotionSettings
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 PACKAGE = Path(rapidsim.__file__).parent
 QUOTED = re.compile(r"""["'](\w+)["']""")
@@ -24,27 +24,27 @@ WAITS = {
     *("wait", "wait_until", "wait_for_signal", "accept_client", "connect_socket", "await_bytes"),
     "await_datagram",
     "await_fingers",
-    *("meet", "move_together", "move_apart", "leave_team", "suspend_team", "resume_team"),
+    *("meet", "sync_move_on", "sync_move_off", "leave_team", "suspend_team", "resume_team"),
     *("await_message", "await_answer", "guide", "await_condition", "end_guidance", "give_back"),
 }
 """What of the protocols lets time pass, apart from moves and questions."""
 ASKED = {
-    Does.MOVE: {"move", "search", "search_joints"},
-    Does.SEARCH: {"search", "search_joints"},
-    Does.ASK: QUESTIONS,
-    Does.WAIT: WAITS | QUESTIONS,
-    Does.OUTPUT: {"write_signal"},
+    Trait.MOVE: {"move", "search", "search_joints"},
+    Trait.SEARCH: {"search", "search_joints"},
+    Trait.ASK: QUESTIONS,
+    Trait.WAIT: WAITS | QUESTIONS,
+    Trait.OUTPUT: {"write_signal"},
 }
 """What a body asks of its controller if it does something."""
 OTHERWISE = {
-    ("SetAllDataVal", Does.MOVE): "it searches data",
-    ("SetAllDataVal", Does.SEARCH): "it searches data",
-    ("SocketPeek", Does.WAIT): "it asks for what has arrived, and waits no time",
-    ("CamLoadJob", Does.WAIT): "a job is there at once here",
-    ("CamWaitLoadJob", Does.WAIT): "a job is there at once here",
-    ("IODisable", Does.WAIT): "a device is gone at once here",
-    ("IOEnable", Does.WAIT): "a device is there at once here",
-    ("WaitLoad", Does.WAIT): "a run has loaded the module before",
+    ("SetAllDataVal", Trait.MOVE): "it searches data",
+    ("SetAllDataVal", Trait.SEARCH): "it searches data",
+    ("SocketPeek", Trait.WAIT): "it asks for what has arrived, and waits no time",
+    ("CamLoadJob", Trait.WAIT): "a job is there at once here",
+    ("CamWaitLoadJob", Trait.WAIT): "a job is there at once here",
+    ("IODisable", Trait.WAIT): "a device is gone at once here",
+    ("IOEnable", Trait.WAIT): "a device is there at once here",
+    ("WaitLoad", Trait.WAIT): "a run has loaded the module before",
 }
 """Where row and body differ, and why."""
 WRITTEN = [
@@ -73,14 +73,14 @@ def asked_by(body: object, seen: set[object]) -> set[str]:
     return names.union(*(asked_by(one, seen) for one in called))
 
 
-def says_otherwise(row: LibraryRoutine) -> Iterator[Does]:
+def says_otherwise(row: LibraryRoutine) -> Iterator[Trait]:
     """In what a row and its body differ."""
     asked = asked_by(row.function, set())
     for does, names in ASKED.items():
-        if (does in row.does) != bool(names & asked) and (row.name, does) not in OTHERWISE:
+        if (does in row.traits) != bool(names & asked) and (row.name, does) not in OTHERWISE:
             yield does
-    if Does.INSTANT in row.does and asked & (ASKED[Does.MOVE] | ASKED[Does.WAIT]):
-        yield Does.INSTANT
+    if Trait.INSTANT in row.traits and asked & (ASKED[Trait.MOVE] | ASKED[Trait.WAIT]):
+        yield Trait.INSTANT
 
 
 def test_rows_say_what_their_bodies_ask_for() -> None:
@@ -91,7 +91,7 @@ def test_rows_say_what_their_bodies_ask_for() -> None:
 def test_reasons_for_differences_are_needed() -> None:
     for name, does in OTHERWISE:
         row = ROUTINES[name.lower()]
-        assert (does in row.does) != bool(ASKED[does] & asked_by(row.function, set()))
+        assert (does in row.traits) != bool(ASKED[does] & asked_by(row.function, set()))
 
 
 def test_fields_that_rows_set_are_those_of_settings() -> None:
@@ -127,14 +127,14 @@ def test_an_instruction_sets_what_its_row_says(
 
 
 def test_what_follows_from_parameters_is_not_forgotten() -> None:
-    def names(does: Does) -> set[str]:
-        return {row.name for row in ROUTINES.values() if does in row.does}
+    def names(does: Trait) -> set[str]:
+        return {row.name for row in ROUTINES.values() if does in row.traits}
 
-    assert {"MoveAbsJ", "TriggJIOs", "ContactL", "EGMMoveC"} <= names(Does.MOVE)
-    assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Does.WAIT)
-    assert {"TPReadFK", "UINumTune"} <= names(Does.ASK)
-    assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Does.CARTESIAN) <= names(Does.MOVE)
-    assert names(Does.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
+    assert {"MoveAbsJ", "TriggJIOs", "ContactL", "EGMMoveC"} <= names(Trait.MOVE)
+    assert {"SyncMoveOn", "UINumTune", "RMQReadWait", "IOEnable"} <= names(Trait.WAIT)
+    assert {"TPReadFK", "UINumTune"} <= names(Trait.ASK)
+    assert {"ArcL", "EGMMoveC", "ContactL"} <= names(Trait.CARTESIAN) <= names(Trait.MOVE)
+    assert names(Trait.AXES) == {"MoveAbsJ", "MoveExtJ", "SearchExtJ", "TriggAbsJ"}
     assert ROUTINES["syncmoveon"].limit == "TimeOut"
     # It is given with each call.
     assert ROUTINES["ioenable"].limit is None

@@ -9,14 +9,14 @@ from rapidsim.language.errors import RapidError
 class Undisturbed:
     """Nothing changes by itself, and what fails does so at once."""
 
-    left: int = 0
-    deeds: int = 0
+    ticks_left: int = 0
+    effect_count: int = 0
     watches: bool = False
 
-    def look_at_persistents(self) -> None:
+    def serve_persistent_changes(self) -> None:
         """Nobody waits for a change of one."""
 
-    def stays_until(self, time_s: float) -> None:
+    def hold_until(self, time_s: float) -> None:
         """All that is told stays so for ever."""
 
     def error_mark(self) -> object:

@@ -13,7 +13,7 @@ from command_line import call
 from rapidsim.analysis.program import Program
 from rapidsim.cli.boundary import run_commands
 from rapidsim.controller.motion import TaskMotion
-from rapidsim.controller.other_tasks import TaskOthers
+from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checked_program import load
 from rapidsim.motion.robot.robot import Robot, load_robot
@@ -251,7 +251,7 @@ def test_a_clock_that_runs_out_while_a_stopped_run_comes_to_rest(
     loaded = load([SourceFile("job.mod", once(f"{TO_P1}{moves}    {last}", ""), "utf-8")])
     assert loaded.program is not None, loaded.diagnostics
     ends: list[str] = []
-    for service, name in ((TaskOthers, "stop_robot"), (TaskMotion, "abandon")):
+    for service, name in ((TaskCoordination, "stop_robot"), (TaskMotion, "abandon")):
         monkeypatch.setattr(service, name, _out_of_time(getattr(service, name), ends))
     options = RunOptions(home=tmp_path, max_time_s=2.0)
     run = simulate(loaded.program, load_robot("irb1600"), options=options)
@@ -262,7 +262,7 @@ def test_a_clock_that_runs_out_while_a_stopped_run_comes_to_rest(
 def _out_of_time(original: Callable[..., None], ends: list[str]) -> Callable[..., None]:
     """Something done at the end of a run, when the computer's clock has just run out."""
 
-    def done(service: TaskMotion | TaskOthers, *rest: float) -> None:
+    def done(service: TaskMotion | TaskCoordination, *rest: float) -> None:
         ends.append(original.__name__)
         service.cell.watchdog._is_over = True
         original(service, *rest)
@@ -275,11 +275,11 @@ def test_a_call_that_never_looks_at_the_clock(
 ) -> None:
     """The run is interrupted wherever it is, and says so."""
 
-    def busy(_service: TaskOthers) -> None:
+    def busy(_service: TaskCoordination) -> None:
         while True:
             pass
 
-    monkeypatch.setattr(TaskOthers, "task_number", property(busy))
+    monkeypatch.setattr(TaskCoordination, "task_number", property(busy))
     text = once("    name:=GetTaskName(\\TaskNo:=n);", "  VAR string name;")
     loaded = load([SourceFile("job.mod", text, "utf-8")])
     assert loaded.program is not None, loaded.diagnostics

@@ -9,7 +9,7 @@ from motion_programs import LIMITS, Programmer, path_of, zone
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 
 STEP_S = 2e-3
 
@@ -23,7 +23,7 @@ def bend(**limits: Any) -> Path:
     return path_of(program)
 
 
-def velocities(path: Path, timing: Timing) -> Array:
+def velocities(path: Path, timing: TimeScaling) -> Array:
     """Velocity of the TCP (k, 3) every `STEP_S`."""
     times = np.arange(0.0, timing.duration, STEP_S)
     tcp = path.evaluate(timing.s_at(times)).base_from_tcp.translation

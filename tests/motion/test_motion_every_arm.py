@@ -14,7 +14,12 @@ from laws import cases
 from numpy.typing import NDArray
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.configurations.confdata import confdata_of, configurations, select, told_apart
+from rapidsim.motion.configurations.confdata import (
+    confdata_of,
+    configurations,
+    has_branches,
+    select,
+)
 from rapidsim.motion.configurations.reachability import limit_excess
 from rapidsim.motion.kinematics.arm import Branches, Kinematics
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
@@ -33,7 +38,7 @@ VECTORS = cases(5_000)
 """Of each arm, of some hundred that three kinds of formulas serve."""
 SINGULAR_VECTORS = cases(100)
 NUDGES = (0.0, 1e-12, -1e-12, 1e-9, -1e-9)
-CLOSED_FORM = [name for name in robot_names() if told_apart(load_robot(name).kinematics)]
+CLOSED_FORM = [name for name in robot_names() if has_branches(load_robot(name).kinematics)]
 Names = NDArray[np.str_]
 SEARCHED = [name for name in robot_names() if name not in CLOSED_FORM]
 

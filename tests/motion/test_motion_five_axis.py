@@ -15,7 +15,7 @@ from rapidsim.motion.configurations.confdata import confdata_of, select
 from rapidsim.motion.configurations.reachability import (
     limit_excess,
     turns_within_limits,
-    why_unreachable,
+    unreachable_reason,
 )
 from rapidsim.motion.configurations.singularities import differential, pseudo_inverse
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis, FiveAxisGeometry
@@ -105,7 +105,7 @@ def test_an_orientation_out_of_the_plane_is_refused_with_its_angle() -> None:
     sideways = rotation_from_vector(np.array([0.0, 0.0, np.radians(7.0)]))
     turned = Transform(sideways @ pose.rotation, pose.translation)
     assert not robot.inverse(turned).exists.any()
-    why = why_unreachable(robot, turned)
+    why = unreachable_reason(robot, turned)
     assert why is not None
     assert 1.0 < np.degrees(why.tilt) < 7.5
     assert "deg from what the axes of this arm can give" in why.message
@@ -115,7 +115,7 @@ def test_a_pose_too_far_says_how_far() -> None:
     robot = load_robot("rvm1")
     pose = robot.forward(np.zeros(5))
     farther = pose.translation + np.array([0.1, 0.0, 0.0])
-    why = why_unreachable(robot, Transform(pose.rotation, farther))
+    why = unreachable_reason(robot, Transform(pose.rotation, farther))
     assert why is not None
     assert why.message == "wrist centre 100.0 mm beyond reach"
 

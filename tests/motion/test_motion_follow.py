@@ -12,7 +12,7 @@ from rapidsim.motion.configurations.pose_solutions import solve_pose_as
 from rapidsim.motion.configurations.reachability import limit_excess
 from rapidsim.motion.robot.catalogue import robots_folder
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.follow import FollowedTrajectory, follow
 from rapidsim.motion.waypoints.plan import Plan, Refused, TcpMotion, Way, tcp_motion
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.points_file import points_from_text
@@ -33,12 +33,12 @@ def table(name: str, joint_count: int) -> Points:
     return points_from_text((PROGRAMS / name).read_text(encoding="utf-8"), name, joint_count)
 
 
-def followed(result: Followed | Refused) -> Followed:
-    assert isinstance(result, Followed), result
+def followed(result: FollowedTrajectory | Refused) -> FollowedTrajectory:
+    assert isinstance(result, FollowedTrajectory), result
     return result
 
 
-def row_on(cfx: int, speeds: Array | None) -> Followed:
+def row_on(cfx: int, speeds: Array | None) -> FollowedTrajectory:
     """The straight row of ten points as a joint quintic, in a configuration."""
     points = table("kr10_row.csv", 6)
     points = Points(points.positions, points.attitudes, speeds=speeds)
@@ -46,7 +46,7 @@ def row_on(cfx: int, speeds: Array | None) -> Followed:
     pose = posed(points.positions[:1], points.attitudes[:1])[0] @ TOOL_HEAD.inverse()
     conf = {0: (-1, 0, 1, 0), 6: (1, -2, 1, 6)}[cfx]
     first = solve_pose_as(KR10, pose, conf)
-    assert first.why is None
+    assert first.reason is None
     plan = Plan(Way.JOINT_QUINTIC, speed=0.1)
     return followed(
         follow(
@@ -125,8 +125,8 @@ def test_all_eight_octants_are_out_of_reach_with_their_distances() -> None:
     )
     for point, entry, distance in zip(reached, entries, beyond.tolist(), strict=True):
         assert entry["reachable_geometric"] == 0
-        assert point.why is not None
-        assert point.why.shortfall == pytest.approx(distance, abs=1e-9)
+        assert point.reason is not None
+        assert point.reason.shortfall == pytest.approx(distance, abs=1e-9)
         assert point.message == f"wrist centre {distance * 1e3:.1f} mm beyond reach"
 
 
@@ -199,9 +199,9 @@ def test_the_line_of_the_report_misses_its_first_five_points() -> None:
     over = []
     for point, pitches in zip(reached, known["feasible_pitch_deg_range"], strict=True):
         if pitches is None:
-            assert point.why is not None
-            assert (point.why.joint, point.why.excess < 0.0) == (3, True)
-            over.append(-np.degrees(point.why.excess))
+            assert point.reason is not None
+            assert (point.reason.joint, point.reason.excess < 0.0) == (3, True)
+            over.append(-np.degrees(point.reason.excess))
         else:
             assert point.pitches is not None
             assert np.degrees(point.pitches) == pytest.approx(pitches)
@@ -253,8 +253,8 @@ def test_a_line_that_needs_a_jump_is_refused_with_place_and_joint() -> None:
     assert result.message.startswith("between points 1 and 2 at 0.")
     assert "would have to jump by 164 deg, at a singularity" in result.message
     assert result.segment == 0
-    assert len(result.others) == 7
-    assert any(why is not None and "joint 2 goes to" in why for _, why in result.others)
+    assert len(result.other_branches) == 7
+    assert any(why is not None and "joint 2 goes to" in why for _, why in result.other_branches)
     # Right through it, and well beside it, the arm goes on.
     through = Points(points.positions * [1.0, 0.0, 1.0], level)
     assert followed(follow(robot, through, level, BARE, Plan(speed=1.0))).deviation_max < 1e-12
@@ -287,7 +287,7 @@ def test_a_limit_on_the_way_is_called_a_limit() -> None:
     assert "[0,0,-2,0] joint 3 goes to 57.8 deg, 2.8 deg beyond its upper limit of 55 deg" in (
         refused.message
     )
-    free = {conf for conf, why in refused.others if why is None}
+    free = {conf for conf, why in refused.other_branches if why is None}
     assert free == {(-2, 2, -2, 6), (-2, 0, 0, 7)}
     # What is said to go all the way does, and is found where no configuration is asked for.
     assert refused.help is not None

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from reference_numbers import recorded
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.waypoints.curves import BaseArc, Line, SplineCurve
+from rapidsim.motion.waypoints.curves import BaseArc, SplineCurve, StraightLine
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest, pushed_out
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 from rapidsim.motion.waypoints.plan import JointsOverTime, Plan, Refused, quintic_motion
@@ -144,14 +144,14 @@ def test_places_on_a_spline_are_ways_along_it() -> None:
     assert step == pytest.approx(np.full(499, step.mean()), rel=1e-6)
 
 
-def line(start: Array, end: Array) -> Line:
-    return Line(start, end, DOWN, DOWN, float(np.linalg.norm(end - start)))
+def line(start: Array, end: Array) -> StraightLine:
+    return StraightLine(start, end, DOWN, DOWN, float(np.linalg.norm(end - start)))
 
 
 def test_a_line_goes_around_the_sphere_and_nowhere_into_it() -> None:
     asked = line(np.array([0.6, -0.1, 0.05]), np.array([-0.5, 0.15, 0.1]))
     pieces = around(asked, 0.2)
-    assert [type(piece) for piece in pieces] == [Line, BaseArc, Line]
+    assert [type(piece) for piece in pieces] == [StraightLine, BaseArc, StraightLine]
     end = asked.start
     for piece in pieces:
         places = piece.at(np.linspace(0.0, piece.length, 300)).translation

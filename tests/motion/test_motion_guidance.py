@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from laws import examples
 
-from rapidsim.motion.guidance.aims import Band, JointAim
-from rapidsim.motion.guidance.guided_run import Ended, GuidedRun, Terms
+from rapidsim.motion.guidance.goals import Band, JointGoal
+from rapidsim.motion.guidance.guided_execution import EndConditions, EndReason, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
@@ -20,18 +20,18 @@ NEAR = np.radians(0.01)
 
 def guided(
     gain: float = 20.0, *, filters: tuple[float, ...] = (20.0,), goes_back: bool = False
-) -> GuidedRun:
+) -> GuidedExecution:
     start = np.zeros(2)
     band = Band(np.ones(2, dtype=bool), np.full(2, -NEAR), np.full(2, NEAR))
-    return GuidedRun(
+    return GuidedExecution(
         JointMotion(AXES, start, np.zeros(2)),
-        JointAim(band, filters, start),
+        JointGoal(band, filters, start),
         Tuning(gain),
-        Terms(0.1, 0.5, 1.0, goes_back, 0.5),
+        EndConditions(0.1, 0.5, 1.0, goes_back, 0.5),
     )
 
 
-def followed(run: GuidedRun, goals: list[tuple[float, float]], cycles: int) -> np.ndarray:
+def followed(run: GuidedExecution, goals: list[tuple[float, float]], cycles: int) -> np.ndarray:
     """Joints and speeds of all cycles; each goal [rad] holds for as many of them."""
     rows = [(run.motion.joints, run.motion.speed)]
     for cycle in range(cycles):
@@ -65,7 +65,7 @@ def test_axes_keep_their_limits_whatever_is_wanted(
 def test_a_goal_is_reached_and_hardly_passed(goal: tuple[float, float], gain: float) -> None:
     run = guided(gain, filters=())
     rows = followed(run, [goal], 2000)
-    assert run.ended is Ended.CONVERGED
+    assert run.ended is EndReason.CONVERGED
     assert run.is_over
     assert np.abs(run.motion.joints - goal).max() <= 2 * NEAR
     past = (rows[:, 0] - goal) * np.sign(goal)
@@ -80,13 +80,13 @@ def test_the_goal_of_the_start_is_no_answer() -> None:
     assert run.ended is None
     for _ in range(60):
         run.step(None)
-    assert run.ended is Ended.SILENT
+    assert run.ended is EndReason.SILENT
 
 
 def test_a_robot_goes_back_to_where_it_began() -> None:
     run = guided(goes_back=True)
     followed(run, [(0.5, -0.2)], 4000)
-    assert run.ended is Ended.CONVERGED
+    assert run.ended is EndReason.CONVERGED
     assert run.is_over
     assert np.array_equal(run.motion.joints, run.start)
 
@@ -95,4 +95,4 @@ def test_answers_that_hold_no_goal_are_silence() -> None:
     run = guided()
     for _ in range(260):
         run.step(SensorAnswer(joints=(1.0,)))
-    assert run.ended is Ended.SILENT
+    assert run.ended is EndReason.SILENT

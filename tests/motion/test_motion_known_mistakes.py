@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.reachability import (
     limit_excess,
     turns_within_limits,
-    why_unreachable,
+    unreachable_reason,
 )
 from rapidsim.motion.configurations.singularities import differential, joint_speeds, pseudo_inverse
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
@@ -99,7 +99,7 @@ def test_a_cube_of_180_cm_is_out_of_the_reach_of_the_kr_10() -> None:
     for x in (-0.9, 0.9):
         for y in (-0.9, 0.9):
             for z in (-0.9, 0.9):
-                why = why_unreachable(robot, Transform(np.eye(3), np.array([x, y, z])))
+                why = unreachable_reason(robot, Transform(np.eye(3), np.array([x, y, z])))
                 assert why is not None
                 assert why.joint is None
                 assert 0.1 < why.shortfall < 1.0

@@ -4,16 +4,16 @@ import numpy as np
 from motion_programs import ROBOT
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.motion.trajectory.corrected_section import CorrectedSection
+from rapidsim.motion.trajectory.guided_section import GuidedSection
 
 CYCLE_S = 0.004
 
 
 def test_a_guided_robot_forgets_its_past_and_is_where_it_was_to_the_last_bit() -> None:
-    def stretch() -> GuidedStretch:
+    def stretch() -> GuidedSection:
         forward, tool = ROBOT.kinematics.forward, Transform.identity()
-        return GuidedStretch(1.0, CYCLE_S, forward, tool, np.zeros(0), np.zeros(6))
+        return GuidedSection(1.0, CYCLE_S, forward, tool, np.zeros(0), np.zeros(6))
 
     forgets, keeps = stretch(), stretch()
     for cycle in range(1, 3000):
@@ -29,12 +29,12 @@ def test_a_guided_robot_forgets_its_past_and_is_where_it_was_to_the_last_bit() -
 
 
 def test_a_corrected_path_forgets_its_past_and_is_where_it_was_to_the_last_bit() -> None:
-    forgets, keeps = (CorrectedStretch(1.0, ROBOT.kinematics) for _ in range(2))
+    forgets, keeps = (CorrectedSection(1.0, ROBOT.kinematics) for _ in range(2))
     for cycle in range(1, 3000):
         for one in (forgets, keeps):
             one.append(1.0 + CYCLE_S * cycle, np.full(3, np.sin(0.01 * cycle)))
         if cycle % 200 == 0:
             forgets.forget(forgets.end_s - 1.0)
             times = forgets.end_s - np.linspace(1.0, -0.1, 23)
-            assert np.array_equal(forgets.ways_at(times), keeps.ways_at(times))
+            assert np.array_equal(forgets.offsets_at(times), keeps.offsets_at(times))
     assert len(forgets._times) < 500 < len(keeps._times)

@@ -23,7 +23,7 @@ from plain_segments import plain_segment
 
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Transform
-from rapidsim.motion import compiled
+from rapidsim.motion import numba_jit
 from rapidsim.motion.geometry import blend_shape
 from rapidsim.motion.geometry.segments import Geometry, Waypoint
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
@@ -37,7 +37,7 @@ from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing import active_constraints, smoothed_speed_loops, stages, two_pass_loops
 from rapidsim.motion.timing import smoothed_speed_limits as held_speeds_module
 from rapidsim.motion.timing.constraints import acceleration_rows
-from rapidsim.motion.timing.discretisation import Places, cells_of
+from rapidsim.motion.timing.discretisation import GridPoints, cells_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.problem import problem_of
 from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
@@ -46,18 +46,18 @@ from rapidsim.motion.timing.time_optimal import fastest_drive
 PROGRAMMED_TURNS = replace(MODELS["1"], orientation_zone="programmed")
 
 
-def in_general(path: Path, places: Places) -> PathRates:
+def in_general(path: Path, places: GridPoints) -> PathRates:
     """Derivatives as any arm gets them."""
     return replace(path, lines=None).rates(places.s, places.piece)
 
 
-def spread(path: Path, count: int = 300) -> Places:
+def spread(path: Path, count: int = 300) -> GridPoints:
     """Places all over a path, both sides of its breakpoints among them."""
     inside = path.length * (np.arange(count) + 0.5) / count
     piece = np.arange(len(path.layout.row))
     s = np.concatenate([inside, path.layout.bounds[:-1], path.layout.bounds[1:]])
     pieces = np.concatenate([path.layout.piece_at(inside), piece, piece])
-    return Places(s, pieces, path.rates(s, pieces))
+    return GridPoints(s, pieces, path.rates(s, pieces))
 
 
 @examples(40)
@@ -113,7 +113,9 @@ def test_loops_do_what_columns_do(model: MotionModel, monkeypatch: pytest.Monkey
     piece = np.concatenate([lines.layout.piece_at(s[:40]), own, own])
     columns, _ = lines.rates(s, piece)
     joints, _ = lines.joints(s, piece)
-    monkeypatch.setattr(line_derivatives, "compiled", lambda module, name, rows: vars(module)[name])
+    monkeypatch.setattr(
+        line_derivatives, "jit_function", lambda module, name, rows: vars(module)[name]
+    )
     loops, regular = lines.rates(s, piece)
     assert regular.all()
     for ours, theirs in zip(loops.columns, columns.columns, strict=True):
@@ -146,7 +148,7 @@ def test_speeds_are_held_alike(monkeypatch: pytest.MonkeyPatch) -> None:
         needed = random.random(count) < 0.6
         columns = held_speeds(places, speeds, needed, 0.3)
         with monkeypatch.context() as patch:
-            patch.setattr(held_speeds_module, "compiled", lambda *_: smoothed_speed_loops.hold)
+            patch.setattr(held_speeds_module, "jit_function", lambda *_: smoothed_speed_loops.hold)
             loops = held_speeds(places, speeds, needed, 0.3)
         assert np.array_equal(loops, columns)
         assert (columns < speeds).any() or not needed.any() or count < 20
@@ -189,9 +191,13 @@ def test_loops_over_a_motion_do_what_columns_do(program: Programmer) -> None:
     for module in (None, two_pass_loops):
         with pytest.MonkeyPatch.context() as patch:
             if module is not None:
-                patch.setattr(stages, "compiled", lambda _, name, rows: vars(two_pass_loops)[name])
                 patch.setattr(
-                    active_constraints, "compiled", lambda _, name, rows: vars(two_pass_loops)[name]
+                    stages, "jit_function", lambda _, name, rows: vars(two_pass_loops)[name]
+                )
+                patch.setattr(
+                    active_constraints,
+                    "jit_function",
+                    lambda _, name, rows: vars(two_pass_loops)[name],
                 )
             both.append(
                 (
@@ -222,7 +228,7 @@ def test_compiled_plans_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("RAPIDSIM_NUMBA", "0")
     plain = plan(path_of(long_program(), model), LIMITS)
     monkeypatch.setenv("RAPIDSIM_NUMBA", "1")
-    monkeypatch.setattr(compiled, "WORTH_COMPILING", 1)
+    monkeypatch.setattr(numba_jit, "WORTH_COMPILING", 1)
     fast = plan(path_of(long_program(), model), LIMITS)
     assert fast.s == pytest.approx(plain.s, abs=1e-12)
     assert fast.times == pytest.approx(plain.times, rel=1e-12)
@@ -231,13 +237,13 @@ def test_compiled_plans_are_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_few_rows_and_a_switch_keep_numba_away(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(compiled, "_loaded", False)
-    assert compiled.compiled(two_pass_loops, "widest", 10) is None
+    monkeypatch.setattr(numba_jit, "_loaded", False)
+    assert numba_jit.jit_function(two_pass_loops, "widest", 10) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "0")
-    assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
+    assert numba_jit.jit_function(two_pass_loops, "both_passes", 10**9) is None
     monkeypatch.setenv("RAPIDSIM_NUMBA", "1")
-    monkeypatch.setattr(compiled, "is_installed", lambda name: False)
-    assert compiled.compiled(two_pass_loops, "both_passes", 10**9) is None
+    monkeypatch.setattr(numba_jit, "is_installed", lambda name: False)
+    assert numba_jit.jit_function(two_pass_loops, "both_passes", 10**9) is None
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.configurations.pose_solutions import solve_pose
-from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.reachability import limit_excess, unreachable_reason
 from rapidsim.motion.configurations.scipy_solvers import METHODS, search
 from rapidsim.motion.kinematics.numerical.offset_wrist import near_arm
 from rapidsim.motion.kinematics.numerical.solver import Numerical
@@ -111,7 +111,7 @@ def test_a_path_is_followed_without_jumps(robot: Robot) -> None:
 
 def test_out_of_reach_says_how_near_the_search_came(robot: Robot) -> None:
     pose = Transform(np.eye(3), np.array([3.0, 0.0, 0.5]))
-    why = why_unreachable(robot, pose)
+    why = unreachable_reason(robot, pose)
     assert why is not None
     assert "the search came no nearer than" in why.message
     assert 1.0 < why.beyond <= why.shortfall

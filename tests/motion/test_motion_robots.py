@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Transform
-from rapidsim.motion.configurations.reachability import Unreachable, why_unreachable
+from rapidsim.motion.configurations.reachability import Unreachable, unreachable_reason
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.robot.catalogue import find_entry, read_entry
 from rapidsim.motion.robot.robot import Robot, RobotError, load_robot, robot_names
@@ -79,7 +79,7 @@ def test_out_of_reach_says_by_how_much() -> None:
     g = find_entry("irb120").geometry
     assert isinstance(g, OpwGeometry)
     above = Transform(np.eye(3), np.array([0.0, 0.0, g.c1 + g.reach + g.c4 + 0.0472]))
-    reason = why_unreachable(robot, above)
+    reason = unreachable_reason(robot, above)
     assert reason is not None
     assert reason.message == "wrist centre 47.2 mm beyond reach"
     assert reason.shortfall == pytest.approx(0.0472)
@@ -88,7 +88,7 @@ def test_out_of_reach_says_by_how_much() -> None:
 def test_a_joint_limit_says_which_and_by_how_much() -> None:
     robot = load_robot("irb120")
     pose = robot.forward(np.radians([0.0, 60.0, 74.1, 0.0, 30.0, 0.0]))
-    reason = why_unreachable(robot, pose, branch=0)
+    reason = unreachable_reason(robot, pose, branch=0)
     assert reason is not None
     assert (reason.joint, reason.branch) == (3, 0)
     assert reason.message == "joint 3 over by 4.1 deg at its upper limit"
@@ -102,4 +102,4 @@ def test_what_is_over_by_little_is_never_over_by_nothing() -> None:
 def test_within_limits_there_is_no_reason() -> None:
     robot = load_robot("irb1600")
     for joints in np.random.default_rng(8).uniform(robot.lower, robot.upper, (50, 6)):
-        assert why_unreachable(robot, robot.forward(joints)) is None
+        assert unreachable_reason(robot, robot.forward(joints)) is None

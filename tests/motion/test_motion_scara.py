@@ -23,17 +23,17 @@ from rapidsim.motion.configurations.confdata import (
     select,
 )
 from rapidsim.motion.configurations.pose_solutions import solve_pose
-from rapidsim.motion.configurations.reach_cures import reachable
+from rapidsim.motion.configurations.reach_suggestions import reachable
 from rapidsim.motion.configurations.reachability import (
     limit_excess,
     turns_within_limits,
-    why_unreachable,
+    unreachable_reason,
 )
 from rapidsim.motion.configurations.singularities import differential, joint_speeds, rapid_speeds
 from rapidsim.motion.kinematics.arm import METRES_PER_UNIT
 from rapidsim.motion.robot.catalogue import RobotError, find_entry, read_entry
 from rapidsim.motion.robot.robot import Robot, load_robot
-from rapidsim.motion.waypoints.branch_ways import branch_ways
+from rapidsim.motion.waypoints.branch_paths import branch_paths
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import simulate
@@ -133,10 +133,10 @@ def test_nothing_outside_the_stroke_is_reached(joints: Array, beyond: float, tur
     assert selected.joints[0, 2] == pytest.approx(joints[2])
     assert turns_within_limits(ARM, joints)[2] == pytest.approx(joints[2])
     if off == 0.0:
-        assert why_unreachable(ARM, pose) is None
+        assert unreachable_reason(ARM, pose) is None
         assert configurations(ARM, pose)
         return
-    why = why_unreachable(ARM, pose)
+    why = unreachable_reason(ARM, pose)
     assert why is not None
     assert why.joint == 3
     assert " mm at its " in why.message
@@ -167,7 +167,7 @@ def test_ways_of_a_configuration_are_followed_over_more_than_half_a_turn() -> No
         chosen = least_motion(arm, row)
         assert not isinstance(chosen, int)
         assert np.degrees(chosen.joints[:, 2]) == pytest.approx(-np.linspace(0.0, 600.0, count))
-        assert branch_ways(arm, row)[0].message is None
+        assert branch_paths(arm, row)[0].message is None
 
 
 PROGRAM = """MODULE m
@@ -253,14 +253,14 @@ def test_joint_speeds_are_told_in_the_unit_of_each_joint(joints: Array, up_mm_s:
     ],
 )
 def test_how_far_outside_the_stroke_is_told_in_mm(up_mm: float, said: str | None) -> None:
-    why = why_unreachable(ARM, down_at(0.35, 0.15, G.flange_up + 1e-3 * up_mm))
+    why = unreachable_reason(ARM, down_at(0.35, 0.15, G.flange_up + 1e-3 * up_mm))
     assert (why.message if why else None) == said
 
 
 def test_a_tilted_flange_is_refused_with_its_angle() -> None:
     pose = ARM.forward(np.radians([10.0, 40.0, -50.0, 30.0]))
     tilted = rotation_from_vector(np.array([np.radians(5.0), 0.0, 0.0]))
-    why = why_unreachable(ARM, Transform(tilted @ pose.rotation, pose.translation))
+    why = unreachable_reason(ARM, Transform(tilted @ pose.rotation, pose.translation))
     assert why is not None
     assert why.message == "orientation 5 deg from what the axes of this arm can give"
 

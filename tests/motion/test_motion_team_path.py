@@ -12,15 +12,15 @@ from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath, team_path
-from rapidsim.motion.timing.axis_limits import Limits, limits_of, limits_together
+from rapidsim.motion.timing.axis_limits import Limits, combined_limits, limits_of
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 
 LIMITS = limits_of(ROBOT, MODEL)
 
 
 def limits(count: int) -> Limits:
-    return limits_together([LIMITS] * count)
+    return combined_limits([LIMITS] * count)
 
 
 def lines(*lengths: float, millimetres: float = 20.0) -> Path:
@@ -32,7 +32,7 @@ def lines(*lengths: float, millimetres: float = 20.0) -> Path:
     return path_of(program)
 
 
-def timing_of(team: TeamPath) -> Timing:
+def timing_of(team: TeamPath) -> TimeScaling:
     return plan(team, limits(len(team.courses)))
 
 

@@ -22,13 +22,13 @@ from rapidsim.motion.robot.robot import RobotError
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.smallest_line import sweep
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 
 PARABOLA = MotionModel(corner="parabola", parabola_acceleration=1.0, filter_time=0.0)
 RAPID = Speed(7.0, math.radians(5000.0))
 
 
-def excess(path: Path, timing: Timing) -> tuple[float, float]:
+def excess(path: Path, timing: TimeScaling) -> tuple[float, float]:
     """Largest joint speed and acceleration over their limits, by differences over 1 ms."""
     dt = 1e-3
     t = np.arange(-2 * dt, timing.duration + 2 * dt, dt)

@@ -10,10 +10,10 @@ import pytest
 from motion_programs import LIMITS, Programmer, path_of, zone
 
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory import command as commands
 from rapidsim.motion.trajectory.command import MotionCommand, Piece
-from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
+from rapidsim.motion.trajectory.time_scalings import TimeScalings, timings_of
 
 
 def test_all_at_once_is_one_by_one() -> None:
@@ -37,11 +37,11 @@ def test_all_at_once_is_one_by_one() -> None:
     for k, one in enumerate(timings):
         at = number == k
         assert way[at] == pytest.approx(one.s_at(t[at]) - one.s[0], abs=1e-15)
-        assert once[at] == pytest.approx(one.way_integral(t[at]), abs=1e-15)
+        assert once[at] == pytest.approx(one.parameter_integral(t[at]), abs=1e-15)
         alone = timings_of([one]).since_marks(np.zeros(at.sum(), np.int64), t[at])
         assert np.array_equal(alone, np.array([way[at], once[at], twice[at]]))
         fine = np.linspace(0.0, one.duration, 20_001)
-        sums = np.cumsum(one.way_integral(fine)) * fine[1]
+        sums = np.cumsum(one.parameter_integral(fine)) * fine[1]
         assert np.interp(t[at], fine, sums) == pytest.approx(twice[at], abs=2e-5)
 
 
@@ -55,7 +55,7 @@ def test_marks_are_about_a_second_apart() -> None:
     ends = long.times[stretches.last]
     counted = stretches.since_marks(np.arange(len(ends)), ends)
     before = long.times[long.marks]
-    whole = long.way_integral(ends) - long.way_integral(before)
+    whole = long.parameter_integral(ends) - long.parameter_integral(before)
     at_mark = (long.s[long.marks] - long.s[0]) * (ends - before)
     assert counted[0].sum() == pytest.approx(long.s[-1] - long.s[0], abs=1e-12)
     assert counted[1] == pytest.approx(whole - at_mark, abs=1e-9)
@@ -66,7 +66,7 @@ def test_a_motion_that_repeats_is_laid_down_once(monkeypatch: pytest.MonkeyPatch
     pieces = [Piece(0.0, path, plan(path, LIMITS), 0.0, path.length) for path in (there, back)]
     laid: list[int] = []
 
-    def counted(timings: Sequence[Timing]) -> Timings:
+    def counted(timings: Sequence[TimeScaling]) -> TimeScalings:
         laid.append(len(timings))
         return timings_of(timings)
 

@@ -27,7 +27,7 @@ from rapidsim.motion.model import BlendShape, MotionModel
 from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import Index, MotionCommand, Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -46,7 +46,7 @@ PATH = path_of(PROGRAM)
 TIMING = plan(PATH, LIMITS)
 
 
-def whole(start_time: float, path: Path = PATH, timing: Timing = TIMING) -> Piece:
+def whole(start_time: float, path: Path = PATH, timing: TimeScaling = TIMING) -> Piece:
     return Piece(start_time, path, timing, 0.0, path.length)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from rapidsim.frames.transform import Transform, matrix_from_quaternion
-from rapidsim.motion.configurations.reachability import why_unreachable
+from rapidsim.motion.configurations.reachability import unreachable_reason
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.waypoints.random_points import posture_points, reached_points
 from rapidsim.motion.waypoints.workspace import Workspace, workspace_of
@@ -38,7 +38,7 @@ def test_points_of_a_shell_are_reached(any_attitude: bool) -> None:
     assert len(places) == len(turned) == 200
     assert drawn > 200
     flange = Transform(matrix_from_quaternion(turned), places) @ TOOL.inverse()
-    assert all(why_unreachable(robot, flange[row]) is None for row in range(200))
+    assert all(unreachable_reason(robot, flange[row]) is None for row in range(200))
     assert ((np.linalg.norm(places, axis=1) > 0.4) & (np.linalg.norm(places, axis=1) < 1.0)).all()
     again = reached_points(robot, TOOL, shell, 200, 5, any_attitude=any_attitude)
     assert np.array_equal(again[0], places)

@@ -19,7 +19,7 @@ from rapidsim.motion.geometry.wrist_pair import wrist_meets
 from rapidsim.motion.path.building import build_path
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.path.wrist_circle import led_by_pair, start_on_circle
+from rapidsim.motion.path.wrist_circle import start_on_circle, wrist_circle_error
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.timing.planning import plan
 
@@ -73,7 +73,7 @@ def half(
 
 def arriving(robot: Robot, segment: Segment) -> Segment:
     """The same, with the joints at its end."""
-    end, led = segment.end.base_from_tcp, led_by_pair(robot.kinematics, segment)
+    end, led = segment.end.base_from_tcp, wrist_circle_error(robot.kinematics, segment)
     at_end = segment.start.joints if led is None else led.arrival
     return replace(segment, end=Waypoint(at_end, end, aim=end.translation))
 
@@ -293,7 +293,7 @@ def test_the_second_half_goes_on_where_the_z_axis_passes_the_plane() -> None:
 
 def test_how_far_the_tcp_leaves_the_plane_is_what_is_told() -> None:
     segment = half(CircleMode.WRIST_45, 0.01)
-    led = led_by_pair(IRB1600.kinematics, segment)
+    led = wrist_circle_error(IRB1600.kinematics, segment)
     assert led is not None
     path = built(IRB1600, [segment])
     points = path.evaluate(np.linspace(0.0, path.length, 500)).base_from_tcp
@@ -303,7 +303,7 @@ def test_how_far_the_tcp_leaves_the_plane_is_what_is_told() -> None:
     assert led.tilt == pytest.approx(0.0, abs=1e-6)
     end = points.translation[-1] - segment.end.base_from_tcp.translation
     assert led.off_end == pytest.approx(np.linalg.norm(end))
-    leaning = led_by_pair(IRB1600.kinematics, half(CircleMode.WRIST_45, 0.01, lean=0.2))
+    leaning = wrist_circle_error(IRB1600.kinematics, half(CircleMode.WRIST_45, 0.01, lean=0.2))
     assert leaning is not None
     assert leaning.tilt == pytest.approx(0.2)
 
@@ -405,7 +405,7 @@ def test_a_circle_over_the_line_of_axis_4_is_singular_there() -> None:
     assert np.linalg.norm(fails - over) < 1e-4
     # A millimetre aside the wrist swings round within its limits.
     aside = over + 1e-3 * beside / np.linalg.norm(beside)
-    assert led_by_pair(IRB1600.kinematics, replace(through, via=Transform(rotation, aside)))
+    assert wrist_circle_error(IRB1600.kinematics, replace(through, via=Transform(rotation, aside)))
 
 
 def test_how_far_a_circle_is_too_large_is_what_no_turn_of_both_axes_makes_good() -> None:

@@ -14,17 +14,23 @@ from matplotlib.figure import Figure
 import rapidsim
 from rapidsim.collisions.shape import Shape, box, cylinder, sphere
 from rapidsim.frames.transform import Array
-from rapidsim.plots.cell import Cell, cell_of, draw_cell, draw_cell_in_space, outlined
-from rapidsim.plots.drawn import drawn
-from rapidsim.plots.look import LIGHT, dressed
+from rapidsim.plots.cell_outline import (
+    CellOutline,
+    cell_of,
+    draw_cell,
+    draw_cell_in_space,
+    outlined,
+)
 from rapidsim.plots.path_picture import path_picture
+from rapidsim.plots.sampled_run import sample_run
+from rapidsim.plots.theme import LIGHT, themed
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 ABOVE, SIDE = (0, 1), (0, 2)
 
 
-def cell_with(shape: Shape) -> Cell:
-    return Cell((outlined("#336699", 1000.0 * shape.vertices, shape.faces),))
+def cell_with(shape: Shape) -> CellOutline:
+    return CellOutline((outlined("#336699", 1000.0 * shape.vertices, shape.faces),))
 
 
 def lines_of(axes: Axes) -> Array:
@@ -77,7 +83,7 @@ def test_in_space_nothing_leaves_the_view() -> None:
 
 def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
     ran = rapidsim.simulate([PROGRAMS / "machine_tending" / "Hasty.mod"])
-    run = drawn(ran, ran.robots[0])
+    run = sample_run(ran, ran.robots[0])
     cell = cell_of(run, LIGHT)
     assert ran.collisions is not None
     names = [one.name for one in ran.collisions.objects.values() if one.name != "floor"]
@@ -86,7 +92,7 @@ def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
     assert hit == {"door frame, right", "gripper", "part"}
     # The gripper and the part it carries are elsewhere at the end.
     assert len(cell.bodies) == len(names) + 2
-    with dressed(LIGHT):
+    with themed(LIGHT):
         figure = path_picture(run, LIGHT)
     assert "contact" in [text.get_text() for text in figure.legends[0].get_texts()]
     for axes in figure.axes[1:4]:
@@ -100,4 +106,4 @@ def test_objects_stand_in_the_path_picture_and_what_is_hit_is_red() -> None:
 
 def test_a_run_without_objects_has_no_cell() -> None:
     ran = rapidsim.simulate([PROGRAMS / "pentagon.mod"])
-    assert cell_of(drawn(ran, ran.robots[0]), LIGHT).bodies == ()
+    assert cell_of(sample_run(ran, ran.robots[0]), LIGHT).bodies == ()

@@ -12,8 +12,8 @@ from laws import examples
 import rapidsim
 from rapidsim.motion.configurations.confdata import configuration
 from rapidsim.plots.comparison_picture import ComparedMove, compared_moves, comparison_picture
-from rapidsim.plots.drawn import drawn, target_name
-from rapidsim.plots.look import LIGHT, dressed
+from rapidsim.plots.sampled_run import sample_run, target_name
+from rapidsim.plots.theme import LIGHT, themed
 from rapidsim.simulation.results.simulation import Simulation
 
 ROOT = Path(__file__).parents[2]
@@ -46,7 +46,7 @@ def target(degrees: tuple[int, ...]) -> str:
 
 
 def compared(simulation: Simulation) -> tuple[ComparedMove, ...]:
-    return compared_moves(drawn(simulation, simulation.only))
+    return compared_moves(sample_run(simulation, simulation.only))
 
 
 @examples(60)
@@ -84,8 +84,8 @@ def test_a_program_with_one_move_has_its_picture(tmp_path: Path) -> None:
     simulation = run(tmp_path, f"MoveJ {target((60, 30, -30, 0, 40, 0))}, v500, fine, tool0;")
     (only,) = compared(simulation)
     assert only.line.fault is None
-    with dressed(LIGHT):
-        assert comparison_picture(drawn(simulation, simulation.only), LIGHT) is not None
+    with themed(LIGHT):
+        assert comparison_picture(sample_run(simulation, simulation.only), LIGHT) is not None
 
 
 def test_the_bow_from_home_to_the_first_point_is_told(tmp_path: Path) -> None:
@@ -117,8 +117,8 @@ def test_a_line_through_the_column_fails_where_the_run_says(tmp_path: Path) -> N
     assert through.reason is not None
     assert "fails at 24 % (422.0 mm): axis 3" in through.reason
     assert through.line.tcp.shape == (101, 3)
-    with dressed(LIGHT):
-        figure = comparison_picture(drawn(simulation, simulation.only), LIGHT)
+    with themed(LIGHT):
+        figure = comparison_picture(sample_run(simulation, simulation.only), LIGHT)
     assert figure is not None
     words = [text.get_text() for row in figure.subfigs for text in row.texts]
     assert any("axis 3 goes to 76.3 deg" in text for text in words)

@@ -9,7 +9,7 @@ from PIL import Image
 from rapidsim.frames.transform import Transform
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.waypoints.attitudes import attitude_rates
-from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.follow import FollowedTrajectory, follow
 from rapidsim.motion.waypoints.plan import Plan, Way
 from rapidsim.motion.waypoints.points import Points
 from rapidsim.plots import write
@@ -19,13 +19,13 @@ from rapidsim.plots.followed_pictures import (
     position_picture,
     write_followed_plots,
 )
-from rapidsim.plots.look import LIGHT, dressed
+from rapidsim.plots.theme import LIGHT, themed
 
 NAMES = ("way", "arm", "position", "joints", "deviation", "orientation")
 QUARTER_TURN = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.5**0.5, 0.5**0.5, 0.0]])
 
 
-def quarter_turn(way: Way = Way.LINE) -> Followed:
+def quarter_turn(way: Way = Way.LINE) -> FollowedTrajectory:
     positions = np.array([[0.7, -0.2, 0.5], [0.7, 0.2, 0.5]])
     made = follow(
         load_robot("irb1600"),
@@ -34,7 +34,7 @@ def quarter_turn(way: Way = Way.LINE) -> Followed:
         Transform.identity(),
         Plan(way, speed=0.2, acceleration=100.0),
     )
-    assert isinstance(made, Followed)
+    assert isinstance(made, FollowedTrajectory)
     return made
 
 
@@ -46,7 +46,7 @@ def test_all_are_written_for_an_arm_without_axis_speeds(
     robot, pitches = load_robot("rvm1"), np.zeros((2, 1))
     points = Points(np.array([[0.40, -0.1, 0.2], [0.42, 0.1, 0.3]]), pitches)
     made = follow(robot, points, pitches, Transform.identity(), Plan())
-    assert isinstance(made, Followed)
+    assert isinstance(made, FollowedTrajectory)
     written = write_followed_plots(made, "wall.csv", tmp_path / "plots")
     assert {path.name for path in written} == {f"{name}.png" for name in NAMES}
     for path in written:
@@ -67,7 +67,7 @@ def test_a_quarter_turn_goes_evenly_and_blended_linearly_does_not() -> None:
     assert linear.max() == pytest.approx(94.93, rel=4e-3)
     assert linear.min() == pytest.approx(81.03, rel=2e-2)
     assert np.degrees([rates.angle[-1], rates.linear_angle[-1]]) == pytest.approx(90.0)
-    with dressed(LIGHT):
+    with themed(LIGHT):
         upper, _, rate = orientation_picture(made, "turn", LIGHT).axes
     assert "norm is 1 within" in upper.get_title(loc="left")
     assert len(rate.lines) == 2
@@ -81,7 +81,7 @@ def test_ways_in_joint_space_have_no_linear_blend() -> None:
 
 def test_position_and_deviation_show_what_was_driven() -> None:
     made = quarter_turn()
-    with dressed(LIGHT):
+    with themed(LIGHT):
         x, y, _, speed = position_picture(made, "turn", LIGHT).axes
         (off,) = deviation_picture(made, "turn", LIGHT).axes
     assert np.asarray(x.lines[0].get_ydata()) == pytest.approx(700.0)

@@ -16,11 +16,11 @@ import rapidsim
 from rapidsim.files import InputError
 from rapidsim.plots import write
 from rapidsim.plots.comparison_picture import comparison_picture
-from rapidsim.plots.drawn import drawn, pieces
 from rapidsim.plots.frames_picture import frames_picture
 from rapidsim.plots.lines_picture import lines_picture
-from rapidsim.plots.look import DARK, LIGHT, dressed
 from rapidsim.plots.path_picture import path_picture
+from rapidsim.plots.sampled_run import pieces, sample_run
+from rapidsim.plots.theme import DARK, LIGHT, themed
 from rapidsim.plots.time_pictures import joints_picture, speed_picture
 from rapidsim.plots.write import PICTURES, write_plots
 from rapidsim.simulation.results.simulation import Simulation
@@ -56,10 +56,10 @@ def test_every_picture_is_there_light_and_dark(
 
 
 def test_the_same_run_gives_the_same_picture(simulation: Simulation, tmp_path: Path) -> None:
-    run = drawn(simulation, simulation.robots[0])
+    run = sample_run(simulation, simulation.robots[0])
     pictures = []
     for name in ("one.png", "two.png"):
-        with dressed(LIGHT):
+        with themed(LIGHT):
             figure = speed_picture(run, LIGHT)
             figure.savefig(tmp_path / name, metadata={"Software": None})
         pictures.append((tmp_path / name).read_bytes())
@@ -67,8 +67,8 @@ def test_the_same_run_gives_the_same_picture(simulation: Simulation, tmp_path: P
 
 
 def test_the_path_has_what_failed_in_it(simulation: Simulation) -> None:
-    with dressed(DARK):
-        figure = path_picture(drawn(simulation, simulation.robots[0]), DARK)
+    with themed(DARK):
+        figure = path_picture(sample_run(simulation, simulation.robots[0]), DARK)
     labels = [text.get_text() for text in figure.legends[0].get_texts()]
     assert labels == ["MoveJ", "MoveL", "start", "not possible"]
     names = {text.get_text() for axes in figure.axes[1:] for text in axes.texts}
@@ -90,8 +90,8 @@ def test_small_lines_are_shown_from_near(tmp_path: Path) -> None:
         f"MODULE small\n  PROC main()\n    {home}{to_first};{moves}\n  ENDPROC\nENDMODULE\n"
     )
     ran = rapidsim.simulate([program.as_posix()], robot="irb1600")
-    with dressed(LIGHT):
-        figure = path_picture(drawn(ran, ran.only), LIGHT)
+    with themed(LIGHT):
+        figure = path_picture(sample_run(ran, ran.only), LIGHT)
     assert len(figure.axes) == 8
     above = figure.axes[5]
     assert above.get_title(loc="left") == "lines and arcs, from above"
@@ -101,8 +101,8 @@ def test_small_lines_are_shown_from_near(tmp_path: Path) -> None:
 
 
 def test_joints_stand_between_their_limits(simulation: Simulation) -> None:
-    with dressed(LIGHT):
-        figure = joints_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    with themed(LIGHT):
+        figure = joints_picture(sample_run(simulation, simulation.robots[0]), LIGHT)
     robot = simulation.only.robot
     for k, axes in enumerate(figure.axes):
         low, high = axes.get_ylim()
@@ -110,8 +110,8 @@ def test_joints_stand_between_their_limits(simulation: Simulation) -> None:
 
 
 def test_the_bars_are_the_times_of_the_lines(simulation: Simulation) -> None:
-    with dressed(LIGHT):
-        figure = lines_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    with themed(LIGHT):
+        figure = lines_picture(sample_run(simulation, simulation.robots[0]), LIGHT)
     bars = [bar for bar in figure.axes[0].patches if isinstance(bar, Rectangle)]
     widths = [bar.get_width() for bar in bars]
     assert sum(widths) == pytest.approx(
@@ -120,8 +120,8 @@ def test_the_bars_are_the_times_of_the_lines(simulation: Simulation) -> None:
 
 
 def test_movej_leaves_the_line_that_movel_keeps(simulation: Simulation) -> None:
-    with dressed(LIGHT):
-        figure = comparison_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    with themed(LIGHT):
+        figure = comparison_picture(sample_run(simulation, simulation.robots[0]), LIGHT)
     assert figure is not None
     joint, line = (np.asarray(curve.get_data()).T for curve in figure.axes[0].lines[:2])
     assert np.allclose(joint[[0, -1]], line[[0, -1]], atol=1e-3)
@@ -129,8 +129,8 @@ def test_movej_leaves_the_line_that_movel_keeps(simulation: Simulation) -> None:
 
 
 def test_frames_hang_on_one_another(simulation: Simulation) -> None:
-    with dressed(LIGHT):
-        figure = frames_picture(drawn(simulation, simulation.robots[0]), LIGHT)
+    with themed(LIGHT):
+        figure = frames_picture(sample_run(simulation, simulation.robots[0]), LIGHT)
     words = [text.get_text() for text in figure.axes[0].texts]
     assert words[0] == "world"
     assert "wPlate object frame" in words

@@ -8,7 +8,7 @@ import pytest
 
 import rapidsim
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.team_planner import Offer, TeamMove, TeamPlanner
+from rapidsim.controller.queue.team_planner import PendingTeamMove, TeamMove, TeamPlanner
 from rapidsim.controller.synchronisation import TaskTeam
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move
@@ -66,7 +66,7 @@ def test_looking_ahead_after_every_move_changes_nothing(
 
         put(self, move, look, wait=wait)
 
-    def begin_and_look(self: TeamPlanner, offer: Offer, now_s: float) -> TeamMove:
+    def begin_and_look(self: TeamPlanner, offer: PendingTeamMove, now_s: float) -> TeamMove:
         begun = begin(self, offer, now_s)
         looked.append(self.preview(0))
         return begun

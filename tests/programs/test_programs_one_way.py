@@ -15,10 +15,10 @@ from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.check_output import checked_text
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check_job
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import figures
@@ -151,7 +151,7 @@ def test_a_baseline_of_the_station_counts(tmp_path: Path, monkeypatch: pytest.Mo
 def test_a_job_can_be_sent_to_another_process(tmp_path: Path) -> None:
     (tmp_path / "rapidsim.toml").write_text('[check.per-file-ignores]\n"*.sys" = ["N2"]\n')
     (tmp_path / "tiny.mod").write_text(MODULE)
-    asked = job(Asked(paths=(str(tmp_path),)))
+    asked = job(RunRequest(paths=(str(tmp_path),)))
     sent = pickle.loads(pickle.dumps(asked))
     assert (sent.station, sent.robot) == (asked.station, asked.robot)
     assert check_job(sent).diagnostics

@@ -24,10 +24,10 @@ from rapidsim.cli.options.answers import answers_from
 from rapidsim.controller.journal.events import ErrorTally, EventKind
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, decode
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.checked_program import load
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import ProgramRejectedError, run_job
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
@@ -116,7 +116,7 @@ def happened_in_cell(folder: Path) -> list[Fact]:
     """What happens when a folder with a station file is checked and, if it can be, run."""
     answers = folder / "answers.txt"
     home = folder / "home"
-    asked = Asked(
+    asked = RunRequest(
         paths=(str(folder),),
         robot=robot(),
         answers=answers_from(str(answers)) if answers.exists() else None,

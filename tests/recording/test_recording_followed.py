@@ -9,7 +9,7 @@ from rerun.chunk import RrdReader
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import load_robot
-from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.follow import FollowedTrajectory, follow
 from rapidsim.motion.waypoints.plan import Plan
 from rapidsim.motion.waypoints.points import Points
 from rapidsim.recording.layout.waypoint_recording import record_followed
@@ -18,11 +18,11 @@ ROBOT = load_robot("rv-m1")
 PEN = Transform(np.eye(3), np.array([0.0, 0.0, 0.08]))
 
 
-def zigzag() -> Followed:
+def zigzag() -> FollowedTrajectory:
     positions = np.array([[0.40, -0.1, 0.2], [0.42, 0.0, 0.3], [0.40, 0.1, 0.2]])
     pitches = np.zeros((3, 1))
     result = follow(ROBOT, Points(positions, pitches), pitches, PEN, Plan(speed=0.2))
-    assert isinstance(result, Followed)
+    assert isinstance(result, FollowedTrajectory)
     return result
 
 

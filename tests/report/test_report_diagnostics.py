@@ -223,7 +223,7 @@ def test_a_message_breaks_between_words_and_keeps_its_units(width: int) -> None:
     assert told in " ".join(broken)
     assert not [line for line in broken if re.match(r"(mm|deg|%)", line)]
     coloured = full(findings, COLOURED, width=width, headlines=width)
-    assert COLOURED.outside(str, coloured) == coloured
+    assert COLOURED.map_plain_text(str, coloured) == coloured
     assert re.sub(r"\x1b\[[0-9;]*m", "", coloured).splitlines() == broken
 
 

@@ -3,7 +3,7 @@
 import pytest
 from rich.console import Console
 
-from rapidsim.report.kept_units import KeptUnits
+from rapidsim.report.unbreakable_units import UnbreakableUnits
 
 
 @pytest.mark.parametrize("width", range(12, 60))
@@ -11,7 +11,7 @@ def test_a_number_keeps_its_unit_at_any_width(width: int) -> None:
     said = "a.mod ended as programmed after 11.463 s, 5155.1 mm travelled, 30 % and 9 deg left"
     console = Console(width=width)
     with console.capture() as capture:
-        console.print(KeptUnits(said))
+        console.print(UnbreakableUnits(said))
     lines = capture.get().splitlines()
     assert " ".join(" ".join(lines).split()) == said
     assert all(len(line.rstrip()) <= width for line in lines)

@@ -16,11 +16,11 @@ from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.findings.runs import QuestionUnanswered
 from rapidsim.report.run.figures import figures
 from rapidsim.report.run.json_report import models, rejected_json, run_json
-from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, Written, summary
+from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Bars, OutputFile, summary
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.simulation.results.verdict import run_verdict
 
-RECORDING = Written(Path("cell.rrd"), "recording", "rerun cell.rrd")
+RECORDING = OutputFile(Path("cell.rrd"), "recording", "rerun cell.rrd")
 
 
 def text(simulation: Simulation, *, width: int = 80, bars: Bars = BLOCK_BARS) -> str:

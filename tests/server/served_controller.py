@@ -11,14 +11,14 @@ from typing import Any, TypeVar
 import aiohttp
 from aiohttp import web
 
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.engine import Engine
-from rapidsim.server.http.app import Face, runner_of
+from rapidsim.server.http.app import HttpFrontend, runner_of
 from rapidsim.server.http.basic import BasicAuthentication
 from rapidsim.server.http.digest import DigestAuthentication
-from rapidsim.server.http.first import FirstGeneration
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.second import SecondGeneration
+from rapidsim.server.http.rws1 import Rws1Dialect
+from rapidsim.server.http.rws2 import Rws2Dialect
 from rapidsim.server.link import DirectLink
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.settings import DEFAULT_USERS, EngineSettings
@@ -34,7 +34,7 @@ class Served:
     base: str
     client: aiohttp.ClientSession
     engine: Engine
-    face: Face
+    face: HttpFrontend
     second: str = ""
     """Where Robot Web Services 2.0 is."""
 
@@ -107,16 +107,16 @@ async def _serve(
     file: Path, home: Path, use: Callable[[Served], Awaitable[T]], limits: dict[str, Any]
 ) -> T:
     home.mkdir(exist_ok=True)
-    made = ready(Asked(paths=(str(file),), home=str(home)))
+    made = ready(RunRequest(paths=(str(file),), home=str(home)))
     settings = EngineSettings(request_s=STEP_S)
     link = DirectLink(lambda told: engine_of(made, settings, told))
     users = DigestAuthentication(DEFAULT_USERS)
-    face = Face(link, Guard("127.0.0.1"), print, **limits)
-    link.listener = face.told
+    face = HttpFrontend(link, Guard("127.0.0.1"), print, **limits)
+    link.listener = face.notify
     # Both without TLS, whose package and key have tests of their own.
     dialects = (
-        FirstGeneration(users),
-        SecondGeneration(BasicAuthentication(DEFAULT_USERS)),
+        Rws1Dialect(users),
+        Rws2Dialect(BasicAuthentication(DEFAULT_USERS)),
     )
     runners = [runner_of(face.app(one)) for one in dialects]
     try:

@@ -82,7 +82,7 @@ def test_nothing_is_kept_of_clients_that_have_gone(tmp_path: Path) -> None:
             await one.client.close()
         for _ in range(20):
             await served.get("rw/system")
-        assert face.kept == (1, 0)
+        assert face.counts == (1, 0)
         assert engine.subscriptions.groups == 0
         assert engine.context.masters == {}
 
@@ -120,7 +120,7 @@ def test_an_idle_session_ends() -> None:
     ],
 )
 def test_pages_from_elsewhere_do_not_come_in(headers: dict[str, str], lets_in: bool) -> None:
-    assert Guard("127.0.0.1").lets_in(headers) is lets_in
+    assert Guard("127.0.0.1").admits(headers) is lets_in
 
 
 def test_loopback_addresses_are_known() -> None:

@@ -7,10 +7,18 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace
 from rapidsim.server.loading import ready
-from rapidsim.server.messages import Answer, Change, Note, Reply, Request, Subscribe, Told
+from rapidsim.server.messages import (
+    Answer,
+    ChangeEvent,
+    ConsoleLine,
+    Notification,
+    Reply,
+    Request,
+    Subscribe,
+)
 from rapidsim.simulation.live.controller import LiveController
 
 PROGRAM = """MODULE Paced
@@ -47,17 +55,17 @@ class HandPace:
     def wait_s(self, virtual_s: float) -> float | None:
         return None if math.isinf(virtual_s) else max(0.0, virtual_s - self.wall_s)
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         pass
 
     def lag_s(self, now_s: float) -> float:
         return self.wall_s - now_s
 
 
-def engine(folder: Path, pace: Pace, program: str = PROGRAM) -> tuple[Engine, list[Told]]:
+def engine(folder: Path, pace: Pace, program: str = PROGRAM) -> tuple[Engine, list[Notification]]:
     (folder / "paced.mod").write_text(program)
-    made = ready(Asked(paths=(str(folder / "paced.mod"),), home=str(folder)))
-    told: list[Told] = []
+    made = ready(RunRequest(paths=(str(folder / "paced.mod"),), home=str(folder)))
+    told: list[Notification] = []
     return Engine(LiveController(made.setups, made.options), pace, told.append), told
 
 
@@ -90,10 +98,10 @@ def test_who_computes_too_long_is_told_and_catches_up(tmp_path: Path) -> None:
     served.reply(GO)
     pace.wall_s = 1.5
     assert served.step()
-    assert [one for one in told if isinstance(one, Note)] == []
+    assert [one for one in told if isinstance(one, ConsoleLine)] == []
     pace.wall_s = 2.9
     assert served.step()
-    (note,) = [one for one in told if isinstance(one, Note)]
+    (note,) = [one for one in told if isinstance(one, ConsoleLine)]
     assert note.text == "note: virtual time is 1.9 s behind its pace"
     while served.step():
         pass
@@ -109,7 +117,7 @@ def test_at_full_speed_everything_happens_that_can(tmp_path: Path) -> None:
     # The third round divides by zero.
     assert value(served, "rounds") == 3.0
     assert served.wait_s() is None
-    assert any(isinstance(one, Note) and one.text.startswith("error: ") for one in told)
+    assert any(isinstance(one, ConsoleLine) and one.text.startswith("error: ") for one in told)
 
 
 def test_who_is_slower_than_real_time_at_full_speed_is_told(
@@ -124,10 +132,10 @@ def test_who_is_slower_than_real_time_at_full_speed_is_told(
     served.reply(START)
     served.reply(GO)
     assert served.step()
-    assert [one for one in told if isinstance(one, Note)] == []
+    assert [one for one in told if isinstance(one, ConsoleLine)] == []
     wall_s = 220.0
     assert served.step()
-    notes = [one.text for one in told if isinstance(one, Note)]
+    notes = [one.text for one in told if isinstance(one, ConsoleLine)]
     assert any(
         re.fullmatch(r"note: virtual time is 1\d\.\d s behind real time", one) for one in notes
     )
@@ -142,20 +150,20 @@ def test_what_is_not_simulated_is_told_once(tmp_path: Path) -> None:
         pace.wall_s = wall_s
         while served.step():
             pass
-    (note,) = [one.text for one in told if isinstance(one, Note)]
+    (note,) = [one.text for one in told if isinstance(one, ConsoleLine)]
     assert note.startswith("warning: 0.000 s: `ArcRefresh`")
     assert note.endswith("paced.mod, line 3) [R104]")
 
 
 def test_in_lock_step_the_same_requests_give_the_same_replies(tmp_path: Path) -> None:
-    def run() -> list[Reply | Told]:
+    def run() -> list[Reply | Notification]:
         served, told = engine(tmp_path, LockStep(0.05))
         served.reply(Subscribe(1, ("/rw/rapid/symbol/data/RAPID/T_ROB1/rounds;value",)))
         state = Request("GET", "/rw/rapid/execution")
         joints = Request("GET", "/rw/motionsystem/mechunits/ROB_1/jointtarget")
         asked = [state, START, *[joints] * 5, GO, *[state, joints] * 40]
-        replies: list[Reply | Told] = [served.reply(one) for one in asked]
-        assert sum(isinstance(one, Change) for one in told) >= 3
+        replies: list[Reply | Notification] = [served.reply(one) for one in asked]
+        assert sum(isinstance(one, ChangeEvent) for one in told) >= 3
         return [*replies, *told]
 
     assert run() == run()

@@ -16,7 +16,7 @@ from rapidsim.egm.devices import Address, sensor_devices
 from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR
 from rapidsim.egm.udp import StepSensors
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Answer, Request
@@ -106,7 +106,7 @@ class Driven:
 
     def __init__(self, folder: Path, sensor: Sensor) -> None:
         (folder / "main.mod").write_text(CORRECTED if sensor.corrects else PROGRAM)
-        self.made = ready(Asked(paths=(str(folder / "main.mod"),), home=str(folder)))
+        self.made = ready(RunRequest(paths=(str(folder / "main.mod"),), home=str(folder)))
         self.lines: list[str] = []
         self.sensors = StepSensors(sensor_devices([("UCDEVICE", sensor.address)], {}, frozenset()))
         self.engine = engine_of(
@@ -136,7 +136,7 @@ class Driven:
 
     def hear(self) -> None:
         """Let the answers that have come take effect."""
-        passed_s = self.sensors.came(wait(self.sensors.heard(), 5.0))
+        passed_s = self.sensors.came(wait(self.sensors.sockets(), 5.0))
         self.engine.sensor_answered(passed_s)
 
     def guide(self, sensor: Sensor, until: Callable[[], bool]) -> None:
@@ -190,7 +190,7 @@ def test_answers_let_time_pass_and_are_lived_again(tmp_path: Path) -> None:
 
 
 def guided(controller: Driven) -> bool:
-    return controller.engine.live.task("T_ROB1").unit.own.is_led
+    return controller.engine.live.task("T_ROB1").unit.solo_queue.is_guided
 
 
 def test_a_path_is_corrected_and_that_is_lived_again(tmp_path: Path) -> None:

@@ -12,7 +12,7 @@ from laws import examples
 
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.engine import Engine, LockStep, Pace
 from rapidsim.server.journal import JournalFile, read_journal
 from rapidsim.server.loading import ReadyController, ready
@@ -82,7 +82,7 @@ class HandPace:
     def wait_s(self, virtual_s: float) -> float | None:
         return max(0.0, virtual_s - self.wall_s)
 
-    def asked(self) -> None:
+    def on_request(self) -> None:
         pass
 
     def lag_s(self, now_s: float) -> float:
@@ -111,7 +111,7 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> ReadyController:
     folder = tmp_path_factory.mktemp("lived")
     (folder / "lived.mod").write_text(PROGRAM)
     (folder / "home").mkdir()
-    return ready(Asked(paths=(str(folder / "lived.mod"),), home=str(folder / "home")))
+    return ready(RunRequest(paths=(str(folder / "lived.mod"),), home=str(folder / "home")))
 
 
 def clean(made: ReadyController) -> None:
@@ -203,7 +203,7 @@ def test_where_nothing_can_be_written_is_told(tmp_path: Path) -> None:
         JournalFile(tmp_path / "none" / "a.jsonl", print)
     (tmp_path / "lived.mod").write_text(PROGRAM)
     with pytest.raises(InputError, match="--ramdisk: none is not a folder"):
-        ready(Asked(paths=(str(tmp_path / "lived.mod"),), home=str(tmp_path), ramdisk="none"))
+        ready(RunRequest(paths=(str(tmp_path / "lived.mod"),), home=str(tmp_path), ramdisk="none"))
 
 
 @pytest.mark.parametrize(

@@ -11,13 +11,13 @@ from served_controller import STEP_S
 from test_server_programs import COUNTING
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.recording.live_recording import LiveRecording
 from rapidsim.server.engine import Engine
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Request
-from rapidsim.server.recorder import Recorder
+from rapidsim.server.recorder import LiveRecorder
 from rapidsim.server.settings import EngineSettings
 
 MOVING = COUNTING.replace(
@@ -30,9 +30,9 @@ MOVING = COUNTING.replace(
 def recorded(folder: Path, file: Path) -> tuple[Engine, list[str]]:
     """A controller that is recorded, and what is said where that fails."""
     (folder / "main.mod").write_text(MOVING)
-    made = ready(Asked(paths=(str(folder / "main.mod"),), home=str(folder)))
+    made = ready(RunRequest(paths=(str(folder / "main.mod"),), home=str(folder)))
     engine, failures = engine_of(made, EngineSettings(request_s=STEP_S), print), list[str]()
-    recorder = Recorder(engine.live, LiveRecording(file, False), failures.append)
+    recorder = LiveRecorder(engine.live, LiveRecording(file, False), failures.append)
     recorder.begin()
     engine.record(recorder)
     return engine, failures
@@ -61,7 +61,9 @@ def test_axes_states_texts_and_requests_are_in_it_and_it_appears_at_the_end(tmp_
         for _ in range(30):
             engine.reply(Request("GET", execution))
         assert engine.recorder is not None
-        engine.recorder.answered(engine.live.now_s, SensorAnswer(correction=(0.0, 1.0, 2.0)))
+        engine.recorder.on_sensor_answer(
+            engine.live.now_s, SensorAnswer(correction=(0.0, 1.0, 2.0))
+        )
         engine.reply(Request("POST", execution, {"action": "none"}))
         assert not file.exists()
         engine.switch_off()
@@ -85,7 +87,7 @@ def test_axes_states_texts_and_requests_are_in_it_and_it_appears_at_the_end(tmp_
 def test_a_recording_that_cannot_go_on_ends_and_the_controller_does_not(tmp_path: Path) -> None:
     with recursion_limit(RUNNING_DEPTH):
         engine, failures = recorded(tmp_path, tmp_path / "day.rrd")
-        assert isinstance(engine.recorder, Recorder)
+        assert isinstance(engine.recorder, LiveRecorder)
 
         def full() -> None:
             raise OSError("the disk is full")

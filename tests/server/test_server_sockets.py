@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.engine import Engine
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import ReadyController, engine_of, ready
@@ -107,7 +107,7 @@ class Driven:
     def __init__(self, folder: Path, program: str, port: int) -> None:
         (folder / "main.mod").write_text(program.replace("PORT", str(port)))
         self.made: ReadyController = ready(
-            Asked(paths=(str(folder / "main.mod"),), home=str(folder))
+            RunRequest(paths=(str(folder / "main.mod"),), home=str(folder))
         )
         self.lines: list[str] = []
         self.wire = SocketWire()
@@ -118,7 +118,7 @@ class Driven:
             self.lines.append,
             self.wire,
         )
-        self.wire.unread = self.engine.live.outside.unread
+        self.wire.unread = self.engine.live.external_streams.unread
 
     def ask(self, action: str = "start", **form: str) -> None:
         self.engine.reply(Request("POST", "/rw/rapid/execution", {"action": action}, form))
@@ -138,7 +138,7 @@ class Driven:
         for _ in range(200):
             if until():
                 return
-            for one in self.wire.came(wait(self.wire.heard(), self.wire.patience_s(0.2))):
+            for one in self.wire.came(wait(self.wire.sockets(), self.wire.patience_s(0.2))):
                 self.engine.reply(one)
                 self.pass_time(0.05)
         raise AssertionError("nothing came")

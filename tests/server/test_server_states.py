@@ -8,11 +8,19 @@ from types import MappingProxyType
 
 import pytest
 
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.http import bodies
 from rapidsim.server.loading import ready
-from rapidsim.server.messages import Answer, Note, Refusal, Reply, Request, Subscribe, Told
+from rapidsim.server.messages import (
+    Answer,
+    ConsoleLine,
+    ErrorAnswer,
+    Notification,
+    Reply,
+    Request,
+    Subscribe,
+)
 from rapidsim.server.resources.route import Route
 from rapidsim.server.resources.table import ROUTES
 from rapidsim.simulation.live.controller import LiveController
@@ -191,13 +199,13 @@ def _requests(route: Route, generation: int) -> Iterator[Request]:
 
 
 @pytest.fixture
-def engine(tmp_path: Path) -> Iterator[tuple[Engine, list[Told]]]:
+def engine(tmp_path: Path) -> Iterator[tuple[Engine, list[Notification]]]:
     (tmp_path / "tried.mod").write_text(PROGRAM)
     (tmp_path / "rapidsim.toml").write_text(STATION)
     home = tmp_path / "home"
     home.mkdir()
-    made = ready(Asked(paths=(str(tmp_path / "tried.mod"),), home=str(home)))
-    told: list[Told] = []
+    made = ready(RunRequest(paths=(str(tmp_path / "tried.mod"),), home=str(home)))
+    told: list[Notification] = []
     made_engine = Engine(LiveController(made.setups, made.options), LockStep(0.05), told.append)
     yield made_engine, told
     made_engine.switch_off()
@@ -205,7 +213,7 @@ def engine(tmp_path: Path) -> Iterator[tuple[Engine, list[Told]]]:
 
 @pytest.mark.parametrize("state", STATES)
 def test_every_resource_answers_in_every_state(
-    state: str, engine: tuple[Engine, list[Told]]
+    state: str, engine: tuple[Engine, list[Notification]]
 ) -> None:
     one, told = engine
     enter, *shown = STATES[state]
@@ -225,7 +233,9 @@ def test_every_resource_answers_in_every_state(
                 enter(one.reply)
             for request in _requests(route, generation):
                 _show(one.reply(request))
-    assert [note.text for note in told if isinstance(note, Note) and "defect" in note.text] == []
+    assert [
+        note.text for note in told if isinstance(note, ConsoleLine) and "defect" in note.text
+    ] == []
     # It is as alive as before, once it has its program again.
     _stopped(one.reply)
     note = Request("PUT", "/fileservice/$HOME/tried.mod", session=1, content=PROGRAM.encode())
@@ -239,7 +249,7 @@ def test_every_resource_answers_in_every_state(
 
 def _show(reply: Reply) -> None:
     """Write it in each form that a client may ask for."""
-    if isinstance(reply, Refusal):
+    if isinstance(reply, ErrorAnswer):
         assert 400 <= reply.status < 500
         for write in (bodies.json_refusal, bodies.hal_refusal, bodies.xhtml_refusal):
             assert write(reply, "http://here/")

@@ -1,14 +1,14 @@
 """What a reader hears that is slower than what happens."""
 
-from rapidsim.server.http.waiting import Waiting
-from rapidsim.server.messages import Change, Item
+from rapidsim.server.http.event_queue import EventQueue
+from rapidsim.server.messages import ChangeEvent, Item
 
 
-def _change(resource: str, value: int) -> Change:
-    return Change(1, resource, (Item("ev", resource, {"value": str(value)}),))
+def _change(resource: str, value: int) -> ChangeEvent:
+    return ChangeEvent(1, resource, (Item("ev", resource, {"value": str(value)}),))
 
 
-def _heard(waiting: Waiting) -> list[tuple[str, str]]:
+def _heard(waiting: EventQueue) -> list[tuple[str, str]]:
     found = []
     while waiting:
         (item,) = waiting.next()
@@ -17,7 +17,7 @@ def _heard(waiting: Waiting) -> list[tuple[str, str]]:
 
 
 def test_a_fast_resource_does_not_drive_out_the_last_value_of_a_quiet_one() -> None:
-    waiting = Waiting(most=4)
+    waiting = EventQueue(most=4)
     waiting.add(_change("quiet", 1))
     for value in range(100):
         waiting.add(_change("fast", value))
@@ -25,7 +25,7 @@ def test_a_fast_resource_does_not_drive_out_the_last_value_of_a_quiet_one() -> N
 
 
 def test_below_its_limit_nothing_is_dropped_and_the_order_stays() -> None:
-    waiting = Waiting(most=4)
+    waiting = EventQueue(most=4)
     for resource, value in (("a", 1), ("b", 1), ("a", 2), ("b", 2)):
         waiting.add(_change(resource, value))
     assert _heard(waiting) == [("a", "1"), ("b", "1"), ("a", "2"), ("b", "2")]
@@ -33,7 +33,7 @@ def test_below_its_limit_nothing_is_dropped_and_the_order_stays() -> None:
 
 
 def test_with_more_resources_than_room_the_oldest_is_dropped() -> None:
-    waiting = Waiting(most=2)
+    waiting = EventQueue(most=2)
     for number in range(4):
         waiting.add(_change(str(number), 0))
     assert _heard(waiting) == [("2", "0"), ("3", "0")]

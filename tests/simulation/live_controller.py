@@ -56,7 +56,7 @@ class Live:
     def write(self, name: str, value: str, task: str = "T_ROB1") -> None:
         found = self.controller.task(task)
         symbols.write(found, symbols.find(found, name), value)
-        self.controller.tell()
+        self.controller.wake_programs()
 
     def after(self, seconds: float) -> None:
         """Let so much time pass."""

@@ -24,7 +24,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.reach.arm_configurations import ends_of
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.move_segments import segments_of
-from rapidsim.reach.path_findings import WayFinder
+from rapidsim.reach.path_findings import PathSurvey
 from rapidsim.reach.target_poses import posed
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation
@@ -39,12 +39,12 @@ Key = tuple[int, Move, int, Move]
 def judged(program: Program) -> dict[Key, list[Segment]]:
     """The segments that a check makes of moves whose start and end it knows."""
     walked, robot, model = walk_program(program), arm(), MODEL
-    placed = posed(walked.known, robot, Transform.identity())
-    ways = WayFinder(program, placed, ends_of(placed, robot), robot, model, {}).survey()
+    placed = posed(walked.moves, robot, Transform.identity())
+    ways = PathSurvey(program, placed, ends_of(placed, robot), robot, model, {}).survey()
     sure = ways.stances.sure
     others = [
         row
-        for row, known in enumerate(walked.known)
+        for row, known in enumerate(walked.moves)
         if row not in ways.segments
         and row not in placed.left_out
         and known.previous is not None
@@ -56,9 +56,9 @@ def judged(program: Program) -> dict[Key, list[Segment]]:
     made |= {row: ways.driven(row) for row, way in ways.surveyed.items() if not way.broken}
     found: dict[Key, list[Segment]] = {}
     for row, segment in made.items():
-        known = walked.known[row]
+        known = walked.moves[row]
         if known.previous is not None and not known.uncertain:
-            before = walked.known[known.previous]
+            before = walked.moves[known.previous]
             key = (known.call.start, known.move, before.call.start, before.move)
             found.setdefault(key, []).append(segment)
     return found

@@ -31,7 +31,7 @@ class Scripted(SilentSensor):
     def end(self, feedback: Feedback) -> None:
         self.heard.append(feedback)
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
+    def stream(self, stream: Sequence[Feedback]) -> None:
         self.streamed += stream
 
 

@@ -7,7 +7,7 @@ from live_controller import Live, module
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.simulation.live import signals
-from rapidsim.simulation.live.states import Cycle, Mode, Motors, Refused, StopMode
+from rapidsim.simulation.live.states import Cycle, Motors, OperatingMode, RequestRefused, StopMode
 
 COUNTS = module("n := n + 1; k := k + 1; WaitTime 1;", "PERS num n := 0; VAR num k := 0;")
 TURNS = module(
@@ -45,7 +45,7 @@ def test_variables_begin_anew_with_the_pointer_and_persistents_keep_their_values
     live = Live(COUNTS)
     live.controller.start()
     live.after(1.5)
-    with pytest.raises(Refused, match="executes"):
+    with pytest.raises(RequestRefused, match="executes"):
         live.controller.reset_pointers()
     live.controller.stop()
     # Main runs on from where it stopped: the wait goes on, no round is counted twice.
@@ -155,7 +155,7 @@ def test_an_error_stops_the_program_and_leaves_the_controller_alive() -> None:
     assert [entry.code for entry in errors] == [40194, 10020] or len(errors) == 2
     assert "line 4" in errors[0].text
     assert signals.value_of(live.controller, "doFault") == 1.0
-    with pytest.raises(Refused, match="pointer is lost"):
+    with pytest.raises(RequestRefused, match="pointer is lost"):
         live.controller.start()
     live.controller.reset_pointers()
     assert signals.value_of(live.controller, "doFault") == 0.0
@@ -247,7 +247,7 @@ def test_what_a_program_may_go_back_on_is_not_forgotten() -> None:
 
 def _kept(live: Live) -> int:
     """How much is kept of what the robot did."""
-    planner = live.controller.task("T_ROB1").unit.own.planner
+    planner = live.controller.task("T_ROB1").unit.solo_queue.planner
     block, given = planner.block, sum(1 for _ in planner.moves)
     pieces, windows = len(planner.trajectory.pieces), len(planner.trajectory._windows._steps)
     return given + pieces + windows + len(block.moves) + len(block.driven)
@@ -261,7 +261,7 @@ def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
     live.controller.set_motors(Motors.OFF)
     assert not live.controller.executes
     assert signals.value_of(live.controller, "doRuns") == 0.0
-    with pytest.raises(Refused, match="motors are off"):
+    with pytest.raises(RequestRefused, match="motors are off"):
         live.controller.start()
     live.controller.set_motors(Motors.ON)
     live.controller.start()
@@ -272,12 +272,12 @@ def test_motors_off_stop_the_program_and_nothing_starts_without_them() -> None:
 
 def test_the_key_goes_through_reduced_speed_and_switches_the_motors_off() -> None:
     live = Live(COUNTS)
-    with pytest.raises(Refused, match="MANR"):
-        live.controller.set_mode(Mode.FULL)
-    live.controller.set_mode(Mode.REDUCED)
-    live.controller.set_mode(Mode.FULL)
+    with pytest.raises(RequestRefused, match="MANR"):
+        live.controller.set_mode(OperatingMode.FULL)
+    live.controller.set_mode(OperatingMode.REDUCED)
+    live.controller.set_mode(OperatingMode.FULL)
     assert live.controller.motors is Motors.OFF
-    with pytest.raises(Refused, match="automatic"):
+    with pytest.raises(RequestRefused, match="automatic"):
         live.controller.set_speed_ratio(50)
 
 

@@ -7,7 +7,7 @@ from rapidsim.controller.cell.conditions import read_condition
 from rapidsim.controller.cell.description import CellIo, Stimulus
 from rapidsim.simulation.live import position, signals
 from rapidsim.simulation.live.position import Coordinates
-from rapidsim.simulation.live.states import Refused
+from rapidsim.simulation.live.states import RequestRefused
 
 
 def test_a_signal_from_outside_ends_a_wait_at_its_instant() -> None:
@@ -82,12 +82,12 @@ def test_data_written_from_outside_end_a_wait_and_raise_interrupts() -> None:
 @pytest.mark.parametrize("value", ["", "[1,2]", "TRUE", '"a"', "1 2", "[[[[", "nan"])
 def test_what_is_no_value_is_refused(value: str) -> None:
     live = Live(module("", "PERS num n := 7; CONST num c := 1;"))
-    with pytest.raises(Refused):
+    with pytest.raises(RequestRefused):
         live.write("n", value)
     assert live.value("n") == "7"
-    with pytest.raises(Refused, match="cannot be written"):
+    with pytest.raises(RequestRefused, match="cannot be written"):
         live.write("c", "2")
-    with pytest.raises(Refused, match="no data named"):
+    with pytest.raises(RequestRefused, match="no data named"):
         live.value("nobody")
 
 
@@ -111,7 +111,7 @@ def test_arrays_and_records_are_read_and_written_as_in_a_program() -> None:
 )
 def test_a_signal_takes_no_value_beyond_its_kind_and_limits(name: str, value: float) -> None:
     live = Live(module(""))
-    with pytest.raises(Refused):
+    with pytest.raises(RequestRefused):
         signals.write(live.controller, name, value)
 
 
@@ -135,9 +135,9 @@ def test_where_the_robot_is_is_told_in_several_frames() -> None:
     assert base.trans == pytest.approx(world.trans)
     assert base.rot == pytest.approx(world.rot)
     assert position.joints(task).robax[4] == pytest.approx(30.0)
-    with pytest.raises(Refused):
+    with pytest.raises(RequestRefused):
         position.target(task, "nothing", "wobj0", Coordinates.BASE)
-    with pytest.raises(Refused):
+    with pytest.raises(RequestRefused):
         position.target(task, "wobj0", "wobj0", Coordinates.BASE)
 
 
@@ -146,7 +146,7 @@ def test_a_storm_of_interrupts_is_refused_and_stops_the_program() -> None:
     live = Live(module(body, "VAR intnum part;", "TRAP count\nENDTRAP"))
     live.controller.start()
     live.after(0.1)
-    with pytest.raises(Refused, match="interrupts wait"):
+    with pytest.raises(RequestRefused, match="interrupts wait"):
         _toggle(live, 2000)
     assert not live.controller.executes
 

@@ -10,10 +10,10 @@ from live_controller import SIGNALS, Live
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.simulation.live import signals
 from rapidsim.simulation.live.event_log import STEPPED
-from rapidsim.simulation.live.states import Cycle, Execution, StopMode
+from rapidsim.simulation.live.states import Cycle, ExecutionMode, StopMode
 
-IN, OVER = Execution.STEP_IN, Execution.STEP_OVER
-OUT, MOTION = Execution.STEP_OUT, Execution.STEP_MOTION
+IN, OVER = ExecutionMode.STEP_IN, ExecutionMode.STEP_OVER
+OUT, MOTION = ExecutionMode.STEP_OUT, ExecutionMode.STEP_MOTION
 
 CALLS = """MODULE Tried
 PERS num n := 0;
@@ -55,7 +55,7 @@ ENDMODULE
 """
 
 
-def stepped(live: Live, how: Execution) -> int:
+def stepped(live: Live, how: ExecutionMode) -> int:
     """The line before which the program stands after a step."""
     live.controller.start(how=how)
     live.after(10.0)
@@ -63,7 +63,7 @@ def stepped(live: Live, how: Execution) -> int:
     return live.line
 
 
-def walked(live: Live, steps: list[Execution]) -> list[int]:
+def walked(live: Live, steps: list[ExecutionMode]) -> list[int]:
     return [stepped(live, how) for how in steps]
 
 

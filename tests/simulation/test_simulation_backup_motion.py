@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from command_line import call
 
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.check_files import check
 from rapidsim.jobs.job import job
 from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.module_files import backup_among
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station
@@ -205,7 +205,9 @@ def test_bounds_hold_for_the_arm_that_they_are_given_for(tmp_path: Path) -> None
     folder = backup(tmp_path)
     name = said(folder).robots[0].name
     assert name is not None
-    same, other = (job(Asked(paths=(str(folder),), robot=one)) for one in (name, "irb4600-40-2.55"))
+    same, other = (
+        job(RunRequest(paths=(str(folder),), robot=one)) for one in (name, "irb4600-40-2.55")
+    )
     assert [joint.lower for joint in same.arm().joints] == [-1.5] * 6
     assert other.arm().joints == load_robot("irb4600-40-2.55").joints
     told = f"shapes and joint limits given for {name} are not used for irb4600-40-2.55"

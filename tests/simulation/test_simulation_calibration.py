@@ -158,7 +158,7 @@ def test_corners_alone_do_not_show_the_dwell(corners: LoggedRun) -> None:
     found = calibrate([corners], ROBOT, MODELS["1"])
     (dwell,) = (one for one in found.parameters if one.name == "fine_dwell")
     assert not dwell.seen
-    assert dwell.value == pytest.approx(dwell.known, abs=0.01)
+    assert dwell.value == pytest.approx(dwell.start, abs=0.01)
 
 
 def test_a_log_of_another_path_is_refused(stops: LoggedRun) -> None:

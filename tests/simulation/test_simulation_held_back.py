@@ -7,9 +7,9 @@ import pytest
 import rapidsim
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
-from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.slow_sections import slow_sections
 
 PROGRAM = """MODULE parts
   CONST robtarget p:=[[700,-200,700],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
@@ -44,7 +44,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Simulation:
 
 
 def test_a_stretch_names_lines_time_and_limit(run: Simulation) -> None:
-    found = held_back(run)
+    found = slow_sections(run)
     assert [one.lost_s for one in found] == sorted((one.lost_s for one in found), reverse=True)
     # The turn alone: its TCP does not travel, the reorientation speed holds it all the way.
     turn = max(found, key=lambda one: one.seconds)
@@ -58,7 +58,7 @@ def test_a_stretch_names_lines_time_and_limit(run: Simulation) -> None:
 
 
 def test_where_the_speed_is_reached_only_ramps_are_lost(run: Simulation) -> None:
-    line = [one for one in held_back(run) if one.first.place.span.line == 9]
+    line = [one for one in slow_sections(run) if one.first.place.span.line == 9]
     assert sum(one.seconds for one in line) < 0.5
     assert all(one.programmed_mm_s == pytest.approx(100.0) for one in line)
 

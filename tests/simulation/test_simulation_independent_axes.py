@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rapidsim.controller.independent_axes import IndependentAxis
+from rapidsim.controller.independent_axes import IndependentAxisState
 
 ACCELERATION = 100.0
 STEP_S = 0.01
@@ -17,7 +17,7 @@ SPEEDS = st.floats(1.0, 200.0)
 def test_it_reaches_its_target_steadily_from_any_motion(
     begin: float, first: float, target: float, speed: float, after_s: float
 ) -> None:
-    axis = IndependentAxis(ACCELERATION)
+    axis = IndependentAxisState(ACCELERATION)
     axis.take(begin, 0.0)
     axis.move_at(first, ACCELERATION, 0.0)
     assert not axis.is_at_target(after_s)
@@ -35,7 +35,7 @@ def test_it_reaches_its_target_steadily_from_any_motion(
 
 
 def test_it_turns_on_and_on_until_it_is_stopped() -> None:
-    axis = IndependentAxis(ACCELERATION)
+    axis = IndependentAxisState(ACCELERATION)
     axis.take(10.0, 1.0)
     axis.move_at(-50.0, ACCELERATION, 1.0)
     assert not axis.has_speed(1.2)

@@ -6,14 +6,14 @@ from typing import Any, cast
 import pytest
 
 from rapidsim.controller.cell.message_queues import (
+    DeliveryResult,
     MessageQueues,
-    Put,
     QueueMode,
     QueueSettings,
     QueueType,
 )
 from rapidsim.files import InputError
-from rapidsim.language.controller import Honesty
+from rapidsim.language.controller import FidelityReporter
 from rapidsim.language.data import Pos
 from rapidsim.language.errors import RapidError
 from rapidsim.language.messages import Message, MessageKind
@@ -29,7 +29,7 @@ POS = record_of(Pos)
 
 
 def read(message: Message, data: Any, of: Type) -> object:
-    rmq_get_msg_data(cast(Honesty, None), Box(message), data, of=of)
+    rmq_get_msg_data(cast(FidelityReporter, None), Box(message), data, of=of)
     return data if isinstance(data, list) else data.value
 
 
@@ -38,8 +38,8 @@ def test_a_client_outside_is_a_queue_that_tasks_can_find() -> None:
     task = queues.open_for("T_ROB1", QueueSettings(mode=QueueMode.SYNCHRONOUS))
     client = queues.connect("client")
     assert queues.find("client") is client
-    assert queues.find("RMQ_T_ROB1", from_outside=True) is task
-    assert task.put(Message(MessageKind("num"), "5", sender=client), 1.0) is Put.KEPT
+    assert queues.find("RMQ_T_ROB1", is_external=True) is task
+    assert task.put(Message(MessageKind("num"), "5", sender=client), 1.0) is DeliveryResult.KEPT
     queues.disconnect("client")
     assert queues.find("client") is None
     with pytest.raises(RapidError, match="client has disconnected"):
@@ -54,7 +54,7 @@ def test_the_type_of_a_queue_says_who_finds_it(kind: QueueType, found: str) -> N
     queues = MessageQueues()
     queues.open_for("T_ROB1", QueueSettings(kind))
     assert (queues.find("RMQ_T_ROB1") is not None) == (found != "")
-    outside = queues.find("RMQ_T_ROB1", from_outside=True)
+    outside = queues.find("RMQ_T_ROB1", is_external=True)
     assert (outside is not None) == (found == "both")
 
 
@@ -105,9 +105,9 @@ def test_a_task_that_is_not_in_the_run_loses_what_it_is_sent() -> None:
     queues = MessageQueues(frozenset({"RMQ_T_ROB2"}))
     absent = queues.find("RMQ_T_ROB2")
     assert absent is not None
-    assert absent.put(Message(MessageKind("num"), "5"), 0.0) is Put.LOST
+    assert absent.put(Message(MessageKind("num"), "5"), 0.0) is DeliveryResult.LOST
     assert queues.find("RMQ_T_ROB3") is None
     queues.open_for("T_ROB2", QueueSettings(mode=QueueMode.SYNCHRONOUS))
     there = queues.find("RMQ_T_ROB2")
     assert there is not None
-    assert there.put(Message(MessageKind("num"), "5"), 0.0) is Put.KEPT
+    assert there.put(Message(MessageKind("num"), "5"), 0.0) is DeliveryResult.KEPT

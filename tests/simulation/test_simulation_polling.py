@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from rapidsim.controller import position_reading
+from rapidsim.controller.busy_wait import BusyWaitDetector
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
-from rapidsim.controller.polling import Polling
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.check_files import check
@@ -134,8 +134,8 @@ def test_a_run_that_skips_rounds_is_the_run_that_makes_them(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     skipped = ran(tmp_path, LOOPS[name])
-    monkeypatch.setattr(Polling, "look", lambda self, used, done: None)
-    monkeypatch.setattr(Polling, "ticks_left", lambda self, used: 1 << 60)
+    monkeypatch.setattr(BusyWaitDetector, "observe", lambda self, used, done: None)
+    monkeypatch.setattr(BusyWaitDetector, "ticks_left", lambda self, used: 1 << 60)
     made = ran(tmp_path, LOOPS[name])
     assert skipped.end is made.end is End.ENDED
     assert told(skipped) == told(made)
@@ -333,8 +333,8 @@ def test_tasks_that_poll_each_other_skip_to_what_they_would_see(
 ) -> None:
     loops = (POLLING_TASKS["an input"], POLLING_TASKS[first], POLLING_TASKS[second])
     skipped = seen_by_tasks(polling_tasks(tmp_path / "a", loops, 0.0463))
-    monkeypatch.setattr(Polling, "look", lambda self, used, done: None)
-    monkeypatch.setattr(Polling, "ticks_left", lambda self, used: 1 << 60)
+    monkeypatch.setattr(BusyWaitDetector, "observe", lambda self, used, done: None)
+    monkeypatch.setattr(BusyWaitDetector, "ticks_left", lambda self, used: 1 << 60)
     each_round = seen_by_tasks(polling_tasks(tmp_path / "b", loops, 0.0463))
     assert len(skipped) == 3
     # Two or three ticks: in which order tasks look within one, a rounding decides.

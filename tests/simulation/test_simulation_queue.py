@@ -144,7 +144,7 @@ def test_a_trap_does_not_interrupt_a_trap_and_none_is_lost() -> None:
 
 def spin(cell: Cell) -> None:
     """A loop turn that uses up its ticks."""
-    cell.controller.clock.left = -1
+    cell.controller.clock.ticks_left = -1
     cell.controller.clock.service()
 
 

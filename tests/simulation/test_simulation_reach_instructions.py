@@ -5,7 +5,7 @@ from simulation_reach import checked
 
 from rapidsim.language.types import Type
 from rapidsim.library.catalogue import ROUTINES
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 OUT = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 HEAD = f"""MODULE cell
@@ -61,7 +61,9 @@ def argument(name: str, of: Type) -> str:
     return GIVEN.get(name) or OF_TYPE[of.name]
 
 
-@pytest.mark.parametrize("name", [row.name for row in ROUTINES.values() if Does.MOVE in row.does])
+@pytest.mark.parametrize(
+    "name", [row.name for row in ROUTINES.values() if Trait.MOVE in row.traits]
+)
 def test_an_installed_move_beside_a_plain_one(name: str) -> None:
     parameters = ROUTINES[name.lower()].signature.parameters
     given = ",".join(argument(p.name, p.types[0]) for p in parameters if not p.optional)

@@ -13,11 +13,11 @@ from simulation_program import arm
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.checked_program import Loaded, load
+from rapidsim.jobs.checked_program import LoadedProgram, load
 from rapidsim.library.catalogue import ROUTINES
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.module_files import read_tasks
-from rapidsim.motion.configurations.reachability import why_unreachable
+from rapidsim.motion.configurations.reachability import unreachable_reason
 from rapidsim.reach.checked_moves import ReachReport
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.reach.reach import check_reach
@@ -27,11 +27,11 @@ ROOT = Path(__file__).parents[2]
 PROGRAMS = sorted(
     path for folder in ("programs", "tests") for path in (ROOT / folder).rglob("*.mod")
 )
-MOVES = re.compile("|".join(k for k, row in ROUTINES.items() if Does.MOVE in row.does).encode())
+MOVES = re.compile("|".join(k for k, row in ROUTINES.items() if Trait.MOVE in row.traits).encode())
 
 
 @cache
-def read(path: Path) -> Loaded | None:
+def read(path: Path) -> LoadedProgram | None:
     """A module on its own, read once; None where it is no text of RAPID."""
     try:
         return load(read_tasks([str(path)])[0].files)
@@ -57,17 +57,17 @@ def test_no_error_is_a_false_one(rule_programs: list[Path]) -> None:
         if loaded is None or loaded.program is None:
             continue
         walked = walk_program(loaded.program)
-        placed = posed(walked.known, arm(), Transform.identity())
+        placed = posed(walked.moves, arm(), Transform.identity())
         report = check_reach(loaded.program, arm(), run=False)
         told = {
             one.span.line for one in errors(report) if one.violation.code == "K601" and one.span
         }
         out = {
             known.span.line
-            for row, known in enumerate(walked.known)
+            for row, known in enumerate(walked.moves)
             if row not in placed.left_out
             and not placed.to_axes[row]
-            and why_unreachable(arm(), placed.base_from_flange[row]) is not None
+            and unreachable_reason(arm(), placed.base_from_flange[row]) is not None
         }
         assert told == out, path
         checked += report.coverage.by_value

@@ -198,8 +198,8 @@ def test_every_move_of_a_run_is_among_those_known(main: str, go: str) -> None:
     walked = walk_program(loaded.program)
     run = simulate(loaded.program, arm(), options=RunOptions(max_time_s=60.0))
     ways: dict[int, set[object]] = {}
-    for known in walked.known:
-        before = None if known.previous is None else walked.known[known.previous].move
+    for known in walked.moves:
+        before = None if known.previous is None else walked.moves[known.previous].move
         ways.setdefault(known.call.start, set()).update({(known.move, before), (known.move, "any")})
         if known.previous is None:
             ways[known.call.start].add((known.move, None))

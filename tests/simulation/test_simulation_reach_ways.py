@@ -36,7 +36,7 @@ def test_a_line_that_fails_says_where_as_the_run_does() -> None:
     assert isinstance(told, PathNotReachable)
     assert isinstance(seen, PathNotReachable)
     assert (told.percent, told.distance_mm) == pytest.approx((seen.percent, seen.distance_mm))
-    assert told.why == seen.why
+    assert told.reason == seen.reason
     assert [related.span.line for related in by_value.related] == [8]
 
 

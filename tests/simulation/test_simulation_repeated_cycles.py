@@ -12,7 +12,7 @@ import pytest
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
-from rapidsim.controller.queue.repeats import Repeats
+from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.jobs.run_files import simulate
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look
@@ -61,7 +61,7 @@ def ran(folder: Path) -> Simulation:
 
 def test_the_last_thousand_plans_are_kept_and_no_more() -> None:
     # A controller that stays on, and whose robot is stopped anywhere, plans new ones for ever.
-    repeats, made = Repeats(), list[int]()
+    repeats, made = PlanCache(), list[int]()
 
     def ask(number: int) -> None:
         def make() -> Any:
@@ -85,7 +85,7 @@ def test_a_run_that_keeps_plans_is_the_run_that_makes_each(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kept = ran(tmp_path)
-    monkeypatch.setattr(Repeats, "plan", lambda self, segments, start, make: make())
+    monkeypatch.setattr(PlanCache, "plan", lambda self, segments, start, make: make())
     monkeypatch.setattr(
         Resolver,
         "resolve",

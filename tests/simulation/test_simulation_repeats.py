@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rapidsim
-from rapidsim.motion import compiled
+from rapidsim.motion import numba_jit
 
 CIRCLE = Path(__file__).parents[2] / "programs" / "circle.mod"
 
@@ -17,7 +17,7 @@ def test_code_that_was_compiled_for_another_run_changes_no_digit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     first = rapidsim.simulate([CIRCLE], robot="irb1600").only.trajectory
-    monkeypatch.setattr(compiled, "_loaded", True)
+    monkeypatch.setattr(numba_jit, "_loaded", True)
     again = rapidsim.simulate([CIRCLE], robot="irb1600").only.trajectory
     times = np.linspace(0.0, first.duration, 200)
     assert again.duration == first.duration

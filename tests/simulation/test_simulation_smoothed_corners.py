@@ -32,7 +32,10 @@ def test_a_sharp_corner_is_told_with_what_it_takes() -> None:
     found = run.only("R116")
     violation = found.violation
     assert isinstance(violation, CornerTooFast)
-    assert (violation.severity, violation.others) == (Severity.NOTE, ", and 1 more corner likewise")
+    assert (violation.severity, violation.other_text) == (
+        Severity.NOTE,
+        ", and 1 more corner likewise",
+    )
     # By differences of the joints that are seen, a millisecond apart.
     move = next(move for move in run.run.moves if found.span and move.place.span == found.span)
     times = move.end_s + 1e-3 * np.arange(-30.0, 31.0)

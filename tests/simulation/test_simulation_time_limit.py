@@ -13,8 +13,8 @@ from rapidsim.controller import solo_moves
 from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.diagnostics import Source
-from rapidsim.motion import compiled
-from rapidsim.motion.compiled import COMPILING
+from rapidsim.motion import numba_jit
+from rapidsim.motion.numba_jit import COMPILING
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.report.run.figures import figures
@@ -76,7 +76,7 @@ def test_what_the_arm_would_do_after_the_limit_is_not_counted(limit_s: float) ->
     # The arm brakes where it is when the limit comes, and the smoothing is seen to its end.
     assert run.only.trajectory.duration < limit_s + 0.5
     assert run.moves[-1].end_s < limit_s + 0.5
-    assert figures(run).otherwise == ()
+    assert figures(run).sensitivity == ()
     whole = simulate(program, load_robot("irb1600"), options=RunOptions(max_time_s=6.0))
     before_s = limit_s - run.model.window - 0.05
     cut, longer = (one.sample(before_s).joints for one in (run.only, whole))
@@ -127,8 +127,10 @@ def test_a_function_compiles_under_the_lock(monkeypatch: pytest.MonkeyPatch) -> 
 
     dispatcher = Dispatcher()
     fake = SimpleNamespace(njit=lambda *_, **__: dispatcher)
-    monkeypatch.setattr(compiled, "import_module", lambda name: fake if name == "numba" else motion)
+    monkeypatch.setattr(
+        numba_jit, "import_module", lambda name: fake if name == "numba" else motion
+    )
     motion = two_pass_loops
-    compiled._functions.__wrapped__(two_pass_loops)
+    numba_jit._functions.__wrapped__(two_pass_loops)
     dispatcher.compile(())
     assert held == [False]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 import pytest
 from simulation_cell import Cell
 
-from rapidsim.controller.cell.cell import Alone, Turns
+from rapidsim.controller.cell.cell import SingleTaskScheduler, TimeScheduler
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.controller.journal.stop_reasons import WaitsForever
 from rapidsim.language.data import FINE
@@ -14,13 +14,13 @@ from rapidsim.language.data import FINE
 
 @dataclass
 class Posted:
-    """Implements `cell.Turns`: what somebody outside posts happens at its time, whoever waits."""
+    """Implements `cell.TimeScheduler`: external posts take effect at their time."""
 
-    inner: Turns = field(default_factory=Alone)
+    inner: TimeScheduler = field(default_factory=SingleTaskScheduler)
     posts: list[tuple[float, Callable[[Moment], None]]] = field(default_factory=list)
 
-    def until(self, task: object, time_s: float) -> float:
-        reached_s = self.inner.until(task, time_s)
+    def request_advance(self, task: object, time_s: float) -> float:
+        reached_s = self.inner.request_advance(task, time_s)
         if not self.posts or self.posts[0][0] > reached_s:
             return reached_s
         post_s, act = self.posts.pop(0)
@@ -30,11 +30,11 @@ class Posted:
     def next_s(self, task: object) -> float:
         return min(self.inner.next_s(task), *(post_s for post_s, _ in self.posts[:1]), 1e9)
 
-    def look_again(self, time_s: float) -> None:
-        self.inner.look_again(time_s)
+    def wake_at(self, time_s: float) -> None:
+        self.inner.wake_at(time_s)
 
-    def rest(self, task: object) -> bool:
-        return not self.posts and self.inner.rest(task)
+    def mark_waiting(self, task: object) -> bool:
+        return not self.posts and self.inner.mark_waiting(task)
 
 
 def outside(cell: Cell, *changes: tuple[float, str, float]) -> None:
@@ -48,7 +48,9 @@ def outside(cell: Cell, *changes: tuple[float, str, float]) -> None:
 
         return act
 
-    cell.shared.share(Posted(posts=[(at_s, setting(name, v)) for at_s, name, v in changes]))
+    cell.shared.attach_scheduler(
+        Posted(posts=[(at_s, setting(name, v)) for at_s, name, v in changes])
+    )
 
 
 def test_a_posted_signal_ends_a_wait_at_its_instant() -> None:

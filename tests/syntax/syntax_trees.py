@@ -1,7 +1,7 @@
 """Syntax trees out of thin air, as the parser would have made them, and how two compare.
 
 Trees are drawn rule by rule of the grammar, so that each can be written down. What only damaged
-text gives (`Broken`) is not drawn.
+text gives (`InvalidStatement`) is not drawn.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rapidsim.diagnostics import Source
 from rapidsim.syntax import literals, tree
 
 T = TypeVar("T")
-Drawn: TypeAlias = tree.Parameter | tree.OptionalGroup | tree.Placeholder
+Drawn: TypeAlias = tree.ParameterDeclaration | tree.OptionalGroup | tree.Placeholder
 
 PLACES = {"start", "end", "source", "operator_start", "header_end"}
 NAMES = ("x", "Count", "p10", "MoveL", "q_2", "größe", "E9", "Ex", "to1", "endif_", "f")
@@ -214,18 +214,18 @@ class Drawing:
         ]
         return self.one(*makers)
 
-    def number(self) -> tree.Number:
+    def number(self) -> tree.NumberLiteral:
         text = self.of(NUMBERS)
-        return tree.Number(0, 0, text, literals.number(text))
+        return tree.NumberLiteral(0, 0, text, literals.number(text))
 
-    def string(self) -> tree.String:
-        return tree.String(0, 0, self.choice.text())
+    def string(self) -> tree.StringLiteral:
+        return tree.StringLiteral(0, 0, self.choice.text())
 
-    def boolean(self) -> tree.Bool:
-        return tree.Bool(0, 0, self.flag())
+    def boolean(self) -> tree.BoolLiteral:
+        return tree.BoolLiteral(0, 0, self.flag())
 
-    def reference(self) -> tree.Reference:
-        return tree.Reference(0, 0, self.name())
+    def reference(self) -> tree.DataReference:
+        return tree.DataReference(0, 0, self.name())
 
     def path(self, depth: int) -> tree.DataPath:
         if not depth:
@@ -236,7 +236,7 @@ class Drawing:
             lambda: tree.Index(
                 0, 0, self.path(inside), self.some(lambda: self.expression(inside), 1)
             ),
-            lambda: tree.Component(0, 0, self.path(inside), self.name()),
+            lambda: tree.ComponentAccess(0, 0, self.path(inside), self.name()),
         ]
         return self.one(*makers)
 
@@ -258,13 +258,13 @@ class Drawing:
 
     def argument(self, depth: int) -> tree.Argument:
         makers: list[Callable[[], tree.Argument]] = [
-            lambda: tree.Required(0, 0, self.expression(depth)),
-            lambda: tree.Required(0, 0, self.placeholder("ARG", "*")),
-            lambda: tree.Required(0, 0, self.expression(depth), self.name()),
-            lambda: tree.Optional(
+            lambda: tree.RequiredArgument(0, 0, self.expression(depth)),
+            lambda: tree.RequiredArgument(0, 0, self.placeholder("ARG", "*")),
+            lambda: tree.RequiredArgument(0, 0, self.expression(depth), self.name()),
+            lambda: tree.OptionalArgument(
                 0, 0, self.name(OPTIONS), self.maybe(lambda: self.expression(depth))
             ),
-            lambda: tree.Conditional(0, 0, self.name(OPTIONS), self.name()),
+            lambda: tree.ConditionalArgument(0, 0, self.name(OPTIONS), self.name()),
         ]
         return self.one(*makers)
 
@@ -316,8 +316,8 @@ class Drawing:
     def call_in_parentheses(self) -> tree.Call:
         """With a list that nobody could take for one expression in parentheses."""
         arguments = self.arguments(EXPRESSION_DEPTH)
-        if len(arguments) == 1 and isinstance(arguments[0], tree.Required):
-            arguments = (*arguments, tree.Optional(0, 0, self.name(OPTIONS), None))
+        if len(arguments) == 1 and isinstance(arguments[0], tree.RequiredArgument):
+            arguments = (*arguments, tree.OptionalArgument(0, 0, self.name(OPTIONS), None))
         return tree.Call(0, 0, self.name(), arguments, True)
 
     def conditional(self, depth: int) -> tree.If:
@@ -379,9 +379,11 @@ class Drawing:
         ]
         return self.one(*makers)
 
-    def field(self) -> tree.Field | tree.Placeholder:
-        makers: list[Callable[[], tree.Field | tree.Placeholder]] = [
-            lambda: tree.Field(0, 0, self.name(TYPES), self.name(), self.dimensions()),
+    def field(self) -> tree.ComponentDeclaration | tree.Placeholder:
+        makers: list[Callable[[], tree.ComponentDeclaration | tree.Placeholder]] = [
+            lambda: tree.ComponentDeclaration(
+                0, 0, self.name(TYPES), self.name(), self.dimensions()
+            ),
             lambda: self.placeholder("TDN"),
         ]
         return self.one(*makers)
@@ -418,7 +420,7 @@ class Drawing:
         ]
         return self.some(lambda: self.one(*makers))
 
-    def parameter(self) -> tree.Parameter:
+    def parameter(self) -> tree.ParameterDeclaration:
         mode = self.of(("IN", "INOUT", "VAR", "PERS"))
         stars = self.of(range(4))
-        return tree.Parameter(0, 0, mode, self.name(TYPES), self.name(), stars)
+        return tree.ParameterDeclaration(0, 0, mode, self.name(TYPES), self.name(), stars)

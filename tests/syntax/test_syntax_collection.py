@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import weakref
 
-from rapidsim.syntax.collection import seldom_collected, staying_on
+from rapidsim.syntax.garbage_collection import gc_for_server, gc_rarely
 
 
 class _Connection:
@@ -22,15 +22,15 @@ def _left_of(count: int) -> int:
 
 
 def test_what_connections_leave_behind_does_not_pile_up_in_a_process_that_stays_on() -> None:
-    with seldom_collected():
+    with gc_rarely():
         assert _left_of(20_000) == 20_000
-        with staying_on():
+        with gc_for_server():
             assert _left_of(20_000) < 2_000
         assert _left_of(20_000) == 20_000
 
 
 def test_what_was_there_is_looked_through_again_when_the_process_goes_on_otherwise() -> None:
     thresholds, before = gc.get_threshold(), gc.get_freeze_count()
-    with staying_on():
+    with gc_for_server():
         assert gc.get_freeze_count() > before
     assert (gc.get_threshold(), gc.get_freeze_count()) == (thresholds, 0)

@@ -92,10 +92,10 @@ def test_larks_own_engine_reads_the_same_statements(program: Path) -> None:
         "Call": ("call", "call_in_parentheses"),
         "CompactIf": ("compact_if",),
         "Branch": ("branch", "branch_without_then", "branch_placeholder"),
-        "Optional": ("optional",),
+        "OptionalArgument": ("optional",),
         "Binary": ("binary",),
-        "Reference": ("reference",),
-        "Component": ("component",),
+        "DataReference": ("reference",),
+        "ComponentAccess": ("component",),
     }.items():
         theirs_count = sum(len(list(theirs.find_data(rule))) for rule in rules)
         assert count_nodes(modules, node) == theirs_count, node

@@ -22,15 +22,15 @@ def body(statement: str) -> tree.Body:
 
 
 def brief(part: object) -> str:
-    """A tree in one line, without places: `Call(P, Required(Number(1)))`."""
+    """A tree in one line, without places: `Call(P, RequiredArgument(Number(1)))`."""
     match part:
-        case tree.Name(text=text) | tree.Number(text=text):
+        case tree.Name(text=text) | tree.NumberLiteral(text=text):
             return text
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             return name.text
-        case tree.String(value=value):
+        case tree.StringLiteral(value=value):
             return repr(value)
-        case tree.Required(value=value, name=None):
+        case tree.RequiredArgument(value=value, name=None):
             return brief(value)
         case tree.Node():
             values = [getattr(part, f.name) for f in fields(part)[2:] if f.name[-6:] != "_start"]
@@ -50,7 +50,7 @@ def brief(part: object) -> str:
         ("P (a);", "Call(P, [Parenthesised(a)])"),
         ("P(a,b);", "Call(P, [a, b], True)"),
         ("P();", "Call(P, True)"),
-        ("P(\\A);", "Call(P, [Optional(A)], True)"),
+        ("P(\\A);", "Call(P, [OptionalArgument(A)], True)"),
         ("P -1;", "Call(P, [Unary(-, 1)])"),
         ("P NOT a;", "Call(P, [Unary(NOT, a)])"),
         ("P [1,2];", "Call(P, [LiteralAggregate([1.0, 2.0])])"),
@@ -59,11 +59,11 @@ def brief(part: object) -> str:
         ("P [- 1];", "Call(P, [LiteralAggregate([-1.0])])"),
         ("P [[[[[[[[1]]]]]]]];", "Call(P, [LiteralAggregate([[[[[[[[1.0]]]]]]]])])"),
         ('P ["a)",TRUE,.5,5.,0x1F];', "Call(P, [LiteralAggregate([a), True, 0.5, 5.0, 31.0])])"),
-        ("P \\A;", "Call(P, [Optional(A)])"),
-        ("P \\To:=1;", "Call(P, [Optional(To, 1)])"),
-        ("P a\\B\\C:=d,e;", "Call(P, [a, Optional(B), Optional(C, d), e])"),
-        ("P a,\\B?c;", "Call(P, [a, Conditional(B, c)])"),
-        ("P Par:=1,2;", "Call(P, [Required(1, Par), 2])"),
+        ("P \\A;", "Call(P, [OptionalArgument(A)])"),
+        ("P \\To:=1;", "Call(P, [OptionalArgument(To, 1)])"),
+        ("P a\\B\\C:=d,e;", "Call(P, [a, OptionalArgument(B), OptionalArgument(C, d), e])"),
+        ("P a,\\B?c;", "Call(P, [a, ConditionalArgument(B, c)])"),
+        ("P Par:=1,2;", "Call(P, [RequiredArgument(1, Par), 2])"),
         ("P *,v1;", "Call(P, [Placeholder(*), v1])"),
         ("WaitTime .5;", "Call(WaitTime, [.5])"),
         ('TPWrite("x");', "Call(TPWrite, [Parenthesised('x')])"),
@@ -73,7 +73,7 @@ def brief(part: object) -> str:
         ("x=1;", "Assignment(x, 1, True)"),
         (
             "a{1}.x.y{2,3}:=1;",
-            "Assignment(Index(Component(Component(Index(a, [1]), x), y), [2, 3]), 1)",
+            "Assignment(Index(ComponentAccess(ComponentAccess(Index(a, [1]), x), y), [2, 3]), 1)",
         ),
         ("x:=a+b*c;", "Assignment(x, Binary(a, +, Binary(b, *, c)))"),
         ("x:=a-b-c;", "Assignment(x, Binary(Binary(a, -, b), -, c))"),
@@ -87,7 +87,7 @@ def brief(part: object) -> str:
         ("x:=a XOR b OR c;", "Assignment(x, Binary(Binary(a, XOR, b), OR, c))"),
         ("x:=a+1>=b;", "Assignment(x, Binary(Binary(a, +, 1), >=, b))"),
         ("x:=f();", "Assignment(x, FunctionCall(f))"),
-        ("x:=f(a\\b,c);", "Assignment(x, FunctionCall(f, [a, Optional(b), c]))"),
+        ("x:=f(a\\b,c);", "Assignment(x, FunctionCall(f, [a, OptionalArgument(b), c]))"),
         ('x:=%"f"+n%(1);', "Assignment(x, LateFunctionCall(Binary('f', +, n), [1]))"),
         ('%"p"+n% 1,2;', "LateCall(Binary('p', +, n), [1, 2])"),
         ('IF a %"p"%;', "CompactIf(a, LateCall('p'))"),

@@ -10,10 +10,10 @@ import pytest
 from exports import export
 
 from rapidsim.diagnostics import Source
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.syntax import tree
+from rapidsim.syntax.bulk_rows import statement_of
 from rapidsim.syntax.parser import parse
-from rapidsim.syntax.run_rows import statement_of
 
 
 def _facts(part: Any) -> Any:
@@ -59,7 +59,7 @@ def test_rows_are_the_statements_that_the_parser_reads(old: str, new: str) -> No
             assert row.end == statement.end
             assert isinstance(statement, tree.Call)
             argument = statement.arguments[0]
-            assert isinstance(argument, tree.Required)
+            assert isinstance(argument, tree.RequiredArgument)
             assert isinstance(argument.value, tree.LiteralAggregate)
             assert np.array_equal(numbers.astype(np.float64), _singles(argument.value.value))
     assert by_place.keys() == kept

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rapidsim.diagnostics import Source
-from rapidsim.syntax import shapes, tree
+from rapidsim.syntax import line_templates, tree
 from rapidsim.syntax.parser import Parsed, parse
 
 HERE = Path(__file__).parent
@@ -45,7 +45,7 @@ def seen(node: object) -> object:
 
 
 def read(text: str, often: int, monkeypatch: pytest.MonkeyPatch) -> Parsed:
-    monkeypatch.setattr(shapes, "_OFTEN", often)
+    monkeypatch.setattr(line_templates, "_OFTEN", often)
     return parse(Source("a.mod", text))
 
 
@@ -86,14 +86,14 @@ def test_a_fault_among_thousands_of_lines_is_found_where_it_is(
 
 
 def test_it_is_what_reads_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    met = shapes.Shapes.at
+    met = line_templates.LineTemplates.at
     found: list[bool] = []
 
-    def noted(self: shapes.Shapes, position: int, state: int) -> object:
+    def noted(self: line_templates.LineTemplates, position: int, state: int) -> object:
         shape = met(self, position, state)
         found.append(shape is not None)
         return shape
 
-    monkeypatch.setattr(shapes.Shapes, "at", noted)
-    read(generated(200), shapes._OFTEN, monkeypatch)
+    monkeypatch.setattr(line_templates.LineTemplates, "at", noted)
+    read(generated(200), line_templates._OFTEN, monkeypatch)
     assert sum(found) > 0.6 * len(found)

@@ -14,7 +14,7 @@ from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
 
 # What no sound text gives, and what only stands for others.
-NOT_DRAWN = {"Broken", "Node", "RoutineNode", "Run", "RunRow"}
+NOT_DRAWN = {"InvalidStatement", "Node", "RoutineNode", "BulkStatements", "BulkRow"}
 ENOUGH = 60
 """Modules that hold every kind of node; as their sequence is fixed, they do always."""
 

@@ -8,7 +8,7 @@ from rapidsim.diagnostics import Violation
 class NotConstant(Violation, code="T311"):
     data: str
     wanted: str
-    found: str
+    actual: str
 
 
 class BadArraySize(Violation, code="T317"):
@@ -31,14 +31,14 @@ class BadAlias(Violation, code="T319"):
 class BadParameterType(Violation, code="T320"):
     declared: str
     type: str
-    why: str
+    reason: str
 
     @property
     def case(self) -> str:
         """By the reason, and whether it is about a switch."""
         if self.type != "switch":
             return "no value"
-        if "optional" in self.why:
+        if "optional" in self.reason:
             return "required switch"
         return "mode of a switch"
 

@@ -16,7 +16,7 @@ class UndefinedName(Violation, code="N201"):
     """Whether it stands where the value of a signal may."""
     kind: str = "data"
     """`data` or `trap`."""
-    taken: str | None = None
+    assumed: str | None = None
     """The system's own that could be assumed for it."""
 
     @property
@@ -34,8 +34,8 @@ class UndefinedName(Violation, code="N201"):
         if self.loads_modules:
             return "read data of a module that is loaded while the program runs with GetDataVal"
         declare = "declare it, or check the module that declares it together with this one"
-        if self.taken:
-            return f"{declare}; `--assume-missing` takes {self.taken}"
+        if self.assumed:
+            return f"{declare}; `--assume-missing` takes {self.assumed}"
         if self.may_be_signal:
             return f"{declare}; if it is a signal, declare it in [signals] of rapidsim.toml"
         return declare
@@ -68,7 +68,7 @@ class UnresolvedReference(Violation, code="N221"):
 
 class DuplicateName(Violation, code="N202"):
     duplicate: str
-    where: str = ""
+    location: str = ""
     between_modules: bool = False
     kind: str = ""
     """What has the name a second time, in the words of rule.toml."""
@@ -107,7 +107,7 @@ ASSUME = "`--assume-missing` skips calls of what is not here"
 class UnknownRoutine(Violation, code="N209"):
     unknown: str
     nearest: str | None = None
-    instead: str = ""
+    replacement: str = ""
     """What a run does with the call; empty if the program cannot run."""
     reserved: bool = False
     """Whether the nearest is a word of the language."""
@@ -120,18 +120,20 @@ class UnknownRoutine(Violation, code="N209"):
     @property
     def severity(self) -> Severity:
         """An error, unless unresolved references are allowed or assumed away."""
-        return Severity.WARNING if self.instead else Severity.ERROR
+        return Severity.WARNING if self.replacement else Severity.ERROR
 
     @property
     def case(self) -> str:
         """Found when the program is loaded, or when it reaches the call."""
         kind = "function" if self.is_function else "procedure"
-        return f"{kind}, reached" if self.instead == STOPS_THERE else kind
+        return f"{kind}, reached" if self.replacement == STOPS_THERE else kind
 
     @property
     def message(self) -> str:
         """The name, and what a run does with its calls."""
-        return f"{super().message}; a run {self.instead}" if self.instead else super().message
+        return (
+            f"{super().message}; a run {self.replacement}" if self.replacement else super().message
+        )
 
     @property
     def help(self) -> str:
@@ -140,7 +142,7 @@ class UnknownRoutine(Violation, code="N209"):
             return f"did you mean `{self.foreign}`, RAPID's word for it?"
         if self.loads_modules:
             return self._help_on_loading()
-        if self.instead == STOPS_THERE:
+        if self.replacement == STOPS_THERE:
             return (
                 "the task does not check references (-BindRef 0); "
                 "include the module that declares it"
@@ -149,8 +151,8 @@ class UnknownRoutine(Violation, code="N209"):
         if self.nearest:
             word = "the word " if self.reserved else ""
             meant = f"did you mean {word}`{self.nearest}`?"
-            return f"{include}, or {meant}" if self.instead else meant
-        return include if self.instead else f"{include}; {ASSUME}"
+            return f"{include}, or {meant}" if self.replacement else meant
+        return include if self.replacement else f"{include}; {ASSUME}"
 
     def _help_on_loading(self) -> str:
         if self.is_function:
@@ -185,7 +187,7 @@ class WrongKind(Violation, code="N211"):
     used: str
     kind: str
     wanted: str
-    cure: str = ""
+    suggestion: str = ""
 
     @property
     def case(self) -> str:
@@ -202,7 +204,7 @@ class ComponentOfUnknownType(Violation, code="N215"):
 class UnknownComponent(Violation, code="N212"):
     record: str
     component: str
-    known: tuple[str, ...]
+    candidates: tuple[str, ...]
     nearest: str | None = None
 
     @property
@@ -210,7 +212,7 @@ class UnknownComponent(Violation, code="N212"):
         """The nearest component, or all of them."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
-        return f"its components are {', '.join(self.known)}" if self.known else None
+        return f"its components are {', '.join(self.candidates)}" if self.candidates else None
 
 
 class MisplacedScope(Violation, code="N213"):
@@ -247,7 +249,7 @@ class NotInThisRobotWare(Violation, code="N219"):
 class AssumedData(Violation, code="N220"):
     missing: str
     type: str
-    taken: str
+    assumed: str
 
     @property
     def assumed_name(self) -> str:

@@ -37,7 +37,7 @@ from rapidsim.analysis.program import (
 from rapidsim.analysis.suggestions import reserved_words
 from rapidsim.analysis.syntax_violations import UnfinishedCode
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import Type
 from rapidsim.library.other_languages import rapid_word_for
 from rapidsim.library.predefined import SET_BY_CONTROLLER
@@ -62,7 +62,7 @@ def find(key: str, context: Context) -> Symbol | None:
     return declared or installed_symbol(key)
 
 
-def data_named(reference: tree.Reference, context: Context) -> DataLike | None:
+def data_named(reference: tree.DataReference, context: Context) -> DataLike | None:
     """The data that a reference refers to; None if there are none.
 
     An undeclared name may still be a signal: this is decided when the whole task is known, see
@@ -83,14 +83,14 @@ def _may_be_older(symbol: Symbol, context: Context) -> bool:
     return since is not None and (has is None or has < since)
 
 
-def type_of_undeclared(reference: tree.Reference, context: Context) -> Type | None:
+def type_of_undeclared(reference: tree.DataReference, context: Context) -> Type | None:
     """The kind of signal that an undeclared name evidently means."""
     if find(reference.name.key, context) is not None:
         return None
     return evident_signal(reference.name, context)
 
 
-def as_data(symbol: Symbol, reference: tree.Reference, context: Context) -> DataLike | None:
+def as_data(symbol: Symbol, reference: tree.DataReference, context: Context) -> DataLike | None:
     """The symbol, if it is data; otherwise a finding."""
     if isinstance(symbol, DataLike):
         context.analysis.symbol_of[reference] = symbol
@@ -120,7 +120,7 @@ def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbo
     if not function and is_procedure(symbol):
         return symbol
     wanted = "a function" if function else "a procedure"
-    wrong = WrongKind(name.text, kind_of(symbol), wanted, _cure(symbol, name.text, function))
+    wrong = WrongKind(name.text, kind_of(symbol), wanted, _suggestion(symbol, name.text, function))
     context.report(wrong, name, *context.declaration(symbol))
     return None
 
@@ -131,7 +131,7 @@ def report_undefined(
     *,
     may_be_signal: bool = False,
     kind: str = "data",
-    taken: str | None = None,
+    assumed: str | None = None,
 ) -> None:
     """Report an undeclared name, unless its declaration may be in unread text."""
     analysis = context.analysis
@@ -148,11 +148,11 @@ def report_undefined(
         return
     reserved = nearest in reserved_words()
     loads = analysis.loads_modules
-    violation = UndefinedName(name.text, nearest, reserved, loads, may_be_signal, kind, taken)
+    violation = UndefinedName(name.text, nearest, reserved, loads, may_be_signal, kind, assumed)
     context.report(violation, name, fix=context.respelling(name, nearest))
 
 
-def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> None:
+def take_for_signal(reference: tree.DataReference, of: Type, context: Context) -> None:
     """Treat an undeclared name as a signal of that name."""
     analysis = context.analysis
     analysis.signals.setdefault(reference.name.key, of)
@@ -161,7 +161,7 @@ def take_for_signal(reference: tree.Reference, of: Type, context: Context) -> No
     analysis.type_of[reference] = of
 
 
-def take_for_unknown(reference: tree.Reference, context: Context) -> None:
+def take_for_unknown(reference: tree.DataReference, context: Context) -> None:
     """Treat an undeclared name as unknown in the arguments of a call that is skipped anyway."""
     context.analysis.symbol_of[reference] = context.analysis.unknown_symbol(reference.name.text)
 
@@ -185,7 +185,7 @@ def kind_of(symbol: Symbol) -> str:
             return "a variable that only the controller sets"
         case DataSymbol():
             return "a variable"
-        case ParameterSymbol(mode=Mode.PERS):
+        case ParameterSymbol(mode=ParameterMode.PERS):
             return "a persistent parameter"
         case ParameterSymbol():
             return "a parameter"
@@ -259,7 +259,7 @@ def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> Un
     return analysis.unknown_symbol(name.text)
 
 
-def _cure(symbol: Symbol, name: str, function: bool) -> str:
+def _suggestion(symbol: Symbol, name: str, function: bool) -> str:
     match symbol:
         case _ if function and is_procedure(symbol):
             return f"call `{name}` by a statement of its own; it has no value"

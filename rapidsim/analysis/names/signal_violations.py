@@ -13,7 +13,7 @@ _NAMED = 4
 class UnknownSignal(Violation, code="I801"):
     signal: str
     type: str
-    others: tuple[UnknownSignal, ...] = ()
+    other_text: tuple[UnknownSignal, ...] = ()
     """Those that are told with it."""
     nearest: str | None = None
     """The signal of the cell that is spelt most like it."""
@@ -31,13 +31,13 @@ class UnknownSignal(Violation, code="I801"):
         return self.signal
 
     @property
-    def is_told_once(self) -> bool:
+    def is_reported_once(self) -> bool:
         """Reported together: their help is one block to paste."""
         return True
 
-    def with_others(self, others: Sequence[Violation]) -> UnknownSignal:
+    def with_others(self, merged: Sequence[Violation]) -> UnknownSignal:
         """All in one finding: they form one table of a station file."""
-        new = {one.signal.lower(): one for one in others if isinstance(one, UnknownSignal)}
+        new = {one.signal.lower(): one for one in merged if isinstance(one, UnknownSignal)}
         new.pop(self.signal.lower(), None)
         others_once = tuple(new.values())
         return UnknownSignal(self.signal, self.type, others_once, self.nearest, self.is_closed)
@@ -46,9 +46,9 @@ class UnknownSignal(Violation, code="I801"):
     def message(self) -> str:
         """One signal, or the first few of several by name."""
         runs = "" if self.is_closed else "; a run creates"
-        if not self.others:
+        if not self.other_text:
             return f"the signal `{self.signal}` is not declared{runs and f'{runs} it'}"
-        names = [f"`{one.signal}`" for one in (self, *self.others)]
+        names = [f"`{one.signal}`" for one in (self, *self.other_text)]
         if len(names) > _NAMED:
             names[_NAMED:] = [f"{len(names) - _NAMED} more"]
         *names, last = names
@@ -61,12 +61,12 @@ class UnknownSignal(Violation, code="I801"):
         """Suggested names, and the lines that would declare the signals."""
         lines = (
             f'{one.signal} = {{ type = "{one.type.removeprefix("signal")}" }}'
-            for one in (self, *self.others)
+            for one in (self, *self.other_text)
         )
         block = "\n".join(("[signals]", *lines))
         meant = [
             f"did you mean `{one.nearest}` by `{one.signal}`? Else "
-            for one in (self, *self.others)
+            for one in (self, *self.other_text)
             if one.nearest
         ]
         paste = "paste this into `rapidsim.toml`, or let `rapidsim init` write it"

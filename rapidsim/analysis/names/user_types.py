@@ -157,11 +157,15 @@ def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue
 def literal_value(expression: tree.Expression) -> tree.LiteralValue | None:
     """The value of a literal expression; None for any other."""
     match expression:
-        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+        case (
+            tree.NumberLiteral(value=value)
+            | tree.StringLiteral(value=value)
+            | tree.BoolLiteral(value=value)
+        ):
             return value
         case tree.LiteralAggregate(value=values):
             return values
-        case tree.Unary(operator="-" | "+" as sign, operand=tree.Number(value=number)):
+        case tree.Unary(operator="-" | "+" as sign, operand=tree.NumberLiteral(value=number)):
             return -number if sign == "-" else number
         case tree.Aggregate(elements=elements):
             parts = [literal_value(element) for element in elements]

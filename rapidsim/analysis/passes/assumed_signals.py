@@ -66,11 +66,11 @@ def _leaves(node: tree.Expression, inner: set[int]) -> Iterator[tree.Expression]
 def _compared_name(comparison: tree.Expression) -> tree.Name | None:
     """The name that an expression compares with a level of a digital signal."""
     match comparison:
-        case tree.Binary(left=tree.Reference(name=name), operator="=" | "<>", right=level) if (
+        case tree.Binary(left=tree.DataReference(name=name), operator="=" | "<>", right=level) if (
             _is_level(level)
         ):
             return name
-        case tree.Binary(left=level, operator="=" | "<>", right=tree.Reference(name=name)) if (
+        case tree.Binary(left=level, operator="=" | "<>", right=tree.DataReference(name=name)) if (
             _is_level(level)
         ):
             return name
@@ -80,9 +80,9 @@ def _compared_name(comparison: tree.Expression) -> tree.Name | None:
 
 def _is_level(value: tree.Expression) -> bool:
     match value:
-        case tree.Number(value=number):
+        case tree.NumberLiteral(value=number):
             return number in _LEVELS
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             return name.key in _NAMED_LEVELS
         case _:
             return False

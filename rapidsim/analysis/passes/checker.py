@@ -28,10 +28,10 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.tolerated_syntax import check_lenient_marks
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.syntax.collection import uncollected
-from rapidsim.values import dataclass
+from rapidsim.syntax.garbage_collection import gc_paused
+from rapidsim.values import value_class
 
 Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
 """A function that looks for mistakes in what analysis has found out."""
@@ -41,8 +41,8 @@ _DEEPEST = 20_000
 """Python calls within each other while checking; the parser bounds how deep programs nest."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Checked:
+@value_class(frozen=True, slots=True, eq=False)
+class CheckOutcome:
     """The result of checking; the program only if nothing prevents it from running."""
 
     program: Program | None
@@ -51,14 +51,14 @@ class Checked:
     """Ordered by file as given, then by place."""
 
 
-@uncollected()
+@gc_paused()
 def check(
     files: Sequence[tree.File],
     rules: Sequence[Find] = (),
     *,
     cell: CellNames = NO_CELL,
     visitor: tree.File | None = None,
-) -> Checked:
+) -> CheckOutcome:
     """Check the modules of one task together.
 
     Args:
@@ -100,8 +100,8 @@ def check(
     diagnostics = _in_order(analysis.diagnostics, files)
     is_broken = any(found.severity is Severity.ERROR for found in diagnostics)
     if is_broken or analysis.unread_text or not analysis.runs:
-        return Checked(None, diagnostics)
-    return Checked(_program(modules, homes, analysis), diagnostics)
+        return CheckOutcome(None, diagnostics)
+    return CheckOutcome(_program(modules, homes, analysis), diagnostics)
 
 
 def _check_routine(
@@ -160,7 +160,7 @@ def _unread_text(modules: Sequence[tree.Module]) -> str:
         for module in modules
         for item in module.items
         for part in (statements(*clauses(item)) if isinstance(item, tree.RoutineNode) else (item,))
-        if isinstance(part, tree.Broken)
+        if isinstance(part, tree.InvalidStatement)
     ]
     return "\n".join(unread)
 
@@ -169,7 +169,7 @@ def _loads_modules(modules: Sequence[tree.Module]) -> bool:
     """Whether an instruction takes other modules into the program."""
     # Few programs do, so that most are never walked through. Names have no symbols yet.
     return any(
-        isinstance(part, tree.Call) and Does.LOAD in does(installed_symbol(part.name.key))
+        isinstance(part, tree.Call) and Trait.LOAD in does(installed_symbol(part.name.key))
         for module in modules
         if _LOADING_WORD.search(module.source.text.lower())
         for item in module.items

@@ -21,7 +21,7 @@ from rapidsim.analysis.program import Symbol, does
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _Symbols: TypeAlias = Mapping[tree.Node, Symbol]
@@ -48,7 +48,7 @@ def _check_declarations(routine: tree.Routine, context: Context) -> None:
                 context.report(LateDataDeclaration(statement.name.text, where), statement)
         else:
             # What could not be read may have been a declaration.
-            in_front = in_front and isinstance(statement, tree.Broken)
+            in_front = in_front and isinstance(statement, tree.InvalidStatement)
     nested = [part for statement in routine.body for part in blocks(statement)]
     handlers = [body for body in clauses(routine) if body is not routine.body]
     for node in statements(*nested, *handlers):
@@ -67,7 +67,7 @@ def _check_answers(routine: tree.Routine, context: Context) -> None:
                 context.report(RaiseRetryPlacement("TRYNEXT"), node)
             case tree.Call():
                 symbol = context.analysis.symbol_of.get(node)
-                if symbol is not None and Does.RETRY in does(symbol):
+                if symbol is not None and Trait.RETRY in does(symbol):
                     context.report(RaiseRetryPlacement(symbol.name), node)
             case tree.Raise(number=None):
                 context.report(RaiseRetryPlacement("RAISE without a number"), node)
@@ -81,7 +81,7 @@ def _check_next_turns(body: tree.Body, context: Context) -> None:
         if isinstance(statement, tree.For | tree.While):
             continue
         symbol = context.analysis.symbol_of.get(statement)
-        if Does.NEXT_TURN in does(symbol):
+        if Trait.NEXT_TURN in does(symbol):
             assert symbol is not None
             context.report(ContinueOutsideLoop(symbol.name), statement)
         for block in blocks(statement):
@@ -106,7 +106,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
                 context.report(ReturnValue(problem, cure, gives_value=True), node)
             case _:
                 pass
-    if isinstance(routine, tree.Func) and _goes_on(routine.body, context.analysis.symbol_of):
+    if isinstance(routine, tree.Func) and _can_complete(routine.body, context.analysis.symbol_of):
         closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
         context.report(
             MissingReturn(routine.name.text, routine.type.text),
@@ -117,7 +117,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
     if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
         # A clause that decides by ERRNO may be complete for the errors that occur.
         assert isinstance(routine, tree.Func)
-        if _goes_on(handler.body, context.analysis.symbol_of):
+        if _can_complete(handler.body, context.analysis.symbol_of):
             missing = MissingReturn(routine.name.text, routine.type.text, is_clause=True)
             context.report(missing, handler)
 
@@ -161,7 +161,10 @@ def _leads_elsewhere(statement: tree.Statement, symbol_of: _Symbols, *, is_resum
             case _:
                 return False
     # Of what could not be read nobody knows where it leads.
-    if any(isinstance(node, tree.Broken | tree.Placeholder) for node in statements((statement,))):
+    if any(
+        isinstance(node, tree.InvalidStatement | tree.Placeholder)
+        for node in statements((statement,))
+    ):
         return False
     return not _passes(statement, symbol_of)
 
@@ -172,7 +175,7 @@ def _is_for_safety(rest: tree.Body) -> bool:
     return all(isinstance(statement, tree.Return | tree.Empty) for statement in before_label)
 
 
-def _goes_on(body: Sequence[tree.Statement], symbol_of: _Symbols) -> bool:
+def _can_complete(body: Sequence[tree.Statement], symbol_of: _Symbols) -> bool:
     """Whether execution can run past the last statement of a list."""
     goes_on = True
     for statement in body:
@@ -187,20 +190,20 @@ def _passes(statement: tree.Statement, symbol_of: _Symbols) -> bool:
     match statement:
         case tree.Return() | tree.Raise() | tree.Exit() | tree.Goto():
             return False
-        case tree.Retry() | tree.TryNext() | tree.Broken() | tree.Placeholder():
+        case tree.Retry() | tree.TryNext() | tree.InvalidStatement() | tree.Placeholder():
             return False
         case tree.Call():
-            return Does.LEAVE not in does(symbol_of.get(statement))
+            return Trait.LEAVE not in does(symbol_of.get(statement))
         case tree.If(branches=branches, otherwise=otherwise):
             return otherwise is None or any(
-                _goes_on(body, symbol_of)
+                _can_complete(body, symbol_of)
                 for body in (*(branch.body for branch in branches), otherwise)
             )
         case tree.Test(cases=cases, default=default):
             return default is None or any(
-                _goes_on(body, symbol_of) for body in (*(case.body for case in cases), default)
+                _can_complete(body, symbol_of) for body in (*(case.body for case in cases), default)
             )
-        case tree.While(condition=tree.Bool(value=True), body=body):
+        case tree.While(condition=tree.BoolLiteral(value=True), body=body):
             # RAPID has no statement that leaves a loop but a jump.
             return any(isinstance(node, tree.Goto) for node in statements(body))
         case _:

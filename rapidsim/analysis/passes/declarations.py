@@ -29,7 +29,7 @@ from rapidsim.analysis.types.constant_folding import constant_number
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Related
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import ArrayOf, Type
 from rapidsim.syntax import tree
 
@@ -164,20 +164,20 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
                 continue
             here = own.setdefault(name.key, node)
             if here is not node:
-                _report_declared_here(node, here, home, home)
+                _report_redeclaration(node, here, home, home)
                 continue
             if node.scope != "LOCAL":
                 other, there = shared.setdefault(name.key, (home, node))
                 if there is not node:
                     # Of two copies of a module all names are the same; it is told once.
                     if other.module.name.key != home.module.name.key:
-                        _report_declared_here(node, there, other, home)
+                        _report_redeclaration(node, there, other, home)
                     continue
             accepted.append((home, node))
     return accepted
 
 
-def _report_declared_here(
+def _report_redeclaration(
     node: Declaration, first: Declaration, first_home: Context, home: Context
 ) -> None:
     between = first_home is not home
@@ -234,7 +234,7 @@ def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes
         parameters += [
             _declare_parameter(parameter, optional, group, context, user_types)
             for parameter in alternatives
-            if isinstance(parameter, tree.Parameter)
+            if isinstance(parameter, tree.ParameterDeclaration)
         ]
     result = user_types.named(node.type, context) if isinstance(node, tree.Func) else None
     if isinstance(node, tree.Func) and result is not None and not has_value(result):
@@ -245,11 +245,15 @@ def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes
 
 
 def _declare_parameter(
-    node: tree.Parameter, optional: bool, group: int, context: Context, user_types: UserTypes
+    node: tree.ParameterDeclaration,
+    optional: bool,
+    group: int,
+    context: Context,
+    user_types: UserTypes,
 ) -> ParameterSymbol:
     of = user_types.named(node.type, context)
-    mode = Mode(node.mode)
-    why = _why_not(of, node, optional)
+    mode = ParameterMode(node.mode)
+    why = _type_problem(of, node, optional)
     if why:
         context.report(BadParameterType(node.name.text, of.name, why), node.type)
     if node.dimensions > MAX_DIMENSIONS:
@@ -263,7 +267,7 @@ def _declare_parameter(
     return symbol
 
 
-def _why_not(of: Type, node: tree.Parameter, optional: bool) -> str:
+def _type_problem(of: Type, node: tree.ParameterDeclaration, optional: bool) -> str:
     """Why a parameter cannot have a type; empty if it can."""
     if of == types.ANYTYPE:
         return "only installed routines have such parameters"
@@ -289,7 +293,7 @@ def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int 
     undeclared = [
         part.name
         for part in descendants(dimension)
-        if isinstance(part, tree.Reference) and find(part.name.key, context) is None
+        if isinstance(part, tree.DataReference) and find(part.name.key, context) is None
     ]
     if undeclared:
         for name in undeclared:

@@ -62,7 +62,7 @@ class ContinueOutsideLoop(Violation, code="F419"):
 
 class ReturnValue(Violation, code="F415"):
     problem: str
-    cure: str
+    suggestion: str
     gives_value: bool
 
     @property
@@ -73,7 +73,7 @@ class ReturnValue(Violation, code="F415"):
 
 class BadConnect(Violation, code="F416"):
     wanted: str
-    given: str
+    argument: str
     kind: str
 
     @property

@@ -12,7 +12,7 @@ from rapidsim.analysis.names.declaration_violations import (
 )
 from rapidsim.analysis.names.names import find, kind_of
 from rapidsim.analysis.names.user_types import literal_value
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.assignability import require, require_value
@@ -27,7 +27,7 @@ def check_initial_value(symbol: DataSymbol, context: Context) -> None:
     node = symbol.node
     assert node is not None
     if isinstance(symbol.type, ArrayOf):
-        wanted_size = Wanted(types.NUM, f"the size of `{symbol.name}`")
+        wanted_size = ExpectedType(types.NUM, f"the size of `{symbol.name}`")
         for dimension, size in zip(node.dimensions, symbol.type.dimensions, strict=True):
             if size is not None:
                 require(dimension, wanted_size, context, type_of_expression)
@@ -40,7 +40,7 @@ def check_initial_value(symbol: DataSymbol, context: Context) -> None:
         of = types.Atomic(of.name, Kind.NON_VALUE)
     if not require_value(node.value, of, "given at the declaration", context):
         return
-    wanted = Wanted(of, f"`{symbol.name}`")
+    wanted = ExpectedType(of, f"`{symbol.name}`")
     require(node.value, wanted, context, type_of_expression)
     if literal_value(node.value) is not None:
         return
@@ -71,16 +71,16 @@ def check_circles(symbols: Iterable[tuple[DataSymbol, Context]]) -> None:
 
 
 def _constants_in(
-    symbol: DataSymbol, context: Context, known: Iterable[DataSymbol]
+    symbol: DataSymbol, context: Context, constants: Iterable[DataSymbol]
 ) -> list[DataSymbol]:
     node = symbol.node
     if node is None or node.value is None:
         return []
     used: list[DataSymbol] = []
     for part in descendants(node.value):
-        if isinstance(part, tree.Reference):
+        if isinstance(part, tree.DataReference):
             found = context.analysis.symbol_of.get(part)
-            if isinstance(found, DataSymbol) and found in known:
+            if isinstance(found, DataSymbol) and found in constants:
                 used.append(found)
     return used
 
@@ -95,20 +95,25 @@ def _report_circle(circle: list[DataSymbol], context: Context) -> None:
 def _check_literal(symbol: DataSymbol, value: tree.Expression, context: Context) -> None:
     for part in descendants(value):
         match part:
-            case tree.Number() | tree.String() | tree.Bool() | tree.LiteralAggregate():
+            case (
+                tree.NumberLiteral()
+                | tree.StringLiteral()
+                | tree.BoolLiteral()
+                | tree.LiteralAggregate()
+            ):
                 pass
             case tree.Aggregate() | tree.Unary(operator="-" | "+") | tree.Placeholder():
                 pass
             case _:
-                found = _why_not_literal(part, context)
+                found = _literal_problem(part, context)
                 context.report(NotConstant(symbol.name, "a literal", found), part)
                 return
 
 
-def _why_not_literal(part: tree.Node, context: Context) -> str:
+def _literal_problem(part: tree.Node, context: Context) -> str:
     written = context.module.span(part).text
     match part:
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             symbol = find(name.key, context)
             return f"`{written}` is {_kind(symbol)}"
         case tree.FunctionCall(name=name):
@@ -124,7 +129,7 @@ def _check_constant(symbol: DataSymbol, value: tree.Expression, context: Context
                 violation = NotConstant(symbol.name, "constant", f"`{name.text}` is a function")
                 context.report(violation, part)
                 return
-            case tree.Reference(name=name):
+            case tree.DataReference(name=name):
                 used = find(name.key, context)
                 if isinstance(used, DataSymbol) and used.storage is Storage.CONST:
                     continue

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rapidsim.analysis.context import Context, SymbolTable
 from rapidsim.analysis.names.names import find, kind_of, report_undefined
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.passes.flow_violations import BadConnect
 from rapidsim.analysis.program import (
     CounterSymbol,
@@ -27,9 +27,9 @@ from rapidsim.language.types import Kind, resolved
 from rapidsim.library.predefined import TYPES
 from rapidsim.syntax import tree
 
-_STRING = Wanted(types.STRING, "a call by name")
-_ERROR_NUMBER = Wanted(types.NUM, "RAISE")
-_HANDLED_NUMBER = Wanted(types.NUM, "the list of ERROR")
+_STRING = ExpectedType(types.STRING, "a call by name")
+_ERROR_NUMBER = ExpectedType(types.NUM, "RAISE")
+_HANDLED_NUMBER = ExpectedType(types.NUM, "the list of ERROR")
 
 
 def check_routine_body(routine: tree.Routine, context: Context) -> None:
@@ -83,7 +83,7 @@ def _check_statement(statement: tree.Statement, context: Context) -> None:
 
 
 def _check_condition(condition: tree.Expression, word: str, context: Context) -> None:
-    wanted = Wanted(types.BOOL, f"the condition of {word}")
+    wanted = ExpectedType(types.BOOL, f"the condition of {word}")
     require(condition, wanted, context, type_of_expression)
 
 
@@ -105,12 +105,12 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
         require_value(target, types.Atomic(of.name, Kind.NON_VALUE), "assigned", context)
     elif require_value(target, of, "assigned", context):
         declared = context.declaration(find(root_of(target).name.key, context))
-        wanted = Wanted(of, f"`{context.module.span(target).text}`", declared)
+        wanted = ExpectedType(of, f"`{context.module.span(target).text}`", declared)
         require(statement.value, wanted, context, type_of_expression)
 
 
 def _check_for(statement: tree.For, context: Context) -> None:
-    wanted = Wanted(types.NUM, "FOR")
+    wanted = ExpectedType(types.NUM, "FOR")
     for part in (statement.first, statement.last, statement.step):
         if part is not None:
             require(part, wanted, context, type_of_expression)
@@ -125,7 +125,7 @@ def _check_test(statement: tree.Test, context: Context) -> None:
     subject = type_of_expression(statement.subject, context, None)
     if subject is not None and not require_value(statement.subject, subject, "tested", context):
         subject = None
-    wanted = None if subject is None else Wanted(value_type(subject), "a CASE of this TEST")
+    wanted = None if subject is None else ExpectedType(value_type(subject), "a CASE of this TEST")
     for case in statement.cases:
         ends = (case.range_to,) if case.range_to is not None else ()
         for value in (*case.values, *ends):
@@ -148,7 +148,7 @@ def _check_return(value: tree.Expression | None, context: Context) -> None:
             type_of_expression(value, context, None)
         return
     declared = context.declaration(routine)
-    wanted = Wanted(routine.result, f"RETURN in `{routine.name}`", declared)
+    wanted = ExpectedType(routine.result, f"RETURN in `{routine.name}`", declared)
     require(value, wanted, context, type_of_expression)
 
 
@@ -171,7 +171,7 @@ def _check_connect(statement: tree.Connect, context: Context) -> None:
             context.report(mode, interrupt, *context.declaration(symbol))
     trap = statement.trap
     if not isinstance(trap, tree.Name):
-        require(trap, Wanted(types.STRING, "a trap by name"), context, type_of_expression)
+        require(trap, ExpectedType(types.STRING, "a trap by name"), context, type_of_expression)
         return
     routine = find(trap.key, context)
     if routine is None:

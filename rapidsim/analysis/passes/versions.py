@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from rapidsim.analysis.names.name_violations import NotInThisRobotWare
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Scope
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.library.versions import SINCE
 from rapidsim.syntax import tree
@@ -24,16 +24,16 @@ def find_newer(facts: Facts) -> Iterator[Diagnostic]:
                 yield part.finding(NotInThisRobotWare(name, str(since), str(has)), node)
 
 
-def _installed_names(part: Part, facts: Facts) -> Iterator[tuple[tree.Node, str]]:
+def _installed_names(part: ProgramPart, facts: Facts) -> Iterator[tuple[tree.Node, str]]:
     r"""The installed routines, options and data that are named; options as `ReadStr\Status`."""
     for call in part.calls:
         symbol = facts.symbol(call)
         if isinstance(symbol, LibrarySymbol):
             yield call.name, symbol.name
             for argument in call.arguments:
-                if not isinstance(argument, tree.Required):
+                if not isinstance(argument, tree.RequiredArgument):
                     yield argument, f"{symbol.name}\\{argument.name.text}"
-    for reference in part.all(tree.Reference):
+    for reference in part.all(tree.DataReference):
         data = facts.symbol(reference)
         if isinstance(data, DataSymbol) and data.scope is Scope.INSTALLED:
             yield reference, data.name

@@ -8,16 +8,16 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
     conditions,
     handlers,
-    left_held,
+    invariant_conditions,
     mode_leak,
     open_files,
     recursion,
     traps,
-    unchanging,
+    unreleased,
     waits,
 )
 from rapidsim.analysis.rules.motion import (
-    drifting,
+    cumulative_displacement,
     first_move,
     orientations,
     target_data,
@@ -45,10 +45,10 @@ from rapidsim.analysis.rules.text import (
 )
 from rapidsim.diagnostics import Diagnostic, Rule, Violation
 from rapidsim.language.target_violations import QuaternionNotUnit
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Detector:
     """A function that detects some rules."""
 
@@ -75,7 +75,9 @@ DETECTORS = (
     Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
     Detector(conditions.find_constant_conditions, (conditions.ConstantCondition,)),
     Detector(conditions.find_endless_loops, (conditions.EndlessLoop,)),
-    Detector(unchanging.find_unchanging_conditions, (unchanging.UnchangingCondition,)),
+    Detector(
+        invariant_conditions.find_unchanging_conditions, (invariant_conditions.UnchangingCondition,)
+    ),
     Detector(open_files.find_opened_in_loops, (open_files.OpenedInLoop,)),
     Detector(conditions.find_not_before_and, (conditions.NotBeforeAnd,)),
     Detector(conditions.find_duplicate_cases, (conditions.DuplicateCase,)),
@@ -89,8 +91,8 @@ DETECTORS = (
     ),
     Detector(recursion.find_recursion, (recursion.Recursion,)),
     Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
-    Detector(left_held.find_interrupts_left_off, (left_held.InterruptsLeftOff,)),
-    Detector(left_held.find_robot_left_stopped, (left_held.RobotLeftStopped,)),
+    Detector(unreleased.find_interrupts_left_off, (unreleased.InterruptsLeftOff,)),
+    Detector(unreleased.find_robot_left_stopped, (unreleased.RobotLeftStopped,)),
     Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
     Detector(traps.find_never_connected, (traps.NeverConnected,)),
@@ -105,7 +107,9 @@ DETECTORS = (
     Detector(units.find_metres, (units.MetresOrRadians,)),
     Detector(units.find_slow_speeds, (units.MetresOrRadians,)),
     Detector(units.find_radians, (units.MetresOrRadians,)),
-    Detector(drifting.find_drifting_targets, (drifting.DriftingTarget,)),
+    Detector(
+        cumulative_displacement.find_drifting_targets, (cumulative_displacement.DriftingTarget,)
+    ),
     Detector(first_move.find_first_move, (first_move.FirstMoveLinear,)),
     Detector(first_move.find_moves_without_speed, (first_move.MoveWithoutSpeed,)),
     Detector(waits.find_waits_without_timeout, (waits.WaitWithoutTimeout,)),

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.installed import installed_type
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.types.assignability import is_unknown, require
 from rapidsim.analysis.types.type_violations import (
     NumberOutOfRange,
@@ -21,7 +21,7 @@ from rapidsim.analysis.types.type_violations import (
 )
 from rapidsim.diagnostics import Violation
 from rapidsim.language import types
-from rapidsim.language.single import LARGEST_SINGLE
+from rapidsim.language.single_precision import LARGEST_SINGLE
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
 
@@ -33,7 +33,7 @@ _LONGEST_LIST = 8
 def type_of_aggregate(
     node: tree.Aggregate | tree.LiteralAggregate,
     context: Context,
-    wanted: Wanted | None,
+    wanted: ExpectedType | None,
     type_of: TypeOf,
 ) -> Type | None:
     """Check an aggregate against the type that its context requires.
@@ -58,7 +58,7 @@ def type_of_aggregate(
 
 
 def _report_untyped(
-    node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: Wanted | None
+    node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: ExpectedType | None
 ) -> None:
     if wanted is not None and is_unknown(wanted.type):
         # What it is made of, only the missing declaration could tell.
@@ -76,7 +76,7 @@ def _check_elements(
     node: tree.Aggregate,
     target: Record | ArrayOf,
     context: Context,
-    wanted: Wanted,
+    wanted: ExpectedType,
     type_of: TypeOf,
 ) -> None:
     parts = _parts(target, len(node.elements), wanted.by)
@@ -84,7 +84,7 @@ def _check_elements(
         context.report(parts, node, *wanted.declared)
         return
     for k, (element, of) in enumerate(zip(node.elements, parts, strict=True)):
-        require(element, Wanted(of, _called(target, k), wanted.declared), context, type_of)
+        require(element, ExpectedType(of, _called(target, k), wanted.declared), context, type_of)
 
 
 def _literal_mistakes(

@@ -45,7 +45,7 @@ def bind(
     next_required = 0
     extra: list[tree.Argument] = []
     for argument in arguments:
-        if isinstance(argument, tree.Required) and argument.name is None:
+        if isinstance(argument, tree.RequiredArgument) and argument.name is None:
             while next_required < len(formals) and (
                 formals[next_required].optional or next_required in left_out
             ):
@@ -74,7 +74,7 @@ def bind(
                 next_required = max(next_required, position + 1)
         filled.add(formal.key)
         bound.append((argument, formal))
-    positional = [a for a in extra if isinstance(a, tree.Required) and a.name is None]
+    positional = [a for a in extra if isinstance(a, tree.RequiredArgument) and a.name is None]
     if positional:
         count = sum(not formal.optional for formal in formals)
         problem = f"`{callee.name}` takes {_counted(count)}, {count + len(positional)} given"
@@ -91,7 +91,7 @@ def bind(
 
 def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | None:
     """The position of the parameter a named argument names."""
-    optional = not isinstance(argument, tree.Required)
+    optional = not isinstance(argument, tree.RequiredArgument)
     name = argument.name
     assert name is not None
     for position, formal in enumerate(callee.parameters):
@@ -126,8 +126,8 @@ def _likely_missing(
     the zone is missing, not that the tool is no zone.
     """
     required = [k for k, formal in enumerate(formals) if not formal.optional]
-    values = [part.value for part in arguments if isinstance(part, tree.Required)]
-    is_named = any(isinstance(part, tree.Required) and part.name for part in arguments)
+    values = [part.value for part in arguments if isinstance(part, tree.RequiredArgument)]
+    is_named = any(isinstance(part, tree.RequiredArgument) and part.name for part in arguments)
     too_few = len(values) < len(required)
     if is_named or not too_few or comb(len(required), len(values)) > _MOST_WAYS:
         return frozenset()
@@ -145,7 +145,7 @@ def fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
     found = _evident_type(value, context)
     if found is not None:
         return any(agrees(found, of) for of in formal.types)
-    if isinstance(value, tree.Number):
+    if isinstance(value, tree.NumberLiteral):
         return any(resolved(of) in _NUMBERS for of in formal.types)
     if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
         return any(isinstance(resolved(of), Record | ArrayOf) for of in formal.types)
@@ -154,11 +154,11 @@ def fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
 
 def _evident_type(value: tree.Expression, context: Context) -> Type | None:
     match value:
-        case tree.String():
+        case tree.StringLiteral():
             return types.STRING
-        case tree.Bool():
+        case tree.BoolLiteral():
             return types.BOOL
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             symbol = find(name.key, context)
             if isinstance(symbol, DataLike):
                 return type_of_data(symbol)

@@ -29,7 +29,7 @@ def without_exchange(bound: list[Bound], callee: Callee, context: Context) -> li
     misfits = [
         (index, argument.value)
         for index, (argument, formal) in enumerate(bound)
-        if isinstance(argument, tree.Required) and not fits(argument.value, formal, context)
+        if isinstance(argument, tree.RequiredArgument) and not fits(argument.value, formal, context)
     ]
     for (i, first), (j, second) in combinations(misfits, 2):
         formal_of_first, formal_of_second = bound[i][1], bound[j][1]

@@ -26,7 +26,7 @@ class BadArguments(Violation, code="T302"):
 class BadArgumentMode(Violation, code="T303"):
     by: str
     wanted: str
-    found: str
+    actual: str
 
     @property
     def case(self) -> str:
@@ -46,7 +46,7 @@ class UnknownArgument(Violation, code="T312"):
     argument_kind: str
     argument: str
     nearest: str | None
-    known: tuple[str, ...]
+    candidates: tuple[str, ...]
 
     @property
     def case(self) -> str:
@@ -58,14 +58,14 @@ class UnknownArgument(Violation, code="T312"):
         """The nearest argument, or all of them."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
-        return f"it has {', '.join(self.known)}" if self.known else None
+        return f"it has {', '.join(self.candidates)}" if self.candidates else None
 
 
 class BadOption(Violation, code="T315"):
     problem: str
     fault: str
     """In the words of rule.toml."""
-    cure: str = ""
+    suggestion: str = ""
 
     @property
     def case(self) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rapidsim.analysis.cell_names import ConfiguredSymbol
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.names.names import find
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.types.operators import has_value, value_type
 from rapidsim.analysis.types.type_violations import NoValue, TypeMismatch
 from rapidsim.language import types
@@ -13,24 +13,26 @@ from rapidsim.language.types import ArrayOf, Atomic, Kind, Type, resolved
 from rapidsim.syntax import tree
 
 
-def require(expression: tree.Expression, wanted: Wanted, context: Context, type_of: TypeOf) -> None:
+def require(
+    expression: tree.Expression, wanted: ExpectedType, context: Context, type_of: TypeOf
+) -> None:
     """Type an expression and report it if its value does not have the required type."""
     found = type_of(expression, context, wanted)
     if found is not None and not agrees(found, wanted.type):
         report_mismatch(expression, found, wanted, context)
 
 
-def agrees(found: Type, wanted: Type) -> bool:
+def agrees(actual: Type, wanted: Type) -> bool:
     """Whether a value of one type fits where another is required; anytype takes everything."""
-    if found is wanted or wanted is types.ANYTYPE:
+    if actual is wanted or wanted is types.ANYTYPE:
         return True
-    value = value_type(found)
+    value = value_type(actual)
     target = resolved(wanted)
     if is_unknown(value) or is_unknown(target):
         return True
     if isinstance(value, ArrayOf) and isinstance(target, ArrayOf):
         return value.element == target.element and _sizes_agree(value, target)
-    return value == target or resolved(found) == target
+    return value == target or resolved(actual) == target
 
 
 def is_unknown(of: Type) -> bool:
@@ -40,37 +42,39 @@ def is_unknown(of: Type) -> bool:
     return isinstance(inner, Atomic) and inner.kind is Kind.UNKNOWN
 
 
-def report_mismatch(expression: tree.Node, found: Type, wanted: Wanted, context: Context) -> None:
+def report_mismatch(
+    expression: tree.Node, actual: Type, wanted: ExpectedType, context: Context
+) -> None:
     """Report a value of the wrong type."""
-    name = expression.name if isinstance(expression, tree.Reference) else None
+    name = expression.name if isinstance(expression, tree.DataReference) else None
     symbol = None if name is None else find(name.key, context)
     configured = symbol.name if isinstance(symbol, ConfiguredSymbol) else ""
-    violation = TypeMismatch(wanted.by, wanted.type.name, found.name, configured)
+    violation = TypeMismatch(wanted.by, wanted.type.name, actual.name, configured)
     context.report(violation, expression, *wanted.declared)
 
 
-def require_value(expression: tree.Node, found: Type, used: str, context: Context) -> bool:
+def require_value(expression: tree.Node, actual: Type, used: str, context: Context) -> bool:
     """Report a type without values where a value is needed.
 
     Args:
         expression: The expression of that type.
-        found: The type.
+        actual: The type.
         used: What is done with the value, as in "assigned".
         context: The scope.
 
     Returns:
         Whether it has values.
     """
-    if has_value(found):
+    if has_value(actual):
         return True
-    context.report(NoValue(found.name, used), expression)
+    context.report(NoValue(actual.name, used), expression)
     return False
 
 
-def _sizes_agree(found: ArrayOf, wanted: ArrayOf) -> bool:
-    if len(found.dimensions) != len(wanted.dimensions):
+def _sizes_agree(actual: ArrayOf, wanted: ArrayOf) -> bool:
+    if len(actual.dimensions) != len(wanted.dimensions):
         return False
     return all(
         a is None or b is None or a == b
-        for a, b in zip(found.dimensions, wanted.dimensions, strict=True)
+        for a, b in zip(actual.dimensions, wanted.dimensions, strict=True)
     )

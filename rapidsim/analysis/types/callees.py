@@ -5,9 +5,9 @@ from __future__ import annotations
 from functools import cache
 
 from rapidsim.analysis.context import Context
-from rapidsim.analysis.parameters import Callee, Formal, Wanted
+from rapidsim.analysis.parameters import Callee, ExpectedType, Formal
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 
 
 def callee_of(symbol: Symbol | None, context: Context) -> Callee | None:
@@ -35,7 +35,7 @@ def _of_user(symbol: RoutineSymbol, context: Context) -> Callee:
             parameter.optional,
             parameter.is_switch,
             parameter.group if groups.count(parameter.group) > 1 else 0,
-            Wanted(
+            ExpectedType(
                 parameter.type,
                 f"parameter `{parameter.name}` of `{symbol.name}`",
                 context.declaration(parameter),
@@ -58,13 +58,13 @@ def callee_of_installed(symbol: LibrarySymbol) -> Callee:
             parameter.types,
             # What is known of a routine that no run simulates may be too strict here: some take
             # names in strings as well.
-            Mode.IN
-            if parameter.mode is Mode.REF and not symbol.routine.simulated
+            ParameterMode.IN
+            if parameter.mode is ParameterMode.REF and not symbol.routine.simulated
             else parameter.mode,
             parameter.optional,
             parameter.is_switch,
             parameter.group,
-            Wanted(parameter.types[0], f"parameter `{parameter.name}` of `{symbol.name}`"),
+            ExpectedType(parameter.types[0], f"parameter `{parameter.name}` of `{symbol.name}`"),
             parameter.only,
             parameter.also,
         )

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from rapidsim.analysis.context import Context, TypeOf
 from rapidsim.analysis.names.names import find, routine_named, take_for_unknown
-from rapidsim.analysis.parameters import Callee, Formal, Wanted
+from rapidsim.analysis.parameters import Callee, ExpectedType, Formal
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol
 from rapidsim.analysis.types.argument_binding import Bound, bind
 from rapidsim.analysis.types.argument_order import without_exchange
@@ -31,7 +31,7 @@ def check_call(call: tree.Call, context: Context, type_of: TypeOf) -> None:
 
 
 def type_of_call(
-    call: tree.FunctionCall, context: Context, wanted: Wanted | None, type_of: TypeOf
+    call: tree.FunctionCall, context: Context, wanted: ExpectedType | None, type_of: TypeOf
 ) -> Type | None:
     """Check a function call; its type is None if the function is not known.
 
@@ -60,14 +60,17 @@ def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of:
     """
     for argument in arguments:
         match argument:
-            case tree.Required(value=value) | tree.Optional(value=tree.Node() as value):
+            case (
+                tree.RequiredArgument(value=value)
+                | tree.OptionalArgument(value=tree.Node() as value)
+            ):
                 if isinstance(value, tree.Aggregate | tree.LiteralAggregate):
                     continue
-                if isinstance(value, tree.Reference) and find(value.name.key, context) is None:
+                if isinstance(value, tree.DataReference) and find(value.name.key, context) is None:
                     take_for_unknown(value, context)
                     continue
                 type_of(value, context, None)
-            case tree.Conditional():
+            case tree.ConditionalArgument():
                 _check_conditional(argument, context)
             case _:
                 pass
@@ -88,29 +91,33 @@ def _check_arguments(
     for argument, formal in bound:
         if formal.group:
             other = given.setdefault(formal.group, argument)
-            both_conditional = isinstance(argument, tree.Conditional) and isinstance(
-                other, tree.Conditional
+            both_conditional = isinstance(argument, tree.ConditionalArgument) and isinstance(
+                other, tree.ConditionalArgument
             )
             if other is not argument and not both_conditional:
                 names = [f"`{f.spelled}`" for a, f in bound if f.group == formal.group]
                 problem = f"{' and '.join(names)} of `{callee.name}` exclude each other"
                 context.report(BadOption(problem, "exclusive", "give one of them"), argument)
         match argument:
-            case tree.Required(value=value):
+            case tree.RequiredArgument(value=value):
                 kind = (
-                    _signal_beside(argument, bound, context) if formal.takes_all_signals else None
+                    _paired_signal_type(argument, bound, context)
+                    if formal.accepts_any_signal
+                    else None
                 )
-                found = check_argument(value, formal, context, type_of, beside=beside, alike=kind)
+                found = check_argument(
+                    value, formal, context, type_of, other_type=beside, same_type=kind
+                )
                 if types.DNUM in formal.types:
                     beside = found
-            case tree.Optional(value=value):
+            case tree.OptionalArgument(value=value):
                 _check_option(argument, value, formal, context, type_of)
-            case tree.Conditional():
+            case tree.ConditionalArgument():
                 _check_conditional(argument, context)
 
 
-def _signal_beside(
-    argument: tree.Required, bound: Sequence[Bound], context: Context
+def _paired_signal_type(
+    argument: tree.RequiredArgument, bound: Sequence[Bound], context: Context
 ) -> Type | None:
     """The kind of signal that another argument is, where a call connects two of any kind.
 
@@ -119,17 +126,17 @@ def _signal_beside(
     takes_all = [
         one.value
         for one, formal in bound
-        if isinstance(one, tree.Required) and formal.takes_all_signals
+        if isinstance(one, tree.RequiredArgument) and formal.accepts_any_signal
     ]
     for other in takes_all:
-        match find(other.name.key, context) if isinstance(other, tree.Reference) else None:
+        match find(other.name.key, context) if isinstance(other, tree.DataReference) else None:
             case DataSymbol(type=of) | ParameterSymbol(type=of) if resolved(of) in types.SIGNALS:
                 return resolved(of)
     return None
 
 
 def _check_option(
-    argument: tree.Optional,
+    argument: tree.OptionalArgument,
     value: tree.Expression | None,
     formal: Formal,
     context: Context,
@@ -149,7 +156,7 @@ def _check_option(
         check_argument(value, formal, context, type_of)
 
 
-def _check_conditional(argument: tree.Conditional, context: Context) -> None:
+def _check_conditional(argument: tree.ConditionalArgument, context: Context) -> None:
     r"""`\Par?q`: q is an optional parameter of the routine that the call stands in."""
     symbol = context.scope.find(argument.present.key)
     if isinstance(symbol, ParameterSymbol) and symbol.optional:

@@ -18,7 +18,7 @@ Value: TypeAlias = "float | str | bool | tuple[Value, ...]"
 
 
 def evaluated(
-    expression: tree.Expression | None, read: Callable[[tree.Reference], Value | None]
+    expression: tree.Expression | None, read: Callable[[tree.DataReference], Value | None]
 ) -> Value | None:
     """The value of an expression; None if it varies or is not known.
 
@@ -27,7 +27,11 @@ def evaluated(
         read: Gives the value of the data that a name refers to.
     """
     match expression:
-        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+        case (
+            tree.NumberLiteral(value=value)
+            | tree.StringLiteral(value=value)
+            | tree.BoolLiteral(value=value)
+        ):
             return value
         case tree.LiteralAggregate(value=value):
             return value
@@ -51,7 +55,7 @@ def evaluated(
                     return None
                 parts.append(part)
             return tuple(parts)
-        case tree.Reference():
+        case tree.DataReference():
             return read(expression)
         case _:
             return None
@@ -62,7 +66,7 @@ def constant_number(
 ) -> float | None:
     """The numeric value of an expression in every run; None if it has none or it varies."""
 
-    def read(reference: tree.Reference) -> float | None:
+    def read(reference: tree.DataReference) -> float | None:
         key = reference.name.key
         symbol = context.scope.find(key) or installed_symbol(key)
         if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:

@@ -13,7 +13,7 @@ from rapidsim.analysis.names.names import (
     report_undefined,
     type_of_undeclared,
 )
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.program import CounterSymbol, DataSymbol, Storage, Symbol
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.types.assignability import is_unknown, require
@@ -67,9 +67,9 @@ def is_read_only(symbol: Symbol | None) -> bool:
             return False
 
 
-def root_of(path: tree.DataPath) -> tree.Reference:
+def root_of(path: tree.DataPath) -> tree.DataReference:
     """The name a path begins with."""
-    while not isinstance(path, tree.Reference):
+    while not isinstance(path, tree.DataReference):
         path = path.array if isinstance(path, tree.Index) else path.record
     return path
 
@@ -80,7 +80,7 @@ def type_of_data(symbol: DataLike) -> Type:
 
 
 def _written_type(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    if isinstance(path, tree.Reference):
+    if isinstance(path, tree.DataReference):
         symbol = data_named(path, context)
         found = type_of_undeclared(path, context) if symbol is None else type_of_data(symbol)
     elif isinstance(path, tree.Index):
@@ -95,7 +95,7 @@ def _written_type(path: tree.DataPath, context: Context, type_of: TypeOf) -> Typ
 def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type | None:
     array = _written_type(path.array, context, type_of)
     written = context.module.span(path.array).text
-    wanted = Wanted(types.NUM, f"an index of `{written}`")
+    wanted = ExpectedType(types.NUM, f"an index of `{written}`")
     for index in path.indices:
         require(index, wanted, context, type_of)
     if array is None:
@@ -117,7 +117,7 @@ def _element_type(path: tree.Index, context: Context, type_of: TypeOf) -> Type |
     return array.element if isinstance(array, ArrayOf) else target.element
 
 
-def _component_type(path: tree.Component, context: Context, type_of: TypeOf) -> Type | None:
+def _component_type(path: tree.ComponentAccess, context: Context, type_of: TypeOf) -> Type | None:
     record = _written_type(path.record, context, type_of)
     if record is None:
         return None

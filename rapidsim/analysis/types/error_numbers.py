@@ -14,9 +14,13 @@ _LARGEST_OF_PROGRAMS = 90.0
 
 def check_error_number(subject: tree.Expression, value: tree.Expression, context: Context) -> None:
     """Report a number that ERRNO is compared with but never has."""
-    if not (isinstance(subject, tree.Reference) and subject.name.key == "errno"):
+    if not (isinstance(subject, tree.DataReference) and subject.name.key == "errno"):
         return
     symbol = find("errno", context)
     is_predefined = isinstance(symbol, DataSymbol) and symbol.node is None
-    if is_predefined and isinstance(value, tree.Number) and value.value > _LARGEST_OF_PROGRAMS:
+    if (
+        is_predefined
+        and isinstance(value, tree.NumberLiteral)
+        and value.value > _LARGEST_OF_PROGRAMS
+    ):
         context.report(RawErrorNumber(value.text), value)

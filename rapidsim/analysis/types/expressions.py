@@ -7,7 +7,7 @@ take their type from their context; everything else has a type of its own.
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context
-from rapidsim.analysis.parameters import Wanted
+from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.types.aggregates import type_of_aggregate
 from rapidsim.analysis.types.calls import check_unbound, type_of_call
 from rapidsim.analysis.types.data_paths import type_of_path
@@ -20,13 +20,13 @@ from rapidsim.analysis.types.operators import (
     binary_result,
     has_value,
     is_literal_number,
+    likely_fix,
     unary_result,
-    usual_cure,
     value_type,
 )
 from rapidsim.analysis.types.type_violations import NoValue, NumberOutOfRange, WrongOperands
 from rapidsim.language import types
-from rapidsim.language.single import LARGEST_SINGLE
+from rapidsim.language.single_precision import LARGEST_SINGLE
 from rapidsim.language.types import Type, resolved
 from rapidsim.syntax import tree
 
@@ -34,22 +34,22 @@ _LARGEST_DOUBLE = 1.7976931348623157e308
 
 
 def type_of_expression(
-    node: tree.Expression, context: Context, wanted: Wanted | None
+    node: tree.Expression, context: Context, wanted: ExpectedType | None
 ) -> Type | None:
     """Find the types of an expression and of everything in it; see `context.TypeOf`."""
     type_of = context.analysis.type_of
     match node:
-        case tree.Number():
+        case tree.NumberLiteral():
             return _number(node, context, wanted)
-        case tree.String():
+        case tree.StringLiteral():
             type_of[node] = types.STRING
             return types.STRING
-        case tree.Bool():
+        case tree.BoolLiteral():
             type_of[node] = types.BOOL
             return types.BOOL
-        case tree.Reference() | tree.Index() | tree.Component():
+        case tree.DataReference() | tree.Index() | tree.ComponentAccess():
             found = type_of_path(node, context, type_of_expression)
-            if found is None and wanted is not None and isinstance(node, tree.Reference):
+            if found is None and wanted is not None and isinstance(node, tree.DataReference):
                 context.analysis.wanted_of_undeclared[node] = wanted
             return found
         case tree.FunctionCall():
@@ -75,7 +75,7 @@ def type_of_expression(
             return None
 
 
-def _number(node: tree.Number, context: Context, wanted: Wanted | None) -> Type:
+def _number(node: tree.NumberLiteral, context: Context, wanted: ExpectedType | None) -> Type:
     of = types.DNUM if wanted is not None and resolved(wanted.type) == types.DNUM else types.NUM
     if not abs(node.value) <= (LARGEST_SINGLE if of is types.NUM else _LARGEST_DOUBLE):
         context.report(NumberOutOfRange(node.text, of.name), node)
@@ -83,7 +83,7 @@ def _number(node: tree.Number, context: Context, wanted: Wanted | None) -> Type:
     return of
 
 
-def _unary(node: tree.Unary, context: Context, wanted: Wanted | None) -> Type | None:
+def _unary(node: tree.Unary, context: Context, wanted: ExpectedType | None) -> Type | None:
     is_not = node.operator == "NOT"
     found = type_of_expression(node.operand, context, None if is_not else wanted)
     if found is None:
@@ -100,7 +100,7 @@ def _unary(node: tree.Unary, context: Context, wanted: Wanted | None) -> Type | 
     return result
 
 
-def _binary(node: tree.Binary, context: Context, wanted: Wanted | None) -> Type | None:
+def _binary(node: tree.Binary, context: Context, wanted: ExpectedType | None) -> Type | None:
     # What an arithmetic expression wants goes on to the literals in it.
     is_dnum = wanted is not None and resolved(wanted.type) == types.DNUM
     hint = wanted if is_dnum and node.operator in ARITHMETIC else None
@@ -120,7 +120,7 @@ def _operand(
     node: tree.Expression,
     opposite: tree.Expression,
     other: Type | None,
-    hint: Wanted | None,
+    hint: ExpectedType | None,
     context: Context,
 ) -> Type | None:
     """The type of an operand; a literal beside a value takes the type of the value."""
@@ -133,8 +133,10 @@ def _operand(
         return type_of_expression(node, context, hint)
     target = value_type(other)
     if is_aggregate:
-        return type_of_expression(node, context, Wanted(target, "the other side"))
-    return type_of_expression(node, context, Wanted(target, "") if target == types.DNUM else None)
+        return type_of_expression(node, context, ExpectedType(target, "the other side"))
+    return type_of_expression(
+        node, context, ExpectedType(target, "") if target == types.DNUM else None
+    )
 
 
 def _result(
@@ -159,7 +161,7 @@ def _result(
         # Literals were taken for num before a dnum was seen beside them.
         literal = node.left if left == types.NUM else node.right
         if is_literal_number(literal):
-            type_of_expression(literal, context, Wanted(types.DNUM, ""))
+            type_of_expression(literal, context, ExpectedType(types.DNUM, ""))
             result = binary_result(operator, types.DNUM, types.DNUM)
     if result is None:
         _report_operands(node, left, right, context)
@@ -176,7 +178,7 @@ def _report_operands(node: tree.Binary, left: Type, right: Type, context: Contex
             return
     written = operator if operator.isalpha() else f"`{operator}`"
     operands = f"{left.name} and {right.name}"
-    cure = usual_cure(operator, left, right)
+    cure = likely_fix(operator, left, right)
     place = tree.Node(node.operator_start, node.operator_start + len(operator))
     context.report(WrongOperands(written, operands, cure), place)
 
@@ -184,7 +186,7 @@ def _report_operands(node: tree.Binary, left: Type, right: Type, context: Contex
 def _waits_for_other(node: tree.Expression) -> bool:
     """Whether the type of an operand depends on the other one."""
     match node:
-        case tree.Number() | tree.Aggregate() | tree.LiteralAggregate():
+        case tree.NumberLiteral() | tree.Aggregate() | tree.LiteralAggregate():
             return True
         case tree.Parenthesised(inner=inner) | tree.Unary(operator="-" | "+", operand=inner):
             return _waits_for_other(inner)

@@ -96,7 +96,7 @@ def has_value(of: Type) -> bool:
             return has_value(element) and value_type(element) == resolved(element)
 
 
-def usual_cure(operator: str, left: Type, right: Type) -> str:
+def likely_fix(operator: str, left: Type, right: Type) -> str:
     """The likely fix for a combination that does not exist; empty when unclear."""
     names = {value_type(left).name.lower(), value_type(right).name.lower()}
     if names == {"num", "dnum"}:
@@ -117,7 +117,7 @@ def usual_cure(operator: str, left: Type, right: Type) -> str:
 def is_literal_number(node: tree.Expression) -> bool:
     """Whether an expression consists of literal numbers and operators only."""
     return all(
-        isinstance(part, tree.Number | tree.Unary | tree.Parenthesised)
+        isinstance(part, tree.NumberLiteral | tree.Unary | tree.Parenthesised)
         or (isinstance(part, tree.Binary) and part.operator in ARITHMETIC)
         for part in descendants(node)
     )

@@ -39,21 +39,21 @@ _OPERATORS = {
 class TypeMismatch(Violation, code="T301"):
     by: str
     wanted: str
-    found: str
+    actual: str
     configured: str = ""
     """The name that the configuration of the cell, and no module, gives that type."""
 
     @property
     def case(self) -> str:
         """An aggregate, or any other value."""
-        return "aggregate" if self.found == "an aggregate" else "value"
+        return "aggregate" if self.actual == "an aggregate" else "value"
 
     @property
     def help(self) -> str | None:
         """The conversion, where RAPID has one."""
         if self.configured:
-            return f"the I/O configuration declares `{self.configured}` as {self.found}"
-        return _CONVERSIONS.get((self.wanted, self.found))
+            return f"the I/O configuration declares `{self.configured}` as {self.actual}"
+        return _CONVERSIONS.get((self.wanted, self.actual))
 
 
 class WriteToReadOnly(Violation, code="T304"):
@@ -71,7 +71,7 @@ class WriteToReadOnly(Violation, code="T304"):
 class RecordShape(Violation, code="T305"):
     by: str
     wanted: int
-    found: int
+    actual: int
     parts: str
     is_array: bool = False
 
@@ -80,7 +80,7 @@ class RecordShape(Violation, code="T305"):
         """An array, or a record with too few or too many components."""
         if self.is_array:
             return "array"
-        return "too few" if self.found < self.wanted else "too many"
+        return "too few" if self.actual < self.wanted else "too many"
 
 
 class ArrayIndexOutOfBounds(Violation, code="T306"):
@@ -92,7 +92,7 @@ class ArrayIndexOutOfBounds(Violation, code="T306"):
 class WrongOperands(Violation, code="T313"):
     operator: str
     operands: str
-    cure: str = ""
+    suggestion: str = ""
 
     @property
     def case(self) -> str:
@@ -104,7 +104,7 @@ class NotAnArray(Violation, code="T314"):
     array: str
     type: str
     wanted: str
-    found: int
+    actual: int
 
     @property
     def case(self) -> str:

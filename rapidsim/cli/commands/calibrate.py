@@ -8,11 +8,11 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import say_remarks
-from rapidsim.cli.options.numbers import Number
+from rapidsim.cli.options.job_options import echo_remarks
+from rapidsim.cli.options.numbers import NumberOption
 from rapidsim.cli.terminal import current_terminal, print_json, table_or_json, terminal_options
 from rapidsim.files import InputError
-from rapidsim.jobs.choices import choose_robot, choose_station
+from rapidsim.jobs.input_resolution import choose_robot, choose_station
 from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
 
 
@@ -26,7 +26,7 @@ from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
 @click.option(
     "--clock",
     metavar="RATIO",
-    type=Number(0.5, 2.0),
+    type=NumberOption(0.5, 2.0),
     default=1.0,
     show_default=True,
     help="Real seconds per second of the logs.",
@@ -56,9 +56,9 @@ def calibrate(
     from rapidsim.simulation.calibration.fit import calibrate as fit
     from rapidsim.simulation.calibration.joint_log import read_joint_log
 
-    programs = [program or _program_beside(log) for log in logs]
+    programs = [program or _program_of_log(log) for log in logs]
     settings = choose_station(programs, station)
-    say_remarks(settings)
+    echo_remarks(settings)
     chosen = choose_robot(robot, settings)
     arm = open_robot(chosen.name, chosen.scale)
     runs = []
@@ -77,7 +77,7 @@ def calibrate(
     return ExitCode.CLEAN
 
 
-def _program_beside(log: Path) -> str:
+def _program_of_log(log: Path) -> str:
     """The module that has the name of a log."""
     if not log.exists():
         raise InputError(f"{log} does not exist")

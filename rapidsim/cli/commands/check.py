@@ -9,36 +9,36 @@ from pathlib import Path
 
 import click
 
-from rapidsim.cli.broken_off import limited_to
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import (
-    asked_job,
+from rapidsim.cli.interrupted import limited_to
+from rapidsim.cli.options.job_options import (
     assume_missing_option,
+    job_of,
     open_quietly,
     strict_option,
 )
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, print_json, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, print_json, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
-from rapidsim.cli.tools.fixes import cured, difference, harmless_fixes
-from rapidsim.cli.tools.known_findings import alike, judged_with
-from rapidsim.cli.tools.repeated import watch_option
+from rapidsim.cli.tools.fixes import apply_fixes, difference, harmless_fixes
+from rapidsim.cli.tools.known_findings import compare_with_baseline, group_by_settings
+from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
 from rapidsim.files import InputError
-from rapidsim.jobs.asked import Asked
-from rapidsim.jobs.check_many import together
+from rapidsim.jobs.batch_check import merge_results
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job, read_again
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.statistics import statistics, statistics_json
 from rapidsim.report.findings.text import summary_line
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 @click.command(no_args_is_help=False)
@@ -154,7 +154,7 @@ def check(
     """
     started = time.perf_counter()
     terminal = current_terminal()
-    asked = Asked(
+    asked = RunRequest(
         paths=paths,
         robot=robot,
         scale=scale,
@@ -176,7 +176,7 @@ def check(
     unread: list[InputError] = []
     for program in programs:
         try:
-            jobs.append(asked_job(replace(asked, paths=program), open_robot=open_quietly))
+            jobs.append(job_of(replace(asked, paths=program), open_robot=open_quietly))
         except InputError as error:
             # One encoded module among hundreds of programs is no reason to check none of them.
             if not each:
@@ -193,18 +193,18 @@ def check(
         results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
         differences = _differences(jobs, results, unsafe=unsafe_fixes) if diff else ""
         if diff and output_format != "json":
-            say(differences, nl=False)
+            echo(differences, nl=False)
             return ExitCode.FINDINGS if differences else ExitCode.CLEAN
         mended = [
-            _mended(job, result, unsafe=unsafe_fixes) if fix else _Mended(result)
+            _apply_fixes(job, result, unsafe=unsafe_fixes) if fix else _FixedCheck(result)
             for job, result in zip(jobs, results, strict=True)
         ]
     # A setting alone writes nothing: the repository that holds it is not trusted.
     judged = [
-        judged_with(group, update=update_baseline, create=baseline is not None)
-        for group in alike(jobs, [one.result for one in mended], known)
+        compare_with_baseline(group, update=update_baseline, create=baseline is not None)
+        for group in group_by_settings(jobs, [one.result for one in mended], known)
     ]
-    result = together([one.result for one in judged])
+    result = merge_results([one.result for one in judged])
     is_ok = all(one.result.ok for one in judged)
     spoken = output_format in SPOKEN_FORMATS
     findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
@@ -218,26 +218,26 @@ def check(
             report["diff"] = differences
         print_json(report)
     elif counted:
-        say(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
+        echo(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
     else:
         text = checked_text(output_format, findings, result, terminal, is_ok=is_ok)
-        say(text, palette=terminal.palette, nl=False)
+        echo(text, palette=terminal.palette, nl=False)
     if spoken and not terminal.quiet:
         seconds, files = time.perf_counter() - started, len(result.files)
-        say(summary_line(findings, files=files, seconds=seconds, known=len(result.known)))
+        echo(summary_line(findings, files=files, seconds=seconds, baseline_count=len(result.known)))
         for line in _remarks(programs, result, mended):
-            say(line)
+            echo(line)
         for one in judged:
             for line in one.remarks:
-                say(line)
+                echo(line)
         if (no_run or no_reach) and any(job.station.check.cycle_budget_s for job in jobs):
-            say("The cycle budget was not checked, because main was not run.")
+            echo("The cycle budget was not checked, because main was not run.")
         chosen = (one.arm or job.robot for job, one in zip(jobs, results, strict=True))
         arms = ", ".join(dict.fromkeys(arm.text for arm in chosen))
         for line in () if no_reach else coverage_lines(result.coverage, arms):
-            say(line)
+            echo(line)
         if any(one.result.strict for one in judged) and result.qualifications:
-            say(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
+            echo(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
     if unread:
         others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
         raise InputError(f"{unread[0].message}{others}", unread[0].help)
@@ -249,8 +249,8 @@ def _listed(option: str | None) -> tuple[str, ...]:
     return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
-@dataclass(frozen=True, slots=True)
-class _Mended:
+@value_class(frozen=True, slots=True)
+class _FixedCheck:
     """What a check finds when the fixes it found are applied."""
 
     result: CheckResult
@@ -259,20 +259,20 @@ class _Mended:
     """Fixes that would leave more errors."""
 
 
-def _mended(job: Job, result: CheckResult, *, unsafe: bool) -> _Mended:
+def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:
     """Write the fixes into the files and check again."""
     from rapidsim.jobs.check_files import check_job
 
-    cure = cured(
+    cure = apply_fixes(
         job.tasks,
         result.diagnostics,
         lambda new: check_job(replace(job, tasks=tuple(new))).diagnostics,
         unsafe=unsafe,
     )
     if cure.count:
-        write_edits(cure.edits_of(job.tasks), job.files, what="fixes")
+        write_edits(cure.edits_of(job.tasks), job.files, subject="fixes")
         result = check_job(read_again(job))
-    return _Mended(result, cure.count, cure.left_out)
+    return _FixedCheck(result, cure.count, cure.skipped)
 
 
 def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe: bool) -> str:
@@ -285,7 +285,7 @@ def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe:
 
 
 def _remarks(
-    programs: Sequence[Sequence[str]], result: CheckResult, mended: Sequence[_Mended]
+    programs: Sequence[Sequence[str]], result: CheckResult, mended: Sequence[_FixedCheck]
 ) -> Iterator[str]:
     """What a person wants to know besides the findings, one line each."""
     found = [diagnostic for one in mended for diagnostic in one.result.diagnostics]

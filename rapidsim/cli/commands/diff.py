@@ -9,9 +9,9 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.outputs import new_file
-from rapidsim.cli.terminal import current_terminal, print_json, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, print_json, terminal_options
 from rapidsim.files import InputError
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 
 _FORMATS = ("text", "json", "markdown", "html")
 
@@ -72,8 +72,8 @@ def diff(
     """
     from rapidsim.comparison.compare import compare
     from rapidsim.comparison.page import comparison_page
+    from rapidsim.comparison.rendering import as_json, as_markdown, as_text
     from rapidsim.comparison.revision import checked_out
-    from rapidsim.comparison.told import as_json, as_markdown, as_text
 
     if len(paths) > 1 if revision is not None else len(paths) != 2:
         help = "rapidsim diff A B, or rapidsim diff --git REV [PATH]"
@@ -84,8 +84,8 @@ def diff(
     suffixes = {"text": (".txt",), "json": (".json",), "markdown": (".md",)}
     target = new_file(output, suffixes.get(output_format, (".html", ".htm"))) if output else None
 
-    def asked(path: str, station: str | None = station) -> Asked:
-        return Asked(
+    def asked(path: str, station: str | None = station) -> RunRequest:
+        return RunRequest(
             paths=(path,),
             robot=robot,
             station=station,
@@ -103,7 +103,7 @@ def diff(
             before = asked(older.path, station or older.station)
             try:
                 found = compare(
-                    before, asked(path), run=not no_run, answers=answers, shown=older.shown
+                    before, asked(path), run=not no_run, answers=answers, visible=older.display_path
                 )
             except InputError as error:
                 message = older.in_words(error.message)
@@ -125,5 +125,5 @@ def diff(
         with whole_file(target) as temporary:
             temporary.write_text(text, encoding="utf-8", newline="\n")
     elif output_format != "json" and not current_terminal().quiet:
-        say(text, nl=False)
+        echo(text, nl=False)
     return ExitCode.CLEAN if found.is_same else ExitCode.FINDINGS

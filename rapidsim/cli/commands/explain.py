@@ -5,7 +5,7 @@ from __future__ import annotations
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.diagnostics import Rule, all_rules
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.jobs.selectors import unknown_rule
@@ -29,7 +29,7 @@ def explain(code: str | None, everything: bool) -> int:
     terminal = current_terminal()
     palette = terminal.palette
     if everything:
-        say(rule_list(all_rules(), palette), palette=palette)
+        echo(rule_list(all_rules(), palette), palette=palette)
         return ExitCode.CLEAN
     if code is None:
         raise click.UsageError("name a rule, or list them with --all", click.get_current_context())
@@ -39,23 +39,23 @@ def explain(code: str | None, everything: bool) -> int:
         meant = [rule for rule in all_rules() if f"ABB {number}" in rule.events.values()]
         if not meant and number not in EVENT_TITLES:
             raise InputError(f"no rule cites the event {number}", "`--all` lists all rules")
-        say(event_page(number, meant, palette), palette=palette)
+        echo(event_page(number, meant, palette), palette=palette)
     elif name is not None:
-        say(name_page(name, palette), palette=palette)
+        echo(name_page(name, palette), palette=palette)
         return ExitCode.CLEAN
     else:
         meant = [rule for rule in all_rules() if _means(rule, code)]
     if meant:
         if number is not None:
-            say("")
+            echo("")
         pages = (rule_page(rule, palette, width=terminal.width) for rule in meant)
-        say("\n\n".join(pages), palette=palette)
+        echo("\n\n".join(pages), palette=palette)
         return ExitCode.CLEAN
     if number is not None:
         return ExitCode.CLEAN
     family = [rule for rule in all_rules() if rule.code.startswith(code.upper())]
     if family:
-        say(rule_list(family, palette), palette=palette)
+        echo(rule_list(family, palette), palette=palette)
         return ExitCode.CLEAN
     if code.upper().startswith("ERR_"):
         raise InputError(f"there is no error name `{code}`", did_you_mean(code, NUMBERS))

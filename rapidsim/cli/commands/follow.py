@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.numbers import POSITIVE, Number, numbers
+from rapidsim.cli.options.numbers import POSITIVE, NumberOption, numbers
 from rapidsim.cli.options.outputs import new_plots, new_recording, new_trace
 from rapidsim.cli.options.poses import (
     base_option,
@@ -19,7 +19,13 @@ from rapidsim.cli.options.poses import (
     scale_option,
     world_from_base,
 )
-from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import (
+    current_terminal,
+    echo,
+    print_json,
+    table_or_json,
+    terminal_options,
+)
 from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
@@ -59,7 +65,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 @scale_option
 @click.option(
     "--path",
-    "way",
+    "path_kind",
     type=click.Choice(_WAYS),
     default="line",
     show_default=True,
@@ -99,7 +105,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 @click.option(
     "--ease",
     metavar="SHARE",
-    type=Number(0.0, 0.3),
+    type=NumberOption(0.0, 0.3),
     default=0.2,
     show_default=True,
     help="Share of the time at rest at either end of the sigmoid.",
@@ -113,7 +119,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 @click.option(
     "--min-radius",
     metavar="MM",
-    type=Number(min=0.0),
+    type=NumberOption(min=0.0),
     default=0.0,
     help="Minimum distance of the TCP from the origin of the base [mm].",
 )
@@ -167,7 +173,7 @@ def follow(
     base: str,
     convention: str,
     scale: float | None,
-    way: str,
+    path_kind: str,
     profile: str,
     speed: float,
     acceleration: float,
@@ -196,11 +202,11 @@ def follow(
     """
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.cli.tools.follow_steps import (
-        Given,
+        FollowOptions,
         attempt,
         attempt_all,
         prepared,
-        shown,
+        render_result,
         started,
         unused,
         written,
@@ -243,7 +249,7 @@ def follow(
         assert line is not None
         points = Points(line_points(line, count) / 1000.0, None)
     plan = Plan(
-        Way(way),
+        Way(path_kind),
         Profile(profile),
         speed=speed / 1000.0,
         acceleration=acceleration / 1000.0,
@@ -253,30 +259,30 @@ def follow(
         avoid=avoid,
     )
     stands = world_from_base(base)
-    given = Given(
+    given = FollowOptions(
         arm, tool, stands, plan, via_speed, start, conf, dt[0], skip_unreachable, given_as
     )
     task = prepared(given, points)
     if not (current_terminal().quiet or compare):
         for remark in unused(task, plan):
-            say(f"note: {remark}", err=True)
+            echo(f"note: {remark}", err=True)
     if len(dt) > 1:
         attempts = tuple(attempt(replace(task, dt=step), plan) for step in dt)
     else:
-        attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.way,))
+        attempts = attempt_all(task, plan, tuple(Way) if compare else (plan.kind,))
     title = "line" if points_file in (None, "-") else str(points_file)
-    files = written(attempts[0].result, title, recording, trace_file, pictures, task.asked)
+    files = written(attempts[0].result, title, recording, trace_file, pictures, task.requested)
     tried = started(attempts[0].result) if starts else ()
     if output_format == "json":
         if several and not starts:
-            report = compared_json(task.asked, attempts)
+            report = compared_json(task.requested, attempts)
         else:
-            report = follow_json(task.asked, attempts) | starts_json(tried)
+            report = follow_json(task.requested, attempts) | starts_json(tried)
         print_json(report)
     elif not current_terminal().quiet:
-        current_terminal().show(shown(task, attempts, files, compare=compare))
+        current_terminal().show(render_result(task, attempts, files, compare=compare))
         if tried:
-            say("")
+            echo("")
             current_terminal().show(starts_page(tried))
     clean = task.all_reached and all(attempt.possible for attempt in attempts)
     return ExitCode.CLEAN if clean else ExitCode.FINDINGS

@@ -5,13 +5,19 @@ from __future__ import annotations
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.job_options import job_of
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import (
+    current_terminal,
+    echo,
+    print_json,
+    table_or_json,
+    terminal_options,
+)
 from rapidsim.cli.tools.findings_text import findings_text
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.best_arm import with_best_arm
 from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
 from rapidsim.report.findings.merging import merged
@@ -43,7 +49,7 @@ def frames(
     them. Values are those before the program runs.
     """
     terminal = current_terminal()
-    job = asked_job(Asked(paths=paths, robot=robot, scale=scale, station=station, task=task))
+    job = job_of(RunRequest(paths=paths, robot=robot, scale=scale, station=station, task=task))
     task_files = job.only_task
     files = task_files.files
     loaded = load(files, cell=job.cell, unseen=task_files.unseen)
@@ -52,8 +58,8 @@ def frames(
         if output_format == "json":
             found = [diagnostic_json(finding) for finding in findings]
             print_json({"schema": 1, "root": None, "diagnostics": found})
-        say(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
-        say(summary_line(findings, files=len(files), seconds=None), err=True)
+        echo(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
+        echo(summary_line(findings, files=len(files), seconds=None), err=True)
         return ExitCode.FINDINGS
     arm = with_best_arm(job, [loaded.program]).arm()
     place = job.station.world_from_base

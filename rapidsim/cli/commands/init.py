@@ -10,18 +10,18 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
-from rapidsim.files import InputError, require_inside, seen_from_here
-from rapidsim.jobs.draft import draft_for
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
+from rapidsim.files import InputError, relative_to_cwd, require_inside
+from rapidsim.jobs.station_template import station_template
 from rapidsim.output_files import whole_file
 from rapidsim.station.ci_file import PLACES, ci_text, ignored_lines, repository_of
-from rapidsim.station.draft import Draft, draft_text
 from rapidsim.station.read import read_station
 from rapidsim.station.station import find_station
-from rapidsim.values import dataclass
+from rapidsim.station.template import StationTemplate, draft_text
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _CiFile:
     """A file for a service, not written yet."""
 
@@ -38,7 +38,7 @@ class _CiFile:
         file = top / PLACES[service]
         require_inside([file], [top])
         if file.exists():
-            raise InputError(f"{seen_from_here(file)} is there already, and is kept")
+            raise InputError(f"{relative_to_cwd(file)} is there already, and is kept")
         named = []
         for path in paths:
             place = Path(os.path.realpath(path))
@@ -76,8 +76,8 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
     """
     if robot is not None and not robot.lower().endswith(".urdf"):
         robot = open_robot(robot).name
-    found = draft_for(paths, robot)
-    shown = seen_from_here(found.path)
+    found = station_template(paths, robot)
+    shown = relative_to_cwd(found.path)
     if found.path.exists():
         raise InputError(
             f"{shown} is there already, and is kept", "edit it, or move it out of the way"
@@ -92,19 +92,19 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
     # What is written can be read: a mistake here is ours.
     read_station(found.path)
     if not current_terminal().quiet:
-        say(f"Written: {shown} ({_counted(found.draft)})")
+        echo(f"Written: {shown} ({_counted(found.draft)})")
         if ci_file is not None:
-            say(f"Written: {seen_from_here(ci_file.path)}")
+            echo(f"Written: {relative_to_cwd(ci_file.path)}")
         if repository is not None and (lines := ignored_lines(repository)):
-            say(f"For .gitignore: {' '.join(lines)}")
+            echo(f"For .gitignore: {' '.join(lines)}")
         for lack in found.lacks:
-            say(f"note: {lack}", err=True)
+            echo(f"note: {lack}", err=True)
         if above := find_station([str(found.path.parent.parent)]):
-            say(f"{above} no longer applies to what is beside {shown}.")
+            echo(f"{above} no longer applies to what is beside {shown}.")
     return ExitCode.CLEAN
 
 
-def _counted(draft: Draft) -> str:
+def _counted(draft: StationTemplate) -> str:
     """What stands in the file, in words."""
     counts = ((len(draft.tasks), "task"), (len(draft.signals), "signal"))
     words = [f"{count} {noun}{'s' * (count != 1)}" for count, noun in counts if count]

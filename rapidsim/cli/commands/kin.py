@@ -18,7 +18,13 @@ from rapidsim.cli.options.poses import (
     posture_options,
     scale_option,
 )
-from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import (
+    current_terminal,
+    echo,
+    print_json,
+    table_or_json,
+    terminal_options,
+)
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
@@ -26,7 +32,7 @@ from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array, Transform
     from rapidsim.motion.robot.robot import Robot
-    from rapidsim.report.tables.kin_json import Searched
+    from rapidsim.report.tables.kin_json import SearchCost
 
 SEARCHES = ("lm", "bfgs", "trf")
 
@@ -79,7 +85,7 @@ def kin(context: click.Context) -> int | None:
     quaternions scalar first.
     """
     if context.invoked_subcommand is None:
-        say(context.get_help())
+        echo(context.get_help())
         return ExitCode.USAGE
     return None
 
@@ -203,7 +209,7 @@ def ik(
     """
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.cli.tools import kin_steps
-    from rapidsim.motion.configurations.confdata import told_apart
+    from rapidsim.motion.configurations.confdata import has_branches
     from rapidsim.motion.configurations.pose_solutions import solve_pose, solve_pose_as
     from rapidsim.motion.configurations.postures import Postures
     from rapidsim.report.tables.kin_json import inverse_json
@@ -211,11 +217,11 @@ def ik(
 
     arm = open_robot(robot, scale)
     files = kin_steps.outputs(record, plots, view, f"{arm.name}-ik.rrd")
-    closed_form = told_apart(arm.kinematics)
+    closed_form = has_branches(arm.kinematics)
     stands, flange_from_tcp = poses.world_from_base(base), poses.tool(tool)
     asked = poses.asked_pose(position, quaternion, euler, convention, pitch, roll)
     pose = stands.inverse() @ asked @ flange_from_tcp.inverse()
-    searched: Searched | None = None
+    searched: SearchCost | None = None
     if solver in SEARCHES:
         if conf is not None or everything:
             raise InputError(
@@ -243,7 +249,7 @@ def ik(
         rows = kin_steps.solved_postures(found, arm.kinematics.turns)
         shown = Postures(arm, stands, flange_from_tcp, rows, title)
         kin_steps.write(shown, files, quiet=output_format == "json")
-    return ExitCode.CLEAN if found.why is None else ExitCode.FINDINGS
+    return ExitCode.CLEAN if found.reason is None else ExitCode.FINDINGS
 
 
 @kin.command(short_help="Show how joints move the TCP, and how close singularities are.")
@@ -317,7 +323,7 @@ def _joints(arm: Robot, degrees: tuple[float, ...]) -> Array:
         if excess and not current_terminal().quiet:
             measure = arm.joints[number - 1].measure
             message = Unreachable(0.0, joint=number, excess=excess, measure=measure).message
-            say(f"note: {message}", err=True)
+            echo(f"note: {message}", err=True)
     return angles
 
 
@@ -331,21 +337,21 @@ def _whole(conf: tuple[float, ...]) -> tuple[int, ...]:
     return tuple(int(value) for value in conf)
 
 
-def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, Searched]:
+def _search(arm: Robot, pose: Transform, method: str) -> tuple[Any, SearchCost]:
     """Search with one of SciPy's solvers."""
     require("scipy", f"--solver {method}")
     from rapidsim.motion.configurations.pose_solutions import PoseSolutions, solution
-    from rapidsim.motion.configurations.reachability import Unreachable, why_unreachable
+    from rapidsim.motion.configurations.reachability import Unreachable, unreachable_reason
     from rapidsim.motion.configurations.scipy_solvers import TOLERANCE, search
-    from rapidsim.report.tables.kin_json import Searched
+    from rapidsim.report.tables.kin_json import SearchCost
 
     began = perf_counter()
     found = search(arm, pose, method)
     seconds = perf_counter() - began
-    searched = Searched(found.starts, found.iterations, TOLERANCE, seconds)
+    searched = SearchCost(found.starts, found.iterations, TOLERANCE, seconds)
     if found.solved:
         return PoseSolutions((solution(arm, pose, found.joints),), None), searched
-    known = why_unreachable(arm, pose)
+    known = unreachable_reason(arm, pose)
     came = Unreachable(found.distance, tilt=found.angle, searched=True)
     if found.distance <= TOLERANCE and found.angle <= TOLERANCE:
         why = f"{method} found joints outside the limits only"

@@ -10,7 +10,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options import poses
 from rapidsim.cli.options.numbers import numbers
 from rapidsim.cli.options.poses import base_option, line_option, line_points, scale_option
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.files import InputError
 
 if TYPE_CHECKING:
@@ -127,10 +127,10 @@ def points(
             any_attitude=attitude == "random",
         )
         if not current_terminal().quiet:
-            say(f"note: {drawn} points were looked at", err=True)
+            echo(f"note: {drawn} points were looked at", err=True)
         base_from_tcp = Transform(matrix_from_quaternion(quaternions), places)
         if len(places) < count:
-            say(
+            echo(
                 f"note: {arm.title} reached {len(places)} of them, not {count}; "
                 "take another shell or --attitude random",
                 err=True,
@@ -159,6 +159,6 @@ def _print(places: Array, rotations: Array | None, convention: str | None) -> No
             angles = np.degrees(euler_from_rotation(rotations, Convention(convention)))
             attitudes = [[f"{angle + 0.0:.6f}" for angle in one] for one in angles.tolist()]
         rows = [row + attitude for row, attitude in zip(rows, attitudes, strict=True)]
-    say(",".join(names))
+    echo(",".join(names))
     for row in rows:
-        say(",".join(row))
+        echo(",".join(row))

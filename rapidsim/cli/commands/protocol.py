@@ -7,9 +7,15 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import (
+    current_terminal,
+    echo,
+    print_json,
+    table_or_json,
+    terminal_options,
+)
 from rapidsim.files import InputError
-from rapidsim.jobs.protocol import MODULE, answered_here, arm_of, questions, read_protocol
+from rapidsim.jobs.protocol import MODULE, arm_of, questions, read_protocol, run_protocol
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 from rapidsim.report.tables.protocol_table import protocol_table
 
@@ -37,12 +43,12 @@ def protocol(answers: str | None, robot: str | None, output_format: str) -> int:
         if target.exists():
             raise InputError(f"{MODULE} is here already", "it is never overwritten")
         target.write_text(questions(), encoding="utf-8", newline="\r\n")
-        say(f"Written: {MODULE}. Run it on a controller, then `rapidsim protocol ANSWERS`.")
+        echo(f"Written: {MODULE}. Run it on a controller, then `rapidsim protocol ANSWERS`.")
         return ExitCode.CLEAN
     theirs = read_protocol(Path(answers))
     if output_format == "json":
         print_json(theirs.as_json())
     else:
         arm = robot or arm_of(theirs) or DEFAULT_ROBOT
-        current_terminal().show(protocol_table(theirs, answered_here(arm), arm))
+        current_terminal().show(protocol_table(theirs, run_protocol(arm), arm))
     return ExitCode.CLEAN

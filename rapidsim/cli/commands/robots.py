@@ -10,12 +10,18 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.outputs import new_plots
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.options.robot_choice import open_robot
-from rapidsim.cli.terminal import current_terminal, print_json, say, table_or_json, terminal_options
+from rapidsim.cli.terminal import (
+    current_terminal,
+    echo,
+    print_json,
+    table_or_json,
+    terminal_options,
+)
 from rapidsim.files import InputError
 from rapidsim.motion.robot.catalogue import aliases_of, robot_names
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.motion.waypoints.workspace import workspace_of
-from rapidsim.report.run.summary import Written, files_text
+from rapidsim.report.run.summary import OutputFile, files_text
 from rapidsim.report.tables.kin_json import axis_tables_json
 from rapidsim.report.tables.kin_tables import axis_tables_page
 from rapidsim.report.tables.robot_tables import (
@@ -88,7 +94,7 @@ def robots(
                 None if reached is None else workspace_page(reached),
             ):
                 if page is not None:
-                    say("")
+                    echo("")
                     terminal.show(page)
         if isinstance(reached, str):
             return ExitCode.FINDINGS
@@ -97,7 +103,7 @@ def robots(
 
             write_workspace_plots(reached, folder)
             if output_format != "json" and not terminal.quiet:
-                terminal.show(files_text([Written(folder, "plots")]))
+                terminal.show(files_text([OutputFile(folder, "plots")]))
         return ExitCode.CLEAN
     # How each is solved is told where one is used, not in a list of all.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
@@ -111,15 +117,15 @@ def robots(
 
 def _show_ranking(path: str, output_format: str) -> None:
     """Rank the arms for a program."""
-    from rapidsim.jobs.asked import Asked
     from rapidsim.jobs.best_arm import job_targets, names_of, texts_of
     from rapidsim.jobs.check_files import programs_of
     from rapidsim.jobs.job import job
     from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+    from rapidsim.jobs.run_request import RunRequest
     from rapidsim.reach.arm_ranking import hints_of, rank_arms
     from rapidsim.report.tables.ranking_table import ranking_json, ranking_table
 
-    found = job(Asked(paths=(path,)))
+    found = job(RunRequest(paths=(path,)))
     targets = job_targets(found, programs_of(found))
     if not targets.count:
         raise InputError(

@@ -8,31 +8,30 @@ from pathlib import Path
 
 import click
 
-from rapidsim.cli.broken_off import told_if_broken_off
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job, input_options, program_options
+from rapidsim.cli.interrupted import report_if_interrupted
+from rapidsim.cli.options.job_options import input_options, job_of, program_options
 from rapidsim.cli.options.outputs import (
-    AskedFiles,
+    OutputFileOptions,
     new_outputs,
     output_options,
     write,
     write_values,
 )
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.tools.assertions import (
     Assertion,
     judge_assertions,
     judge_budget,
     read_assertions,
 )
-from rapidsim.cli.tools.meter import Meter
+from rapidsim.cli.tools.instrumentation import choose_instrumentation, run_instrumented
 from rapidsim.cli.tools.opened_viewer import open_viewer
-from rapidsim.cli.tools.repeated import watch_option
+from rapidsim.cli.tools.progress_meter import Meter
 from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, print_run, stage
-from rapidsim.cli.tools.watching import choose_watch, watched
+from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.extras import pip_install
 from rapidsim.files import InputError
-from rapidsim.jobs.asked import Asked
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.run_files import (
     LoadedJob,
@@ -43,12 +42,13 @@ from rapidsim.jobs.run_files import (
     loaded,
     prepared,
 )
+from rapidsim.jobs.run_request import RunRequest
 from rapidsim.jobs.task_files import program_name
 from rapidsim.report.run.assertion_figures import asked_figures
 from rapidsim.report.run.figures import Figures, figures
-from rapidsim.report.run.summary import Written
-from rapidsim.report.run.verdicts import Judgement
-from rapidsim.simulation.collected import FinishedRun
+from rapidsim.report.run.summary import OutputFile
+from rapidsim.report.run.verdicts import Verdicts
+from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Failure
 
@@ -104,8 +104,8 @@ _EXIT_CODES = {
 )
 @terminal_options
 def run(
-    asked: Asked,
-    files: AskedFiles,
+    request: RunRequest,
+    files: OutputFileOptions,
     asserted: tuple[str, ...],
     output_format: str,
     write_pers: bool,
@@ -123,38 +123,38 @@ def run(
     limit ended the run, 4 an --assert or the cycle budget of the station file failed.
     """
     terminal = current_terminal()
-    watch = choose_watch(breaks, profile)
-    if write_pers and "-" in asked.paths:
+    watch = choose_instrumentation(breaks, profile)
+    if write_pers and "-" in request.paths:
         raise InputError("--write-pers: standard input cannot be written to")
-    outputs = new_outputs(files, program_name(asked.paths))
+    outputs = new_outputs(files, program_name(request.paths))
     if outputs.lacks_recorder and not terminal.quiet:
-        say(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
-    job = asked_job(asked)
+        echo(f"note: no recording, which needs rerun: {pip_install('rerun')}", err=True)
+    job = job_of(request)
     ready = loaded(job, in_runs=not (breaks or profile or replay))
     job = ready.job
     try:
         made = prepared(ready)
-        _say_home(asked, made.options.home)
+        _echo_home_folder(request, made.options.home)
         meter = Meter(sum(task.moves for task in ready.tasks))
         execute: Callable[[], FinishedRun] = partial(executed, made, meter.watch)
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
-        with told_if_broken_off(meter.so_far):
-            finished, measured = watched(execute, ready, watch, terminal, meter)
+        with report_if_interrupted(meter.so_far):
+            finished, measured = run_instrumented(execute, ready, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS
     simulation = finished.simulation
     shown = cache(partial(figures, simulation))
-    done = RunDone(simulation, shown, _judged(job, assertions, finished, shown), measured)
-    with stage("writing", terminal), told_if_broken_off(partial(_ended, simulation)):
+    done = RunDone(simulation, shown, _judge(job, assertions, finished, shown), measured)
+    with stage("writing", terminal), report_if_interrupted(partial(_ended, simulation)):
         written, refused = write(simulation, outputs)
     if watch.profile and measured:
         from rapidsim.cli.tools.profiler import write_profile
 
         write_profile(measured, watch.profile)
-        written = (*written, Written(watch.profile, "profile"))
+        written = (*written, OutputFile(watch.profile, "profile"))
     if write_pers:
         try:
             written = (*written, *write_values(simulation, job.files))
@@ -183,30 +183,33 @@ def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[
         InputError: If it is none.
     """
     from rapidsim.server.loading import with_cell
-    from rapidsim.server.replay import read_life, replayed
+    from rapidsim.server.replay import replay_journal, replayed
 
-    life = read_life(journal)
-    tell = partial(say, err=True)
+    life = replay_journal(journal)
+    tell = partial(echo, err=True)
     return lambda: as_named(made, replayed(with_cell(ready, made), life, tell))
 
 
-def _say_home(asked: Asked, home: Path | None) -> None:
+def _echo_home_folder(request: RunRequest, home: Path | None) -> None:
     """Say that HOME: is not the folder that is there."""
-    default = Path(f"{program_name(asked.paths)}.home")
-    if asked.home is None and home not in (None, default) and not current_terminal().quiet:
-        say(
+    default = Path(f"{program_name(request.paths)}.home")
+    if request.home is None and home not in (None, default) and not current_terminal().quiet:
+        echo(
             f"note: HOME: is {home}, a fresh one; `--home {default}` takes the existing one",
             err=True,
         )
 
 
-def _judged(
-    job: Job, assertions: Sequence[Assertion], finished: FinishedRun, shown: Callable[[], Figures]
-) -> Judgement:
+def _judge(
+    job: Job,
+    assertions: Sequence[Assertion],
+    finished: FinishedRun,
+    make_figures: Callable[[], Figures],
+) -> Verdicts:
     """What became of the assertions and of the cycle budget."""
-    run, asked, budget_s = finished.simulation, job.asked, job.station.check.cycle_budget_s
-    known = asked_figures(run, shown(), run.diagnostics) if assertions else {}
-    return Judgement(
+    run, asked, budget_s = finished.simulation, job.request, job.station.check.cycle_budget_s
+    known = asked_figures(run, make_figures(), run.diagnostics) if assertions else {}
+    return Verdicts(
         judge_assertions(assertions, finished, known),
         judge_budget(budget_s, finished, asked.max_cycles, asked.entry),
     )

@@ -14,14 +14,14 @@ import click
 
 from rapidsim import __version__
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import assume_missing_option
+from rapidsim.cli.options.job_options import assume_missing_option
 from rapidsim.cli.options.numbers import POSITIVE
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.asked import DEFAULT_ENTRY, Asked
+from rapidsim.jobs.run_request import DEFAULT_ENTRY, RunRequest
 
 _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 
@@ -181,7 +181,7 @@ def serve(
     from rapidsim.server.serve import Addresses
     from rapidsim.server.serve import serve as serve_engine
     from rapidsim.server.settings import DEFAULT_USERS, EngineSettings, ServerSettings
-    from rapidsim.simulation.live.states import Mode, Motors
+    from rapidsim.simulation.live.states import Motors, OperatingMode
 
     if "-" in paths:
         raise InputError("serve reads no program from standard input", "name a file or a folder")
@@ -200,7 +200,7 @@ def serve(
             f"--host {host}: other computers reach it, and default passwords are known to all",
             "`--user NAME:PASSWORD` says who may come in",
         )
-    asked = Asked(
+    asked = RunRequest(
         paths=paths,
         robot=robot,
         station=station,
@@ -215,7 +215,7 @@ def serve(
         speed=_speed(speed),
         request_s=(request_time or 0.05) if lock_step else None,
         motors=Motors.ON if motors == "on" else Motors.OFF,
-        mode=Mode(_MODES[opmode]),
+        mode=OperatingMode(_MODES[opmode]),
         hosts=frozenset(network_hosts),
         sensors=tuple(map(read_device, sensors)),
         journal=None if journal is None else Path(journal),
@@ -238,22 +238,22 @@ def serve(
         _print_rejected(asked, rejected.diagnostics)
         return ExitCode.FINDINGS
 
-    def ready(where: Addresses) -> None:
+    def ready(addresses: Addresses) -> None:
         line = {
             "ready": True,
-            "rws1": where.rws1,
-            "rws2": where.rws2,
-            "egm": dict(engine.there.sensors),
-            "home": str(engine.there.home),
-            "ramdisk": str(engine.there.ramdisk),
+            "rws1": addresses.rws1,
+            "rws2": addresses.rws2,
+            "egm": dict(engine.ready.sensors),
+            "home": str(engine.ready.home),
+            "ramdisk": str(engine.ready.ramdisk),
             "pid": os.getpid(),
             "version": __version__,
         }
-        say(json.dumps(line))
+        echo(json.dumps(line))
 
-    ended = serve_engine(engine, server_settings, ready, lambda text: say(text, err=True))
+    ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
     if not ended:
-        say("error: the controller's process has ended; please report this", err=True)
+        echo("error: the controller's process has ended; please report this", err=True)
     return ExitCode.CLEAN if ended else ExitCode.DEFECT
 
 
@@ -284,18 +284,18 @@ def _speed(text: str) -> float | None:
     return speed
 
 
-def _users(given: tuple[str, ...]) -> dict[str, str]:
-    for one in given:
+def _users(texts: tuple[str, ...]) -> dict[str, str]:
+    for one in texts:
         if not one.partition(":")[0] or not one.partition(":")[2]:
             raise InputError("--user: it takes NAME:PASSWORD, both of them")
-    return {name: password for name, _, password in (one.partition(":") for one in given)}
+    return {name: password for name, _, password in (one.partition(":") for one in texts)}
 
 
-def _print_rejected(asked: Asked, findings: tuple[Diagnostic, ...]) -> None:
+def _print_rejected(request: RunRequest, findings: tuple[Diagnostic, ...]) -> None:
     """Print what checking found, as `rapidsim run` does; stdout is for who waits for a server."""
     from rapidsim.cli.tools.run_output import print_rejected
     from rapidsim.jobs.job import job
     from rapidsim.jobs.run_files import loaded
 
     with redirect_stdout(sys.stderr):
-        print_rejected(loaded(job(asked)), findings, "table", current_terminal())
+        print_rejected(loaded(job(request)), findings, "table", current_terminal())

@@ -7,14 +7,14 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
-from rapidsim.cli.options.asked import asked_job
+from rapidsim.cli.options.job_options import job_of
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
-from rapidsim.cli.terminal import current_terminal, say, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.cli.tools.run_output import print_rejected
 from rapidsim.cli.tools.sweep_output import swept_text
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.asked import Asked
+from rapidsim.jobs.run_request import RunRequest
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -89,7 +89,7 @@ def sweep(
     axes = [axis_of(text) for text in varied]
     if plots is not None:
         require("matplotlib", "--plots")
-    ready = loaded(asked_job(_asked(paths, robot, task, max_time)))
+    ready = loaded(job_of(_request(paths, robot, task, max_time)))
     try:
         result = swept(ready, axes, shard=shard, run=not no_run, processes=processes)
     except ProgramRejectedError as rejected:
@@ -100,11 +100,13 @@ def sweep(
         from rapidsim.plots.sweep_picture import write_sweep_picture
 
         written += write_sweep_picture(result, Path(plots))
-    say(swept_text(result, written))
+    echo(swept_text(result, written))
     return ExitCode.CLEAN if result.works.any() else ExitCode.FINDINGS
 
 
-def _asked(paths: tuple[str, ...], robot: str | None, task: str | None, max_time: float) -> Asked:
+def _request(
+    paths: tuple[str, ...], robot: str | None, task: str | None, max_time: float
+) -> RunRequest:
     """What is asked: of the paths, one may be the station file."""
     stations = [path for path in paths if path.lower().endswith(".toml")]
     programs = tuple(path for path in paths if path not in stations)
@@ -115,4 +117,4 @@ def _asked(paths: tuple[str, ...], robot: str | None, task: str | None, max_time
         raise InputError(f"{station}: there is no such file")
     if station is not None and not programs:
         programs = (str(Path(station).parent),)
-    return Asked(paths=programs, station=station, robot=robot, task=task, max_time_s=max_time)
+    return RunRequest(paths=programs, station=station, robot=robot, task=task, max_time_s=max_time)

@@ -19,9 +19,9 @@ def answers_from(file: str | None) -> Answers | None:
     """
     if file is not None:
         return answers_of_file(file)
-    return _ask if sys.stdin.isatty() and sys.stderr.isatty() else None
+    return _prompt_operator if sys.stdin.isatty() and sys.stderr.isatty() else None
 
 
-def _ask(prompt: str) -> str | None:
+def _prompt_operator(prompt: str) -> str | None:
     answer = click.prompt(printable_lines(prompt), default="", show_default=False, err=True)
     return str(answer) or None

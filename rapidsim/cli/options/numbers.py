@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 
-class Number(click.FloatRange):
+class NumberOption(click.FloatRange):
     """The type of an option that takes one finite number of a range."""
 
     name = "number"
@@ -50,7 +50,7 @@ class _Processes(click.IntRange):
 
 PROCESSES = _Processes(1, 256)
 ANY_NUMBER = _AnyNumber()
-POSITIVE = Number(min=0.0, min_open=True)
+POSITIVE = NumberOption(min=0.0, min_open=True)
 
 
 def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:

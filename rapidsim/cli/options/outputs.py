@@ -10,22 +10,22 @@ from pathlib import Path
 
 import click
 
-from rapidsim.cli.opening import opening
+from rapidsim.cli.open_command import open_command
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import is_installed, require
 from rapidsim.files import InputError, SourceFile, did_you_mean
-from rapidsim.report.run.summary import Written
+from rapidsim.report.run.summary import OutputFile
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 TRACE_STEP_S = 0.012
 VALUES = "values of persistents"
 """What was written into files of the program."""
 
 
-@dataclass(frozen=True, slots=True)
-class AskedFiles:
+@value_class(frozen=True, slots=True)
+class OutputFileOptions:
     """What the command line says about files to write, as it was typed."""
 
     record: str | None
@@ -75,8 +75,8 @@ def output_options(command: Callable[..., int]) -> Callable[..., int]:
 
     @functools.wraps(command)
     def asking(*arguments: object, **options: object) -> int:
-        typed = {field.name: options.pop(field.name) for field in fields(AskedFiles)}
-        return command(*arguments, files=AskedFiles(**typed), **options)  # type: ignore[arg-type]
+        typed = {field.name: options.pop(field.name) for field in fields(OutputFileOptions)}
+        return command(*arguments, files=OutputFileOptions(**typed), **options)  # type: ignore[arg-type]
 
     # Decorators stand on the help page from the last applied to the first.
     for option in reversed(_OPTIONS):
@@ -84,7 +84,7 @@ def output_options(command: Callable[..., int]) -> Callable[..., int]:
     return asking
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Outputs:
     """Files to write; None is not written."""
 
@@ -101,36 +101,36 @@ class Outputs:
     """Whether there is no recording because the package that writes it is not installed."""
 
 
-def new_outputs(asked: AskedFiles, program: str) -> Outputs:
+def new_outputs(options: OutputFileOptions, program: str) -> Outputs:
     """The places to write to, for a program of some name.
 
     Raises:
         InputError: If something contradicts itself or cannot be written.
     """
     for name, given in (
-        ("--record", asked.record),
-        ("--record-dt", asked.record_dt),
-        ("--view", asked.view),
+        ("--record", options.record),
+        ("--record-dt", options.record_dt),
+        ("--view", options.view),
     ):
-        if given and asked.no_record:
+        if given and options.no_record:
             raise InputError(f"{name} and --no-record exclude each other")
         if given:
             require("rerun", name)
-    if asked.view:
+    if options.view:
         require_screen()
-    recording = None if asked.no_record else asked.record or f"{program}.rrd"
+    recording = None if options.no_record else options.record or f"{program}.rrd"
     lacks_recorder = recording is not None and not is_installed("rerun")
     if lacks_recorder:
         recording = None
     return Outputs(
         recording=new_file(recording, (".rrd",)) if recording else None,
-        recording_step_s=asked.record_dt,
-        view=asked.view,
-        report=new_file(asked.report, (".html", ".htm")) if asked.report else None,
-        plots=new_plots(asked.plots) if asked.plots else None,
-        trace=new_trace(asked.trace) if asked.trace else None,
-        trace_step_s=asked.dt,
-        events=new_file(asked.events, (".jsonl",)) if asked.events else None,
+        recording_step_s=options.record_dt,
+        view=options.view,
+        report=new_file(options.report, (".html", ".htm")) if options.report else None,
+        plots=new_plots(options.plots) if options.plots else None,
+        trace=new_trace(options.trace) if options.trace else None,
+        trace_step_s=options.dt,
+        events=new_file(options.events, (".jsonl",)) if options.events else None,
         lacks_recorder=lacks_recorder,
     )
 
@@ -158,7 +158,7 @@ def new_profile(name: str) -> Path:
 
 def write(
     simulation: Simulation, outputs: Outputs
-) -> tuple[tuple[Written, ...], InputError | None]:
+) -> tuple[tuple[OutputFile, ...], InputError | None]:
     """Write the files asked for; what can be written is, even if something else cannot.
 
     Args:
@@ -168,13 +168,13 @@ def write(
     Returns:
         The files written, and the first mistake that kept one from being written.
     """
-    written: list[Written] = []
+    written: list[OutputFile] = []
     refused: InputError | None = None
     for what, path, writer in _writers(simulation, outputs):
         try:
             writer()
-            shown_by = opening(path) if path.suffix == ".rrd" else None
-            written.append(Written(path, what, shown_by))
+            shown_by = open_command(path) if path.suffix == ".rrd" else None
+            written.append(OutputFile(path, what, shown_by))
         except InputError as error:
             refused = refused or error
     return tuple(written), refused
@@ -215,7 +215,7 @@ def _writers(
         yield "events", outputs.events, functools.partial(write_events, simulation, outputs.events)
 
 
-def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[Written, ...]:
+def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[OutputFile, ...]:
     """Write what persistents hold into the program's files.
 
     Raises:
@@ -224,7 +224,7 @@ def write_values(simulation: Simulation, files: Iterable[SourceFile]) -> tuple[W
     from rapidsim.export.persistents import write_persistents
 
     written = write_persistents(simulation.persistents, files)
-    return tuple(Written(path, VALUES) for path in written)
+    return tuple(OutputFile(path, VALUES) for path in written)
 
 
 def new_file(name: str, suffixes: tuple[str, ...]) -> Path:

@@ -107,10 +107,10 @@ def pose(position: tuple[float, ...], quaternion: tuple[float, ...], option: str
     return Transform.from_quaternion(quaternion, [value / 1000.0 for value in position])
 
 
-def tool(given: tuple[float, ...] | None) -> Transform:
+def tool(values: tuple[float, ...] | None) -> Transform:
     """flange_from_tcp of `--tool`."""
-    given = given or (0.0, 0.0, 0.0)
-    return pose(given[:3], given[3:] or _STANDS["floor"], "--tool")
+    values = values or (0.0, 0.0, 0.0)
+    return pose(values[:3], values[3:] or _STANDS["floor"], "--tool")
 
 
 def asked_pose(

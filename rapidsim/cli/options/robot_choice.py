@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rapidsim.cli.terminal import say
+from rapidsim.cli.terminal import echo
 from rapidsim.files import DESCRIPTIONS, InputError
 from rapidsim.motion.robot.catalogue import RobotError
 from rapidsim.motion.robot.robot import Robot, load_robot
@@ -12,7 +12,7 @@ def open_robot(name: str, scale: float | None = None) -> Robot:
     """As `robot_of`; what is special about the robot is said on stderr."""
     robot = robot_of(name, scale)
     for notice in robot.notices:
-        say(f"note: {notice}", err=True)
+        echo(f"note: {notice}", err=True)
     return robot
 
 

@@ -8,17 +8,23 @@ from collections.abc import Mapping, Sequence
 from rapidsim.analysis.names.name_violations import UndefinedName
 from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.analysis.program import Program, UnknownSymbol
-from rapidsim.cli.terminal import Terminal, say
+from rapidsim.cli.terminal import Terminal, echo
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.interpreter.tools.questions import NotAskedError, Question, answers, ask, own_names
+from rapidsim.interpreter.tools.expression_queries import (
+    ExpressionQuery,
+    QueryError,
+    answers,
+    check_query,
+    own_names,
+)
 from rapidsim.report.findings.source_frame import source_frame
 from rapidsim.report.run.assertion_figures import ASKED_FIGURES
 from rapidsim.report.run.verdicts import AssertionVerdict, BudgetVerdict
-from rapidsim.simulation.collected import FinishedRun
+from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LABEL = "--assert"
 _MAIN = "main"
@@ -30,14 +36,14 @@ _CUT = {
 """Ends after which nothing is judged: what the program would have left is not known."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Assertion:
     """An expression, and the task it is asked of."""
 
     text: str
     """As the user gave it."""
     task: str
-    question: Question
+    question: ExpressionQuery
 
 
 def read_assertions(
@@ -102,12 +108,12 @@ def judge_budget(
 
 def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Terminal) -> Assertion:
     expression, asked = _tasks(text, programs)
-    good: dict[str, Question] = {}
+    good: dict[str, ExpressionQuery] = {}
     bad: dict[str, tuple[Diagnostic, ...]] = {}
     for name, program in asked.items():
         try:
-            found = ask(expression, LABEL, program, ASKED_FIGURES)
-        except NotAskedError as error:
+            found = check_query(expression, LABEL, program, ASKED_FIGURES)
+        except QueryError as error:
             raise InputError(f"{LABEL} `{text}`: {error}") from None
         if found.question is None or found.findings:
             bad[name] = found.findings
@@ -119,7 +125,7 @@ def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Term
         nowhere = f"; in the other task{'s' if len(bad) > 2 else ''} neither"
         raise InputError(
             f"{LABEL}: {_words(first)}{nowhere if len(bad) > 1 else ''}",
-            _cure(first, asked[name], io),
+            _suggestion(first, asked[name], io),
         )
     name, question = next(iter(good.items()))
     if len(good) > 1 and any(one.is_of_task for one in good.values()):
@@ -127,7 +133,7 @@ def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Term
             f"{LABEL} `{text}`: the tasks {', '.join(good)} may each answer it otherwise",
             f"name one: {LABEL} '{name}:{expression.strip()}'",
         )
-    _say_hidden(expression, asked[name])
+    _echo_shadowed_names(expression, asked[name])
     return Assertion(text.strip(), name, question)
 
 
@@ -150,7 +156,7 @@ def _show_place(finding: Diagnostic, terminal: Terminal) -> None:
     if finding.span is not None:
         palette, width = terminal.palette, terminal.width
         frame = source_frame(finding.span, "", palette, colour=palette.error, width=width)
-        say("\n".join(frame), palette=palette, err=True)
+        echo("\n".join(frame), palette=palette, err=True)
 
 
 def _words(finding: Diagnostic) -> str:
@@ -163,7 +169,7 @@ def _words(finding: Diagnostic) -> str:
     return re.sub(r"RETURN in `\w+`|the RETURN statement", "the expression", text)
 
 
-def _cure(finding: Diagnostic, program: Program, io: CellIo) -> str | None:
+def _suggestion(finding: Diagnostic, program: Program, io: CellIo) -> str | None:
     """How the expression could be mended."""
     violation = finding.violation
     if isinstance(violation, UndefinedName) and violation.nearest is None:
@@ -175,12 +181,12 @@ def _cure(finding: Diagnostic, program: Program, io: CellIo) -> str | None:
     return did_you_mean(violation.signal, known)
 
 
-def _say_hidden(expression: str, program: Program) -> None:
+def _echo_shadowed_names(expression: str, program: Program) -> None:
     """Say which names mean the program's own data and not the figure of the run."""
     words = {word.lower() for word in re.findall(r"[A-Za-z]\w*", expression)}
     for name in ASKED_FIGURES:
         if name in words & own_names(program):
-            say(
+            echo(
                 f"note: {LABEL}: `{name}` is the program's own here, not the figure of the run",
                 err=True,
             )

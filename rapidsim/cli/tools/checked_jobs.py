@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 
-from rapidsim.cli.broken_off import told_if_broken_off
-from rapidsim.cli.terminal import say
-from rapidsim.jobs.check_many import check_jobs
+from rapidsim.cli.interrupted import report_if_interrupted
+from rapidsim.cli.terminal import echo
+from rapidsim.jobs.batch_check import check_jobs
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job
-from rapidsim.jobs.kept_results import KeptResults
+from rapidsim.jobs.result_cache import ResultCache
 from rapidsim.jobs.result_store import ResultStore, cache_folder
 
 
@@ -22,7 +22,7 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
         processes: How many at a time.
         uses_cache: Whether results of earlier checks are used, and these kept.
     """
-    kept = KeptResults(_store() if uses_cache else None)
+    kept = ResultCache(_store() if uses_cache else None)
     done = 0
 
     def so_far() -> str:
@@ -30,13 +30,13 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
 
     results: list[CheckResult] = []
     notices: list[str] = []
-    with told_if_broken_off(so_far):
+    with report_if_interrupted(so_far):
         for checked in check_jobs(jobs, kept, processes):
             done += 1
             results.append(checked.result)
             notices += checked.notices
     for notice in dict.fromkeys(notices):
-        say(f"note: {notice}", err=True)
+        echo(f"note: {notice}", err=True)
     kept.tidy()
     return results
 

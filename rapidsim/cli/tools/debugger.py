@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 import click
 
 from rapidsim.analysis.program import Program
-from rapidsim.cli.terminal import say
+from rapidsim.cli.terminal import echo
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.interpreter.linking.linker import show_lines_of
@@ -30,8 +30,8 @@ from rapidsim.interpreter.tools.inspection import (
     module_of,
     parameters,
     place_of,
+    rapid_text,
     routine_of,
-    shown,
 )
 from rapidsim.language.errors import RapidError
 from rapidsim.syntax import tree
@@ -81,7 +81,7 @@ def _set_break(debugger: _Debugger, text: str) -> None:
     if not line:
         raise InputError(f"--break: {found} has no statement on line {wanted} or below")
     if line != wanted:
-        say(f"{found}:{wanted} holds no statement; stopping at line {line}", err=True)
+        echo(f"{found}:{wanted} holds no statement; stopping at line {line}", err=True)
     debugger.set_break(found, line)
 
 
@@ -239,13 +239,13 @@ class _Debugger(pdb.Pdb):
     def do_p(self, arg: str) -> None:
         """Show data as a program would write it: `p n`, `p p10.trans`, `p a{i}`."""
         try:
-            self.message(shown(arg, self._frame))
+            self.message(rapid_text(arg, self._frame))
         except NotShownError as error:
             self.error(str(error))
 
     def message(self, msg: str, end: str = "\n") -> None:
         """Print, as everything is printed; from Python 3.13 on, with an end of the line."""
-        say(msg + end.removesuffix("\n"))
+        echo(msg + end.removesuffix("\n"))
 
     def error(self, msg: str) -> None:
         """Say what is wrong with a command; modules are not looked for in Python's places."""
@@ -255,7 +255,7 @@ class _Debugger(pdb.Pdb):
         """Show the arguments of the routine."""
         for name in parameters(self._frame):
             try:
-                self.message(f"{name} = {shown(name, self._frame)}")
+                self.message(f"{name} = {rapid_text(name, self._frame)}")
             except NotShownError as error:
                 self.message(f"{name}: {error}")
 

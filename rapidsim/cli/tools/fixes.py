@@ -10,13 +10,13 @@ from dataclasses import replace
 from rapidsim.diagnostics import Diagnostic, Edit, Severity
 from rapidsim.export.text_edits import TextEdit, edited_text
 from rapidsim.module_files import TaskFiles
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_ROUNDS = 20
 """One fix may make room for another; so many are never needed."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ChosenFixes:
     """The fixes that can be applied together."""
 
@@ -24,18 +24,18 @@ class ChosenFixes:
     """By file."""
     count: int
     """How many findings they cure."""
-    left_out: int = 0
+    skipped: int = 0
     """How many would have left more errors than there are."""
 
 
-@dataclass(frozen=True, slots=True)
-class Cured:
+@value_class(frozen=True, slots=True)
+class FixResult:
     """What fixing leads to."""
 
     tasks: tuple[TaskFiles, ...]
     count: int
     """How many findings were cured."""
-    left_out: int
+    skipped: int
     """How many fixes would have left more errors than there are."""
 
     def edits_of(self, tasks: Sequence[TaskFiles]) -> dict[str, list[TextEdit]]:
@@ -72,31 +72,31 @@ def choose_fixes(diagnostics: Iterable[Diagnostic], *, unsafe: bool) -> ChosenFi
     return ChosenFixes(edits, count)
 
 
-def cured(
+def apply_fixes(
     tasks: Sequence[TaskFiles],
-    found: Sequence[Diagnostic],
+    findings: Sequence[Diagnostic],
     find: Callable[[Sequence[TaskFiles]], Sequence[Diagnostic]],
     *,
     unsafe: bool,
-) -> Cured:
+) -> FixResult:
     """Tasks with everything fixed that can be, so that fixing them again would change nothing.
 
     Args:
         tasks: Their files.
-        found: What was found in them.
+        findings: What was found in them.
         find: Looks for it again.
         unsafe: Whether fixes that change what the program does are taken too.
     """
     count, left_out = 0, 0
     for _ in range(_MOST_ROUNDS):
-        chosen = harmless_fixes(found, tasks, unsafe=unsafe)
-        left_out = chosen.left_out
+        chosen = harmless_fixes(findings, tasks, unsafe=unsafe)
+        left_out = chosen.skipped
         if not chosen.edits:
             break
         count += chosen.count
         tasks = _edited(tasks, chosen.edits)
-        found = find(tasks)
-    return Cured(tuple(tasks), count, left_out)
+        findings = find(tasks)
+    return FixResult(tuple(tasks), count, left_out)
 
 
 def harmless_fixes(
@@ -123,7 +123,7 @@ def harmless_fixes(
         return harmless(harmless(before, more[:half]), more[half:])
 
     kept = harmless((), wanted)
-    return replace(choose_fixes(kept, unsafe=unsafe), left_out=len(wanted) - len(kept))
+    return replace(choose_fixes(kept, unsafe=unsafe), skipped=len(wanted) - len(kept))
 
 
 def _errors(tasks: Sequence[TaskFiles]) -> int:
@@ -172,15 +172,15 @@ def _as_text_edit(edit: Edit) -> TextEdit:
     return edit.span.start, edit.span.end, edit.text
 
 
-def _has(edit: TextEdit, others: list[TextEdit]) -> bool:
+def _has(edit: TextEdit, other_edits: list[TextEdit]) -> bool:
     """Whether the very same edit is among others, which are in order."""
-    place = bisect_left(others, edit)
-    return place < len(others) and others[place] == edit
+    place = bisect_left(other_edits, edit)
+    return place < len(other_edits) and other_edits[place] == edit
 
 
-def _is_touched(edit: TextEdit, others: list[TextEdit]) -> bool:
+def _is_touched(edit: TextEdit, other_edits: list[TextEdit]) -> bool:
     """Whether an edit touches others, which are in order and do not touch each other."""
-    place = bisect_left(others, edit)
+    place = bisect_left(other_edits, edit)
     start, end, _ = edit
-    before = place > 0 and others[place - 1][1] >= start
-    return before or (place < len(others) and others[place][0] <= end)
+    before = place > 0 and other_edits[place - 1][1] >= start
+    return before or (place < len(other_edits) and other_edits[place][0] <= end)

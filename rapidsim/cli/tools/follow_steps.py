@@ -11,7 +11,7 @@ import numpy as np
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from rapidsim.cli.opening import opening
+from rapidsim.cli.open_command import open_command
 from rapidsim.cli.options.poses import tool
 from rapidsim.files import InputError
 from rapidsim.frames.euler import Convention
@@ -24,17 +24,17 @@ from rapidsim.frames.transform import (
 from rapidsim.motion.configurations.pose_solutions import solve_pose_as
 from rapidsim.motion.kinematics.closed_form.five_axis import FiveAxis
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.waypoints.follow import Followed, follow
+from rapidsim.motion.waypoints.follow import FollowedTrajectory, follow
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, pushed_out
 from rapidsim.motion.waypoints.plan import Plan, Refused, Way
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.random_points import DOWN
 from rapidsim.motion.waypoints.reachability import reach
-from rapidsim.motion.waypoints.solver_starts import Started
-from rapidsim.report.run.summary import Written, files_text
+from rapidsim.motion.waypoints.solver_seeds import SeededSolve
+from rapidsim.report.run.summary import OutputFile, files_text
 from rapidsim.report.tables.follow_tables import (
-    AskedPoints,
     Attempt,
+    RequestedPoints,
     compare_page,
     over_speed,
     points_page,
@@ -42,15 +42,15 @@ from rapidsim.report.tables.follow_tables import (
     trajectory_page,
     turns_page,
 )
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _QUATERNION = 4
 _METRES = 10.0
 """Points that are all nearer to the origin than this [mm] were hardly meant in mm."""
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+@value_class(frozen=True, slots=True)
+class FollowOptions:
     """What the command line says, numbers in mm and degrees as written."""
 
     robot: Robot
@@ -65,11 +65,11 @@ class Given:
     convention: Convention
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Task:
+@value_class(frozen=True, slots=True, eq=False)
+class PreparedPoints:
     """Points with attitudes, ready to be followed."""
 
-    asked: AskedPoints
+    requested: RequestedPoints
     points: Points
     """Those to be followed."""
     attitudes: Array
@@ -85,21 +85,21 @@ class Task:
     @property
     def all_reached(self) -> bool:
         """Whether the arm reaches every point of the table."""
-        return all(point.reachable for point in self.asked.reached)
+        return all(point.reachable for point in self.requested.reached)
 
 
-def prepared(given: Given, points: Points) -> Task:
+def prepared(options: FollowOptions, points: Points) -> PreparedPoints:
     """Complete points, and look at which the arm reaches.
 
     Raises:
         InputError: If options do not fit the arm.
     """
-    robot, base_from_world = given.robot, given.world_from_base.inverse()
-    flange_from_tcp = tool(given.tool)
+    robot, base_from_world = options.robot, options.world_from_base.inverse()
+    flange_from_tcp = tool(options.tool)
     remarks = []
     points = _in_base(points, base_from_world)
-    if given.plan.avoid:
-        outside = _moved_out(points, given.plan.least_radius)
+    if options.plan.avoid:
+        outside = _moved_out(points, options.plan.least_radius)
         moved = int(np.any(outside.positions != points.positions, axis=1).sum())
         remarks += [f"points inside the sphere are moved to its surface: {moved}"] if moved else []
         points = outside
@@ -110,50 +110,56 @@ def prepared(given: Given, points: Points) -> Task:
         attitudes_down = np.tile(quaternion_from_matrix(down), (len(points), 1))
         points = replace(points, attitudes=attitudes_down)
         remarks.append("no column gives the attitude of the tool: it points straight down")
-    if given.via_speed is not None:
-        points = replace(points, speeds=_via_speeds(robot, points, given.via_speed))
+    if options.via_speed is not None:
+        points = replace(points, speeds=_via_speeds(robot, points, options.via_speed))
     reached, attitudes = reach(robot, points, flange_from_tcp)
     rows = np.flatnonzero([point.reachable for point in reached])
     some, some_attitudes = points, attitudes
     missing = len(points) - len(rows)
-    if missing and given.skip_unreachable:
+    if missing and options.skip_unreachable:
         some, some_attitudes, missing = points.some(rows), attitudes[rows], 0
     first = None
-    if given.conf is not None and not missing and len(some):
+    if options.conf is not None and not missing and len(some):
         pose = posed(some.positions[:1], some_attitudes[:1])[0] @ flange_from_tcp.inverse()
-        first = _first(robot, pose, given.conf)
-    return Task(
-        asked=AskedPoints(
-            robot, points, reached, attitudes, given.plan, given.world_from_base, given.convention
+        first = _first(robot, pose, options.conf)
+    return PreparedPoints(
+        requested=RequestedPoints(
+            robot,
+            points,
+            reached,
+            attitudes,
+            options.plan,
+            options.world_from_base,
+            options.convention,
         ),
         points=some,
         attitudes=some_attitudes,
         flange_from_tcp=flange_from_tcp,
         missing=missing,
-        start=None if given.start is None else _joints(robot, given.start, "--start"),
+        start=None if options.start is None else _joints(robot, options.start, "--start"),
         first=first,
-        dt=given.dt,
+        dt=options.dt,
         remarks=tuple(remarks),
     )
 
 
-def attempt_all(task: Task, plan: Plan, ways: Sequence[Way]) -> tuple[Attempt, ...]:
+def attempt_all(task: PreparedPoints, plan: Plan, path_kinds: Sequence[Way]) -> tuple[Attempt, ...]:
     """Solve the trajectory in some ways, and take the time that it costs."""
-    return tuple(attempt(task, replace(plan, way=way)) for way in ways)
+    return tuple(attempt(task, replace(plan, kind=way)) for way in path_kinds)
 
 
-def started(result: Followed | Refused) -> tuple[Started, ...]:
+def started(result: FollowedTrajectory | Refused) -> tuple[SeededSolve, ...]:
     """The numerical solvers at poses of a trajectory, from cold and from warm starts."""
     if isinstance(result, Refused):
         return ()
-    from rapidsim.motion.waypoints.solver_starts import compared_starts
+    from rapidsim.motion.waypoints.solver_seeds import compared_starts
 
     return compared_starts(result)
 
 
-def unused(task: Task, plan: Plan) -> tuple[str, ...]:
+def unused(task: PreparedPoints, plan: Plan) -> tuple[str, ...]:
     """What was assumed or given in vain, a line each."""
-    points, quintic = task.asked.points, plan.way is Way.JOINT_QUINTIC
+    points, quintic = task.requested.points, plan.kind is Way.JOINT_QUINTIC
     remarks = list(task.remarks)
     furthest_mm = 1000.0 * float(np.abs(points.positions).max())
     if furthest_mm < _METRES:
@@ -165,21 +171,21 @@ def unused(task: Task, plan: Plan) -> tuple[str, ...]:
     ):
         if values is not None and not quintic:
             remarks.append(f"{what} at the points count for --path joint-quintic only")
-    if points.knots is not None and plan.way is not Way.SPLINE:
+    if points.knots is not None and plan.kind is not Way.SPLINE:
         remarks.append("knots count for --path spline only")
-    if plan.least_radius and not plan.way.of_tcp:
+    if plan.least_radius and not plan.kind.of_tcp:
         remarks.append("--min-radius is not looked at between points in joint space")
     return tuple(remarks)
 
 
 def written(
-    result: Followed | Refused,
+    result: FollowedTrajectory | Refused,
     title: str,
     recording: Path | None,
     trace: Path | None,
     plots: Path | None,
-    asked: AskedPoints,
-) -> tuple[Written, ...]:
+    requested: RequestedPoints,
+) -> tuple[OutputFile, ...]:
     """Write the files asked for, if there is a trajectory."""
     if isinstance(result, Refused):
         return ()
@@ -187,26 +193,26 @@ def written(
     if recording:
         from rapidsim.recording.layout.waypoint_recording import record_followed
 
-        record_followed(result, Path(title).name, recording, asked.world_from_base)
-        files.append(Written(recording, "recording", opening(recording)))
+        record_followed(result, Path(title).name, recording, requested.world_from_base)
+        files.append(OutputFile(recording, "recording", open_command(recording)))
     if trace:
         from rapidsim.export.trace import write_samples
 
-        write_samples(result.samples, trace, asked.convention)
-        files.append(Written(trace, "trace"))
+        write_samples(result.samples, trace, requested.convention)
+        files.append(OutputFile(trace, "trace"))
     if plots:
         from rapidsim.plots.followed_pictures import write_followed_plots
 
         write_followed_plots(result, Path(title).name, plots)
-        files.append(Written(plots, "plots"))
+        files.append(OutputFile(plots, "plots"))
     return tuple(files)
 
 
-def shown(
-    task: Task, attempts: Sequence[Attempt], files: Sequence[Written], *, compare: bool
+def render_result(
+    task: PreparedPoints, attempts: Sequence[Attempt], files: Sequence[OutputFile], *, compare: bool
 ) -> RenderableType:
     """Everything a person is told."""
-    parts: list[RenderableType] = [points_page(task.asked), Text()]
+    parts: list[RenderableType] = [points_page(task.requested), Text()]
     if not compare and len(attempts) > 1:
         return Group(*parts, scaling_page(attempts))
     if compare:
@@ -216,23 +222,23 @@ def shown(
         return Group(*parts)
     (attempt,) = attempts
     parts.append(trajectory_page(attempt))
-    if isinstance(attempt.result, Followed):
+    if isinstance(attempt.result, FollowedTrajectory):
         over = over_speed(attempt.result)
         parts += [Text(line, "red") for line in over]
         if over:
             most = max(ratio for ratio in attempt.result.speed_ratios if ratio is not None)
             parts.append(Text(f" help: about {100.0 / most:.2g} % of the speed would do"))
-        if any(joint.max_speed is None for joint in task.asked.robot.joints):
+        if any(joint.max_speed is None for joint in task.requested.robot.joints):
             parts.append(Text("no source gives the axis speeds of this arm: not checked", "dim"))
     if files:
         parts += [Text(), files_text(files)]
     return Group(*parts)
 
 
-def attempt(task: Task, plan: Plan) -> Attempt:
+def attempt(task: PreparedPoints, plan: Plan) -> Attempt:
     """Solve a trajectory, and take the time that it costs."""
     if task.missing:
-        count = len(task.asked.points)
+        count = len(task.requested.points)
         refused = Refused(
             f"{task.missing} of {count} points are out of reach",
             "--skip-unreachable leaves them out",
@@ -240,7 +246,7 @@ def attempt(task: Task, plan: Plan) -> Attempt:
         return Attempt(plan, refused, 0.0)
     began = perf_counter()
     result = follow(
-        task.asked.robot,
+        task.requested.robot,
         task.points,
         task.attitudes,
         task.flange_from_tcp,
@@ -282,13 +288,13 @@ def _moved_out(points: Points, radius: float) -> Points:
         ) from None
 
 
-def _via_speeds(robot: Robot, points: Points, given: tuple[float, ...]) -> Array:
+def _via_speeds(robot: Robot, points: Points, values: tuple[float, ...]) -> Array:
     """Joint speeds (k, n) [rad/s]: at rest at both ends, the same at all points between."""
     if points.speeds is not None:
         raise InputError("--via-speed: the table has joint speeds of its own", "leave one out")
-    if len(given) == 1:
-        given *= len(robot.joints)
-    speeds = np.tile(_joints(robot, given, "--via-speed"), (len(points), 1))
+    if len(values) == 1:
+        values *= len(robot.joints)
+    speeds = np.tile(_joints(robot, values, "--via-speed"), (len(points), 1))
     speeds[[0, -1]] = 0.0
     return speeds
 
@@ -298,6 +304,6 @@ def _first(robot: Robot, base_from_flange: Transform, conf: tuple[float, ...]) -
     if any(value != int(value) for value in conf):
         raise InputError("--conf takes whole numbers: cf1, cf4, cf6 and cfx")
     found = solve_pose_as(robot, base_from_flange, [int(value) for value in conf])
-    if found.why is not None:
-        raise InputError(f"--conf: the first point cannot be taken so: {found.why}")
+    if found.reason is not None:
+        raise InputError(f"--conf: the first point cannot be taken so: {found.reason}")
     return found.solutions[0].joints

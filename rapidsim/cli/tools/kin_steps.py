@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from rapidsim.cli.opening import opening
+from rapidsim.cli.open_command import open_command
 from rapidsim.cli.options.outputs import new_plots, new_recording
-from rapidsim.cli.terminal import current_terminal, say
+from rapidsim.cli.terminal import current_terminal, echo
 from rapidsim.cli.tools.opened_viewer import open_viewer
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import require
@@ -17,12 +17,12 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.configurations.confdata import distinct
 from rapidsim.motion.configurations.pose_solutions import PoseSolutions
 from rapidsim.motion.configurations.postures import Posture, Postures
-from rapidsim.report.run.summary import Written, files_text
+from rapidsim.report.run.summary import OutputFile, files_text
 from rapidsim.report.tables.kin_tables import posture_markdown
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PostureOutputs:
     """Files to write of a posture; None is not written."""
 
@@ -46,7 +46,7 @@ def outputs(record: str | None, plots: str | None, view: bool, default: str) -> 
     )
 
 
-def write(shown: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[Written, ...]:
+def write(postures: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[OutputFile, ...]:
     """Write what was asked for and open the viewer; unless `quiet` what was written is said."""
     files = []
     if asked.recording:
@@ -54,28 +54,28 @@ def write(shown: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[Writt
         os.environ.setdefault("RUST_LOG", "off")
         from rapidsim.recording.layout.posture_recording import record_postures
 
-        record_postures(shown, posture_markdown(shown), asked.recording)
-        files.append(Written(asked.recording, "recording", opening(asked.recording)))
+        record_postures(postures, posture_markdown(postures), asked.recording)
+        files.append(OutputFile(asked.recording, "recording", open_command(asked.recording)))
     if asked.plots:
         from rapidsim.plots.posture_pictures import write_posture_plots
 
-        write_posture_plots(shown, asked.plots)
-        files.append(Written(asked.plots, "plots"))
+        write_posture_plots(postures, asked.plots)
+        files.append(OutputFile(asked.plots, "plots"))
     if files and not quiet and not current_terminal().quiet:
-        say("")
+        echo("")
         current_terminal().show(files_text(files))
     if asked.view and asked.recording:
         open_viewer(asked.recording)
     return tuple(files)
 
 
-def solved_postures(found: PoseSolutions, turns: Array) -> tuple[Posture, ...]:
+def solved_postures(solutions: PoseSolutions, turns: Array) -> tuple[Posture, ...]:
     """The solutions of a pose to be looked at side by side: whole turns (n,) look alike."""
     postures = []
-    for looks in distinct(np.array([solution.joints for solution in found.solutions]), turns):
+    for looks in distinct(np.array([solution.joints for solution in solutions.solutions]), turns):
         alike = [
             one
-            for one in found.solutions
+            for one in solutions.solutions
             if len(distinct(np.array([looks, one.joints]), turns)) == 1
         ]
         shown = min(alike, key=lambda one: float(np.abs(one.joints).sum()))

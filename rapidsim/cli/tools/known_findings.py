@@ -7,15 +7,15 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Severity
 from rapidsim.jobs.baseline import baseline_text, read_baseline
-from rapidsim.jobs.check_many import together
+from rapidsim.jobs.batch_check import merge_results
 from rapidsim.jobs.check_result import CheckResult
 from rapidsim.jobs.job import Job
 from rapidsim.output_files import whole_file
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class Group:
+@value_class(frozen=True, slots=True)
+class BaselineGroup:
     """Programs that are judged alike, and together: a baseline counts the findings of all."""
 
     result: CheckResult
@@ -23,8 +23,8 @@ class Group:
     motion_model: str
 
 
-@dataclass(frozen=True, slots=True)
-class Judged:
+@value_class(frozen=True, slots=True)
+class NewFindings:
     """What is left of the findings of a group."""
 
     result: CheckResult
@@ -32,18 +32,21 @@ class Judged:
     """A line each."""
 
 
-def alike(
+def group_by_settings(
     jobs: Sequence[Job], results: Sequence[CheckResult], baselines: Sequence[Path | None]
-) -> list[Group]:
+) -> list[BaselineGroup]:
     """The results of jobs, those with the same settings as one."""
     groups: dict[tuple[Path | None, Severity, bool, str], list[CheckResult]] = {}
     for job, result, baseline in zip(jobs, results, baselines, strict=True):
         settings = (baseline, result.fail_on, result.strict, job.station.model.version)
         groups.setdefault(settings, []).append(result)
-    return [Group(together(group), file, model) for (file, *_, model), group in groups.items()]
+    return [
+        BaselineGroup(merge_results(group), file, model)
+        for (file, *_, model), group in groups.items()
+    ]
 
 
-def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
+def compare_with_baseline(group: BaselineGroup, *, update: bool, create: bool) -> NewFindings:
     """What is new to the baseline of a group.
 
     Args:
@@ -53,7 +56,7 @@ def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
     """
     file = group.baseline
     if file is None:
-        return Judged(group.result)
+        return NewFindings(group.result)
     writes = update or (create and not file.exists())
     if writes:
         _write(file, group)
@@ -61,10 +64,10 @@ def judged_with(group: Group, *, update: bool, create: bool) -> Judged:
     outdated = against.outdated(group.motion_model, group.result.diagnostics)
     written = f"Written: {file} (baseline)" if writes else ""
     remarks = tuple(line for line in (written, outdated) if line)
-    return Judged(group.result.against(against.known), remarks)
+    return NewFindings(group.result.against(against.counts), remarks)
 
 
-def _write(file: Path, group: Group) -> None:
+def _write(file: Path, group: BaselineGroup) -> None:
     """Make all that was found known; what is not a baseline is not written over."""
     if file.exists():
         read_baseline(file)

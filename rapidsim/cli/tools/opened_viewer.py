@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rapidsim.cli.terminal import say
+from rapidsim.cli.terminal import echo
 from rapidsim.cli.viewer import leave_open
 
 
@@ -12,4 +12,4 @@ def open_viewer(recording: Path) -> None:
     """Show a recording; that no window opened is a note, and no failure of the command."""
     reason = leave_open(recording)
     if reason is not None:
-        say(f"note: the viewer did not open: {reason}", err=True)
+        echo(f"note: the viewer did not open: {reason}", err=True)

@@ -19,7 +19,7 @@ from rich.text import Text
 from rapidsim.analysis.program import Program
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.call_stack import CLAUSES
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 T = TypeVar("T")
 
@@ -30,7 +30,7 @@ _Function: TypeAlias = tuple[str, int, str]
 _Stats: TypeAlias = dict[_Function, tuple[Any, ...]]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RoutineCost:
     """What one routine, or a clause of one, took of the computer's time."""
 
@@ -45,8 +45,8 @@ class RoutineCost:
     """With all it called: instructions, the simulation behind them, other routines."""
 
 
-@dataclass(frozen=True, slots=True)
-class Profile:
+@value_class(frozen=True, slots=True)
+class RunProfile:
     """What was measured over a run."""
 
     stats: _Stats
@@ -55,7 +55,7 @@ class Profile:
     """The most expensive first."""
 
 
-def profiled(run: Callable[[], T], program: Program) -> tuple[T, Profile]:
+def profiled(run: Callable[[], T], program: Program) -> tuple[T, RunProfile]:
     """Run a program and measure."""
     profiler = cProfile.Profile()
     result = profiler.runcall(run)
@@ -75,10 +75,10 @@ def profiled(run: Callable[[], T], program: Program) -> tuple[T, Profile]:
         for _, calls, own_s, total_s, _ in [stats[file, line, name]]
     ]
     costs.sort(key=lambda cost: (-cost.total_s, -cost.own_s, cost.file, cost.line))
-    return result, Profile(stats, tuple(costs))
+    return result, RunProfile(stats, tuple(costs))
 
 
-def write_profile(profile: Profile, path: Path) -> None:
+def write_profile(profile: RunProfile, path: Path) -> None:
     """Write what `pstats` and the viewers made for it read.
 
     Raises:

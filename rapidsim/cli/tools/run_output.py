@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from rapidsim.cli.options.outputs import VALUES
-from rapidsim.cli.terminal import Terminal, print_json, say
+from rapidsim.cli.terminal import Terminal, echo, print_json
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.jobs.robot_choice import RobotChoice
@@ -19,16 +19,16 @@ from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.findings.text import summary_line
 from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import rejected_json, run_json
-from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, Written, summary
-from rapidsim.report.run.verdicts import Judgement
+from rapidsim.report.run.summary import ASCII_BARS, BLOCK_BARS, OutputFile, summary
+from rapidsim.report.run.verdicts import Verdicts
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Verdict
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from rapidsim.cli.tools.profiler import Profile
+    from rapidsim.cli.tools.profiler import RunProfile
 
 FORMATS = ("table", "json", "none")
 
@@ -44,20 +44,20 @@ def print_rejected(
     elif output_format == "table":
         _print_findings(findings, terminal)
         if not terminal.quiet:
-            say(summary_line(merged(findings), files=len(files), seconds=None))
-            if hint := missing_neighbours(loaded.job.asked.paths, findings):
-                say(hint)
+            echo(summary_line(merged(findings), files=len(files), seconds=None))
+            if hint := missing_neighbours(loaded.job.request.paths, findings):
+                echo(hint)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RunDone:
     """A run and what is known of it."""
 
     simulation: Simulation
     figures: Callable[[], Figures]
     """Computed when they are first asked for."""
-    judgement: Judgement
-    profile: Profile | None
+    judgement: Verdicts
+    profile: RunProfile | None
 
     @property
     def verdict(self) -> Verdict:
@@ -68,7 +68,7 @@ class RunDone:
 def print_run(
     done: RunDone,
     choice: RobotChoice,
-    written: Sequence[Written],
+    written: Sequence[OutputFile],
     output_format: str,
     terminal: Terminal,
 ) -> None:
@@ -84,7 +84,7 @@ def print_run(
     _print_judgement(done.judgement, output_format, terminal)
 
 
-def _json_files(written: Sequence[Written]) -> dict[str, object]:
+def _json_files(written: Sequence[OutputFile]) -> dict[str, object]:
     files: dict[str, object] = {one.what: str(one.path) for one in written if one.what != VALUES}
     program = [str(one.path) for one in written if one.what == VALUES]
     return {**files, "program": program} if program else files
@@ -94,10 +94,10 @@ def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
     if terminal.quiet:
         findings = [finding for finding in findings if finding.severity is Severity.ERROR]
     shown = errors_first(merged(findings))
-    say(findings_text(shown, terminal), palette=terminal.palette, nl=False)
+    echo(findings_text(shown, terminal), palette=terminal.palette, nl=False)
 
 
-def _print_judgement(judgement: Judgement, output_format: str, terminal: Terminal) -> None:
+def _print_judgement(judgement: Verdicts, output_format: str, terminal: Terminal) -> None:
     """Say what became of the assertions and the budget; beside JSON only what is amiss."""
     is_table = output_format == "table"
     palette = terminal.palette
@@ -105,11 +105,11 @@ def _print_judgement(judgement: Judgement, output_format: str, terminal: Termina
         if (is_table and not terminal.quiet) or not verdict.holds:
             colour = {True: palette.help, None: palette.warning, False: palette.error}
             text = palette.paint(printable(verdict.text), colour[verdict.holds])
-            say(text, palette=palette, err=not is_table)
+            echo(text, palette=palette, err=not is_table)
 
 
 def _print_summary(
-    done: RunDone, choice: RobotChoice, written: Sequence[Written], terminal: Terminal
+    done: RunDone, choice: RobotChoice, written: Sequence[OutputFile], terminal: Terminal
 ) -> None:
     plain = not terminal.console().encoding.startswith("utf")
     terminal.show(
@@ -129,7 +129,7 @@ def _print_summary(
 
 
 @contextmanager
-def stage(what: str, terminal: Terminal, meter: RenderableType | None = None) -> Iterator[None]:
+def stage(subject: str, terminal: Terminal, meter: RenderableType | None = None) -> Iterator[None]:
     """Say on a terminal what is under way, and how far; anywhere else say nothing."""
     if terminal.quiet or not sys.stderr.isatty():
         yield
@@ -137,5 +137,5 @@ def stage(what: str, terminal: Terminal, meter: RenderableType | None = None) ->
     from rich.console import Console
     from rich.status import Status
 
-    with Status(meter or f"{what} ...", console=Console(stderr=True)):
+    with Status(meter or f"{subject} ...", console=Console(stderr=True)):
         yield

@@ -30,7 +30,7 @@ Beside = Callable[[str], bytes]
 """Gives the bytes of a file that is named in another."""
 
 
-def read_gltf(name: str, data: bytes, beside: Beside) -> tuple[Array, Faces]:
+def read_gltf(name: str, data: bytes, read_neighbour: Beside) -> tuple[Array, Faces]:
     """Vertices (k, 3) [m] and faces (f, 3).
 
     Raises:
@@ -38,7 +38,7 @@ def read_gltf(name: str, data: bytes, beside: Beside) -> tuple[Array, Faces]:
     """
     try:
         tree, binary = _parts(data)
-        return _Scene(name, tree, binary, beside).triangles()
+        return _Scene(name, tree, binary, read_neighbour).triangles()
     except (ValueError, LookupError, TypeError, AttributeError, OverflowError, binascii.Error):
         raise InputError(f"{name} is not a readable glTF file") from None
     except RecursionError:
@@ -58,8 +58,10 @@ def _parts(data: bytes) -> tuple[dict[str, Any], bytes]:
 
 
 class _Scene:
-    def __init__(self, name: str, tree: dict[str, Any], binary: bytes, beside: Beside) -> None:
-        self._name, self._tree, self._binary, self._beside = name, tree, binary, beside
+    def __init__(
+        self, name: str, tree: dict[str, Any], binary: bytes, read_neighbour: Beside
+    ) -> None:
+        self._name, self._tree, self._binary, self._beside = name, tree, binary, read_neighbour
         self._buffers: dict[int, bytes] = {}
         self._corners: list[Array] = []
         self._faces: list[Faces] = []

@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Faces = npt.NDArray[np.int64]
 
@@ -16,7 +16,7 @@ _FLAT = 1e-14
 """Twice the area of a triangle over the square of its longest edge; below it there is no plane."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Triangles:
     """A surface."""
 

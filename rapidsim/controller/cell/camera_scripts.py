@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import field
 
 from rapidsim.language.option_data import CameraTarget
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CameraScript:
     """What a camera finds."""
 
@@ -26,7 +26,7 @@ class CameraScript:
     """The parameters of its job, by folded name, with their initial values."""
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class CameraState:
     """A camera while a run lasts; implements `language.cameras.Camera`."""
 
@@ -34,7 +34,7 @@ class CameraState:
     name: str
     job: str = ""
     runs: bool = False
-    taken: int = 0
+    image_count: int = 0
     parameters: dict[str, float | bool | str] = field(default_factory=dict)
     exposure: dict[str, float] = field(default_factory=dict)
     results: list[tuple[float, CameraTarget]] = field(default_factory=list)

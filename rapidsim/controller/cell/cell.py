@@ -4,7 +4,7 @@ A signal that changes triggers everything that depends on it at the same instant
 follow it, interrupts, and stimuli whose condition comes true. Changes that are still to come wait
 in one list; a task lets them happen while it passes time.
 
-Passing time goes through `turns`, so that several tasks can share one clock.
+Passing time goes through `scheduler`, so that several tasks can share one clock.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from rapidsim.controller.cell.finger_motion import Fingers
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.cell.inputs import CellInputs
 from rapidsim.controller.cell.message_queues import MessageQueues
-from rapidsim.controller.cell.operator import Operator
+from rapidsim.controller.cell.operator import OperatorDialog
 from rapidsim.controller.cell.pendant import Pendant
-from rapidsim.controller.cell.rendezvous import Meetings
-from rapidsim.controller.cell.sensors import NoSensors, Sensors
+from rapidsim.controller.cell.rendezvous import RendezvousTable
+from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.controller.cell.signals import SignalTable
 from rapidsim.controller.cell.streams import SocketTable
 from rapidsim.controller.cell.system_parameters import SystemParameters
@@ -39,13 +39,13 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.language.error_log import LoggedError
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
-OUTSIDE = "cell"
+CELL_TASK = "cell"
 """Used in place of a task's name for events that no task causes."""
 
 
-class Listener(Protocol):
+class SignalListener(Protocol):
     """Is told of signals that change: a task's interrupts, a search."""
 
     def listens_to(self, signal: str) -> bool:
@@ -57,11 +57,11 @@ class Listener(Protocol):
         ...
 
 
-class ErrorListener(Protocol):
+class EventLogListener(Protocol):
     """Whose interrupts entries of the event log may raise."""
 
     @property
-    def hears_errors(self) -> bool:
+    def is_listening(self) -> bool:
         """Whether any entry does."""
         ...
 
@@ -78,10 +78,10 @@ class SampledSignal(Protocol):
         ...
 
 
-class Turns(Protocol):
+class TimeScheduler(Protocol):
     """Decides who may pass time: the one place where a scheduler of several tasks takes over."""
 
-    def until(self, task: object, time_s: float) -> float:
+    def request_advance(self, task: object, time_s: float) -> float:
         """Let the other tasks catch up to a time [s].
 
         Returns:
@@ -95,19 +95,19 @@ class Turns(Protocol):
         """When the next of the other tasks is due [s]; infinite if none is."""
         ...
 
-    def look_again(self, time_s: float) -> None:
+    def wake_at(self, time_s: float) -> None:
         """Wake the other tasks at a time [s] at which something happens."""
         ...
 
-    def rest(self, task: object) -> bool:
+    def mark_waiting(self, task: object) -> bool:
         """Note that a task waits for others; returns whether all tasks do."""
         ...
 
 
-class Alone:
+class SingleTaskScheduler:
     """One task has the clock to itself."""
 
-    def until(self, task: object, time_s: float) -> float:
+    def request_advance(self, task: object, time_s: float) -> float:
         """As far as it likes."""
         del task
         return time_s
@@ -117,16 +117,16 @@ class Alone:
         del task
         return math.inf
 
-    def look_again(self, time_s: float) -> None:
+    def wake_at(self, time_s: float) -> None:
         """Nobody to wake."""
 
-    def rest(self, task: object) -> bool:
+    def mark_waiting(self, task: object) -> bool:
         """Nobody else does anything."""
         del task
         return True
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Cause:
     """What caused a change."""
 
@@ -134,24 +134,24 @@ class Cause:
     place: Place | None = None
 
     @property
-    def named(self) -> str:
+    def description(self) -> str:
         """The task and the line, or the station."""
         if self.place is None:
-            return "the station" if self.journal.task == OUTSIDE else self.journal.task
+            return "the station" if self.journal.task == CELL_TASK else self.journal.task
         return f"{self.journal.task}, {self.place.span.file}:{self.place.span.line}"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Change:
     """How a signal came to its value."""
 
-    what: str
+    kind: str
     moment: Moment
     cause: Cause
 
 
-@dataclass(frozen=True, slots=True)
-class _Coming:
+@value_class(frozen=True, slots=True)
+class _ScheduledChange:
     """Something scheduled for a moment."""
 
     moment: Moment
@@ -163,7 +163,7 @@ class _Coming:
 class Cell:
     """The signals, the world around the robot, and what waits for what.
 
-    Changes that are to come are a `happening.Happening` of every task.
+    Changes that are to come are a `event_source.EventSource` of every task.
     """
 
     on_path = False
@@ -174,7 +174,7 @@ class Cell:
         self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home, inputs.ramdisk)
-        self.operator = Operator(inputs.answers, inputs.answers_are_typed)
+        self.operator = OperatorDialog(inputs.answers, inputs.answers_are_typed)
         self.pendant: Pendant | None = None
         """Where questions wait for answers; None if they are answered at once or never."""
         self.texts = TextTables()
@@ -185,7 +185,7 @@ class Cell:
         self.datagrams = DatagramTable(datagrams, self.happen)
         self.network = inputs.network
         """None if sockets may not use the network."""
-        self.sensors: Sensors = NoSensors()
+        self.sensors: GuidanceSensors = NoSensors()
         """The sensors that guide robots."""
         if inputs.network is not None and inputs.network.sensors is not None:
             self.sensors = inputs.network.sensors
@@ -202,23 +202,23 @@ class Cell:
         """Folded names of the I/O devices that the program has switched off."""
         self.sampled: dict[int, SampledSignal] = {}
         """The test signals by channel."""
-        self.meetings = Meetings()
-        self.turns: Turns = Alone()
+        self.rendezvous = RendezvousTable()
+        self.scheduler: TimeScheduler = SingleTaskScheduler()
         self.is_shared = False
         """Whether other tasks may change what one task waits for."""
-        self.outsiders_act = False
+        self.has_clients = False
         """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
         """Called with each entry of the event log, its task and its time [s]."""
-        self.listeners: list[Listener] = []
-        self.error_listeners: list[ErrorListener] = []
-        self.happenings = 0
+        self.listeners: list[SignalListener] = []
+        self.error_listeners: list[EventLogListener] = []
+        self.event_count = 0
         """Counts everything that another task may have to react to."""
         self._fingers: dict[str, Fingers] = {}
         """By folded name of the task."""
         self._io = inputs.io
-        self._outside = Cause(journal.beside(OUTSIDE))
-        self._coming: list[_Coming] = []
+        self._outside_cause = Cause(journal.for_task(CELL_TASK))
+        self._scheduled: list[_ScheduledChange] = []
         self._last_changes: dict[str, _Change] = {}
         """By folded name, how each signal came to its value."""
         self._true: set[int] = set()
@@ -242,22 +242,22 @@ class Cell:
             self._fingers[folded] = Fingers(None if found is None else found.object_mm)
         return self._fingers[folded]
 
-    def share(self, turns: Turns) -> None:
+    def attach_scheduler(self, turns: TimeScheduler) -> None:
         """Let several tasks take turns."""
-        self.turns, self.is_shared = turns, True
+        self.scheduler, self.is_shared = turns, True
 
-    def end_sharing(self) -> None:
+    def detach_scheduler(self) -> None:
         """End sharing, so that results of the run are read without waiting for other tasks."""
-        self.turns, self.is_shared = Alone(), False
+        self.scheduler, self.is_shared = SingleTaskScheduler(), False
 
-    def hears(self, name: str) -> bool:
+    def has_listener(self, name: str) -> bool:
         """Whether anything depends on a signal, so that its changes need a known time."""
         folded = name.lower()
         return (
             self.is_shared
             or folded in self._sources
             or any(one.listens_to(name) for one in self.listeners)
-            or any(folded in one.signals for one in self._coming)
+            or any(folded in one.signals for one in self._scheduled)
         )
 
     def set_signal(self, cause: Cause, moment: Moment, name: str, value: float) -> bool:
@@ -278,7 +278,7 @@ class Cell:
             value=value,
         )
         self._last_changes[name.lower()] = _Change(f"{name} = {value:g}", moment, cause)
-        self.tell(moment)
+        self.notify(moment)
         for listener in tuple(self.listeners):
             if listener.listens_to(name):
                 listener.signal_changed(name, old, value, moment.time_s)
@@ -288,9 +288,9 @@ class Cell:
         return True
 
     @property
-    def keeps_log(self) -> bool:
+    def has_log_listeners(self) -> bool:
         """Whether an entry of the event log matters to anybody."""
-        return self.logbook is not None or any(one.hears_errors for one in self.error_listeners)
+        return self.logbook is not None or any(one.is_listening for one in self.error_listeners)
 
     def log(self, task: str, entry: LoggedError, time_s: float) -> None:
         """Put an entry of a task into the event log."""
@@ -302,7 +302,7 @@ class Cell:
         """Raise the interrupts of all tasks that want an entry of the event log."""
         for one in tuple(self.error_listeners):
             one.error_logged(entry, time_s)
-        self.tell(Moment(Instant(time_s)))
+        self.notify(Moment(Instant(time_s)))
 
     def forget(self, listeners: Set[int]) -> None:
         """Tell some listeners, given by identity, nothing any more."""
@@ -317,9 +317,9 @@ class Cell:
             if signal.task is not None and signal.task.lower() != task.lower():
                 continue
             if signal.status is Status.TASK_EXECUTING and signal.task is not None:
-                self.set_signal(self._outside, moment, signal.name, 0.0)
+                self.set_signal(self._outside_cause, moment, signal.name, 0.0)
             elif signal.status in (Status.ERROR, Status.EXECUTION_ERROR) and failed:
-                self.set_signal(self._outside, moment, signal.name, 1.0)
+                self.set_signal(self._outside_cause, moment, signal.name, 1.0)
 
     def last_change(self, names: Iterable[str], since_s: float) -> str:
         """The last change among some signals with its cause; empty if none since a time."""
@@ -329,7 +329,7 @@ class Cell:
         if not recent:
             return ""
         _, last = max(recent, key=lambda item: item[0])
-        return f"{last.what}, set by {last.cause.named}"
+        return f"{last.kind}, set by {last.cause.description}"
 
     def schedule(self, cause: Cause, moment: Moment, values: Mapping[str, float]) -> None:
         """Change signals at a later moment, whose time may be unknown yet."""
@@ -338,8 +338,8 @@ class Cell:
             for name, value in values.items():
                 self.set_signal(cause, now, name, value)
 
-        self._coming.append(_Coming(moment, change, _folded(values)))
-        self.tell(moment)
+        self._scheduled.append(_ScheduledChange(moment, change, _folded(values)))
+        self.notify(moment)
 
     def close(self) -> None:
         """Close the files and connections that the program left open."""
@@ -351,37 +351,39 @@ class Cell:
     def happen(self, time_s: float, act: Callable[[float], None]) -> None:
         """Schedule something at a later time [s] that changes no signal."""
         moment = Moment(Instant(time_s))
-        self._coming.append(_Coming(moment, lambda now: act(now.time_s), ()))
-        self.tell(moment)
+        self._scheduled.append(_ScheduledChange(moment, lambda now: act(now.time_s), ()))
+        self.notify(moment)
 
-    def tell(self, moment: Moment) -> None:
+    def notify(self, moment: Moment) -> None:
         """Let the other tasks react to what happens at a moment."""
-        self.happenings += 1
+        self.event_count += 1
         if self.is_shared:
-            self.turns.look_again(moment.time_s)
+            self.scheduler.wake_at(moment.time_s)
 
     def next_s(self) -> float | None:
         """Time [s] of the next change whose time is known; None if there is none."""
-        times = [one.moment.time_s for one in self._coming if one.moment.instant.time is not None]
+        times = [
+            one.moment.time_s for one in self._scheduled if one.moment.instant.time is not None
+        ]
         return min(times, default=None)
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Carry out the earliest change whose time is known; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Carry out the earliest change whose time is known; see `event_source.EventSource`."""
         del passed_s, until_s
-        known = [one for one in self._coming if one.moment.instant.time is not None]
+        known = [one for one in self._scheduled if one.moment.instant.time is not None]
         coming = min(known, key=lambda one: one.moment.time_s)
-        self._coming.remove(coming)
-        self.happenings += 1
+        self._scheduled.remove(coming)
+        self.event_count += 1
         coming.act(coming.moment)
         return coming.moment.time_s
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Changes keep their times."""
 
     def may_change(self, name: str) -> bool:
         """Whether a signal may change without a program, directly or through others."""
         changing: set[str] = set()
-        new = {signal for one in self._coming for signal in one.signals}
+        new = {signal for one in self._scheduled for signal in one.signals}
         while new - changing:
             changing |= new
             new = {
@@ -402,10 +404,10 @@ class Cell:
         for index, stimulus in enumerate(self._io.stimuli):
             if stimulus.when is None:
                 first_s = stimulus.every_s if stimulus.at_s is None else stimulus.at_s
-                self._come(stimulus, first_s or 0.0)
+                self._apply_stimulus(stimulus, first_s or 0.0)
             elif stimulus.when.holds(self.signals.read):
                 self._true.add(index)
-                self._come(stimulus, start.time_s + stimulus.after_s)
+                self._apply_stimulus(stimulus, start.time_s + stimulus.after_s)
 
     def _follow(self, name: str, cause: Cause, moment: Moment) -> None:
         """Update the signals that are connected to one that has changed."""
@@ -422,11 +424,11 @@ class Cell:
 
         def act(now: Moment) -> None:
             if self.signals.read(cross.result) != value:
-                self.set_signal(self._outside, now, cross.result, value)
+                self.set_signal(self._outside_cause, now, cross.result, value)
 
         moment = Moment(Instant(time_s))
-        self._coming.append(_Coming(moment, act, _folded((cross.result,))))
-        self.tell(moment)
+        self._scheduled.append(_ScheduledChange(moment, act, _folded((cross.result,))))
+        self.notify(moment)
 
     def _stimulate(self, name: str, moment: Moment) -> None:
         """Start the stimuli whose condition has come true with a signal."""
@@ -437,24 +439,24 @@ class Cell:
                 self._true.discard(index)
             elif index not in self._true:
                 self._true.add(index)
-                self._come(stimulus, moment.time_s + stimulus.after_s)
+                self._apply_stimulus(stimulus, moment.time_s + stimulus.after_s)
 
-    def _come(self, stimulus: Stimulus, time_s: float) -> None:
+    def _apply_stimulus(self, stimulus: Stimulus, time_s: float) -> None:
         """Apply a stimulus at a time, and schedule it again if it repeats."""
 
         def act(now: Moment) -> None:
             before = {name: self.signals.read(name) for name in stimulus.values}
             if stimulus.pulse_s is not None:
                 later = Moment(Instant(now.time_s + stimulus.pulse_s))
-                self.schedule(self._outside, later, before)
+                self.schedule(self._outside_cause, later, before)
             for name, value in stimulus.values.items():
                 if value != before[name]:
-                    self.set_signal(self._outside, now, name, value)
+                    self.set_signal(self._outside_cause, now, name, value)
             if stimulus.every_s is not None:
-                self._come(stimulus, now.time_s + stimulus.every_s)
+                self._apply_stimulus(stimulus, now.time_s + stimulus.every_s)
 
         moment = Moment(Instant(time_s))
-        self._coming.append(_Coming(moment, act, _folded(stimulus.values)))
+        self._scheduled.append(_ScheduledChange(moment, act, _folded(stimulus.values)))
 
 
 def _folded(names: Mapping[str, float] | tuple[str, ...]) -> tuple[str, ...]:

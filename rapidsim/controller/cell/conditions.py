@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _RELATIONS: Mapping[str, Callable[[float, float], bool]] = MappingProxyType(
     {
@@ -35,7 +35,7 @@ class ConditionError(ValueError):
     """A condition that cannot be read; the text says why."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Term:
     """One signal compared with a number."""
 
@@ -49,7 +49,7 @@ class Term:
         return _RELATIONS[self.relation](read(self.signal), self.value) != self.negated
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Condition:
     """Terms and how they are joined."""
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MM_BEHIND = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ConveyorScript:
     """How objects arrive on a conveyor; plain data, read from the station file."""
 
@@ -24,7 +24,7 @@ class ConveyorScript:
     """An object that travels this far without being taken is lost."""
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class ConveyorState:
     """A conveyor while a run lasts; implements `language.equipment.Conveyor`."""
 

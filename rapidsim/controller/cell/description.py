@@ -14,7 +14,7 @@ from rapidsim.controller.cell.conditions import Condition
 from rapidsim.controller.cell.conveyors import ConveyorScript
 from rapidsim.controller.cell.part_poses import PartPose
 from rapidsim.controller.cell.socket_scripts import SocketScript
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class SignalKind(StrEnum):
@@ -88,7 +88,7 @@ _NOT_IN_A_RUN = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SignalDeclaration:
     """One signal of the I/O configuration."""
 
@@ -107,7 +107,7 @@ class SignalDeclaration:
     """The mechanical unit whose state it shows."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Stimulus:
     """A change of inputs from outside: at a time, or after a condition became true."""
 
@@ -124,7 +124,7 @@ class Stimulus:
     """After this time the signals return to their previous values."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Gripper:
     """How a program works a gripper: the signals that close it and that say that it has closed."""
 
@@ -141,7 +141,7 @@ class Gripper:
     """The task whose robot carries it; None is that of the first robot."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CrossConnection:
     """A signal that follows others, by the I/O system or a device and not by the program."""
 
@@ -151,7 +151,7 @@ class CrossConnection:
     """The delay, each time."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class DescribedFingers:
     """What the station says of a servo gripper."""
 
@@ -165,7 +165,7 @@ class DescribedFingers:
         return self.task is None or self.task.lower() == task.lower()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CellIo:
     """The signals of a cell and what drives them."""
 

@@ -181,7 +181,7 @@ class HomeFolder:
                 raise RapidError(ERR_FILEOPEN, f"{path} is not a regular file")
             stream = os.fdopen(descriptor, _MODES[mode])
         except OSError as error:
-            self._look_for(place)
+            self._note_missing(place)
             reason = (error.strerror or "cannot be opened").lower()
             raise RapidError(ERR_FILEOPEN, f"{path}: {reason}") from None
         if mode is not FileMode.READ:
@@ -203,7 +203,7 @@ class HomeFolder:
             raise rapid_error(ERR_FILNOTFND, error.message) from None
         for file in self._files:
             file.flush()
-        self._look_for(place)
+        self._note_missing(place)
         if not place.is_file():
             raise rapid_error(ERR_FILNOTFND, f"there is no file {path} in {self._folder}")
         try:
@@ -262,7 +262,7 @@ class HomeFolder:
     def remove_folder(self, path: str) -> None:
         """Delete an empty folder."""
         place = self._place(path)
-        self._look_for(place)
+        self._note_missing(place)
         with _refusals(path):
             place.rmdir()
 
@@ -280,13 +280,13 @@ class HomeFolder:
         place = self._place(path, or_root=True)
         if self._is_disk(place):
             return True
-        self._look_for(place)
+        self._note_missing(place)
         return place.is_dir()
 
     def size(self, path: str) -> int | None:
         """Size of a file [bytes]; None if there is no such file."""
         place = self._place(path, or_root=True)
-        self._look_for(place)
+        self._note_missing(place)
         for file in self._files:
             file.flush()
         return place.stat().st_size if place.is_file() else None
@@ -294,7 +294,7 @@ class HomeFolder:
     def written_s(self, path: str) -> float | None:
         """When the run wrote a file, 0 if it did not; None if there is no such file."""
         place = self._place(path, or_root=True)
-        self._look_for(place)
+        self._note_missing(place)
         return self._written.get(place, 0.0) if place.exists() else None
 
     def loaded_s(self, path: str) -> float:
@@ -321,12 +321,12 @@ class HomeFolder:
         for file in self._files:
             file.flush()
         place = self._place(path)
-        self._look_for(place)
+        self._note_missing(place)
         if not place.is_file():
             raise rapid_error(ERR_FILEACC, f"there is no file {path}")
         return place
 
-    def _look_for(self, place: Path) -> None:
+    def _note_missing(self, place: Path) -> None:
         """Note where somebody asks for what is not there."""
         self.lacks = self.lacks or not place.exists()
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.language.equipment import Configured
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network
@@ -22,7 +22,7 @@ START_OF_TIME = datetime(2000, 1, 1)
 """A fixed day, so that two runs are the same."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CellInputs:
     """What all tasks of a cell share from the start; `RunOptions` says what it is by default."""
 

@@ -20,7 +20,7 @@ from rapidsim.language.error_numbers import (
     rapid_error,
 )
 from rapidsim.language.messages import Message, MessageKind, Slot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LEAST_BYTES, MOST_BYTES = 400, 3000
 MOST_MESSAGES = 10
@@ -43,7 +43,7 @@ class QueueMode(StrEnum):
     SYNCHRONOUS = "synchronous"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class QueueSettings:
     """The queue of a task as the system parameters describe it."""
 
@@ -54,7 +54,7 @@ class QueueSettings:
     max_messages: int = 5
 
 
-class Put(StrEnum):
+class DeliveryResult(StrEnum):
     """What became of a message."""
 
     KEPT = "kept"
@@ -63,8 +63,8 @@ class Put(StrEnum):
     LOST = "lost"
 
 
-@dataclass(slots=True, eq=False)
-class _Awaited:
+@value_class(slots=True, eq=False)
+class _PendingReply:
     """What RMQSendWait waits for."""
 
     sender: Slot
@@ -72,7 +72,7 @@ class _Awaited:
     answer: Message | None = None
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class MessageQueue:
     """The messages for a task or a client; implements `language.messages.Slot`."""
 
@@ -84,16 +84,16 @@ class MessageQueue:
     """Its task is not in the run: what comes is lost."""
     raises_interrupt: Callable[[Message, float], bool] = lambda message, now_s: False
     """Raises the interrupts that wait for a message; returns whether there are any."""
-    _awaited: _Awaited | None = None
+    _awaited: _PendingReply | None = None
 
-    def put(self, message: Message, now_s: float) -> Put:
+    def put(self, message: Message, now_s: float) -> DeliveryResult:
         """Deliver a message at a time [s] that every task has come up to.
 
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
         """
         if self.is_absent:
-            return Put.LOST
+            return DeliveryResult.LOST
         size, most = len(message.wire.encode("iso-8859-1", "replace")), self.settings.max_bytes
         if not self.is_open:
             raise rapid_error(ERR_RMQ_INVALID, f"{self.name} has disconnected")
@@ -109,7 +109,7 @@ class MessageQueue:
             and awaited.kind.fits(message.kind)
         ):
             awaited.answer = message
-            return Put.ANSWERS
+            return DeliveryResult.ANSWERS
         if len(self.messages) >= self.settings.max_messages:
             raise rapid_error(
                 ERR_RMQ_FULL, f"{self.name} holds {len(self.messages)} messages and takes no more"
@@ -117,13 +117,13 @@ class MessageQueue:
         mode = self.settings.mode
         raised = mode is not QueueMode.SYNCHRONOUS and self.raises_interrupt(message, now_s)
         if mode is QueueMode.INTERRUPT and not raised:
-            return Put.DISCARDED
+            return DeliveryResult.DISCARDED
         self.messages.append(message)
-        return Put.KEPT
+        return DeliveryResult.KEPT
 
     def await_answer(self, sender: Slot, kind: MessageKind) -> None:
         """Keep the next message of a kind from a sender for RMQSendWait."""
-        self._awaited = _Awaited(sender, kind)
+        self._awaited = _PendingReply(sender, kind)
 
     @property
     def answer(self) -> Message | None:
@@ -135,7 +135,7 @@ class MessageQueue:
         self._awaited = None
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class MessageQueues:
     """All queues of a cell, by name, case-sensitive."""
 
@@ -164,11 +164,11 @@ class MessageQueues:
         if queue := self._queues.pop(client, None):
             queue.is_open = False
 
-    def find(self, name: str, *, from_outside: bool = False) -> MessageQueue | None:
+    def find(self, name: str, *, is_external: bool = False) -> MessageQueue | None:
         """The queue of a name; a client finds those of tasks only where they are remote."""
         queue = self._queues.get(name)
-        if queue is None and name in self.absent and not from_outside:
+        if queue is None and name in self.absent and not is_external:
             return MessageQueue(name, QueueSettings(), is_absent=True)
-        if queue is not None and from_outside and queue.settings.type is not QueueType.REMOTE:
+        if queue is not None and is_external and queue.settings.type is not QueueType.REMOTE:
             return None
         return queue

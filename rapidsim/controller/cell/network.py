@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from time import monotonic
 from typing import TypeVar
 
-from rapidsim.controller.cell.sensors import Sensors
+from rapidsim.controller.cell.sensors import GuidanceSensors
 from rapidsim.language.error_numbers import (
     ERR_SOCK_ADDR_INUSE,
     ERR_SOCK_CLOSED,
@@ -154,7 +154,7 @@ class Network:
 
     hosts: frozenset[str] = frozenset()
     """Hosts other than this computer that sockets may bind or connect to."""
-    sensors: Sensors | None = None
+    sensors: GuidanceSensors | None = None
     """The sensors that guide robots; None for none."""
     _opened: list[NetworkConnection | NetworkPort | NetworkMailbox] = field(default_factory=list)
 

@@ -13,7 +13,7 @@ from typing import Generic, TypeVar
 from rapidsim.controller.cell.inputs import Answers
 from rapidsim.diagnostics import Violation
 from rapidsim.findings.runs import AnswerNotAChoice, AnswerNotANumber, QuestionUnanswered
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_NUMBER = 0.0
 
@@ -21,7 +21,7 @@ DEFAULT_NUMBER = 0.0
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class OperatorAnswer(Generic[T]):
     """The answer, and what was wrong with it."""
 
@@ -29,25 +29,25 @@ class OperatorAnswer(Generic[T]):
     findings: tuple[Violation, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Operator:
+@value_class(frozen=True, slots=True)
+class OperatorDialog:
     """Puts questions to whoever answers."""
 
     answers: Answers | None
-    can_be_asked_again: bool = False
+    is_interactive: bool = False
     """Whether a person answers, who can correct an answer; lines of a file cannot."""
 
     def number(self, prompt: str, *, ends: bool = False) -> OperatorAnswer[float] | None:
         """The answer to a question for a number; None if it `ends` without an answer."""
-        text = self._ask(prompt)
+        text = self._read_answer(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
-            value = number_said(text)
+            value = parse_number(text)
             if value is not None:
                 return OperatorAnswer(value)
-            if not self.can_be_asked_again:
+            if not self.is_interactive:
                 return OperatorAnswer(DEFAULT_NUMBER, (AnswerNotANumber(prompt, text, default),))
-            text = self._ask(f"`{text}` is not a number, such as 12 or -0.5. {prompt}")
+            text = self._read_answer(f"`{text}` is not a number, such as 12 or -0.5. {prompt}")
         if ends:
             return None
         return OperatorAnswer(DEFAULT_NUMBER, (QuestionUnanswered(prompt, default),))
@@ -59,32 +59,32 @@ class Operator:
         keys = [index for index, text in enumerate(choices) if text]
         first = keys[0] if keys else 0
         offered = f"{prompt} {' / '.join(choices[index] for index in keys)}"
-        text = self._ask(offered)
+        text = self._read_answer(offered)
         while text is not None:
-            index = key_said(text, choices)
+            index = parse_key(text, choices)
             if index is not None:
                 return OperatorAnswer(index)
-            if not self.can_be_asked_again:
+            if not self.is_interactive:
                 return OperatorAnswer(first, (AnswerNotAChoice(prompt, text, choices[first]),))
-            text = self._ask(f"`{text}` is none of the keys. {offered}")
+            text = self._read_answer(f"`{text}` is none of the keys. {offered}")
         if ends:
             return None
         return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))
 
     def text(self, prompt: str, proposal: str, *, ends: bool = False) -> OperatorAnswer[str] | None:
         """A text; the proposal if nobody answers."""
-        text = self._ask(prompt)
+        text = self._read_answer(prompt)
         if text is None and ends:
             return None
         if text is None:
             return OperatorAnswer(proposal, (QuestionUnanswered(prompt, proposal),))
         return OperatorAnswer(text)
 
-    def _ask(self, prompt: str) -> str | None:
+    def _read_answer(self, prompt: str) -> str | None:
         return self.answers(prompt) if self.answers else None
 
 
-def number_said(text: str) -> float | None:
+def parse_number(text: str) -> float | None:
     """The finite number in a text; None if it is not one."""
     try:
         value = float(text)
@@ -93,7 +93,7 @@ def number_said(text: str) -> float | None:
     return value if math.isfinite(value) else None
 
 
-def key_said(text: str, choices: Sequence[str]) -> int | None:
+def parse_key(text: str, choices: Sequence[str]) -> int | None:
     """The index of the key that a text means, by its text or its number from 1; "" is no key."""
     said = text.strip().lower()
     for index, choice in enumerate(choices):

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rapidsim.language.data import Pose
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PartPose:
     """Pose of a part in the work object in which it was taught."""
 

@@ -6,21 +6,21 @@ from collections.abc import Sequence
 from dataclasses import field
 from typing import TypeAlias
 
-from rapidsim.controller.cell.operator import key_said, number_said
-from rapidsim.values import dataclass
+from rapidsim.controller.cell.operator import parse_key, parse_number
+from rapidsim.values import value_class
 
 AnswerValue: TypeAlias = float | int | str
 """A number, the index of a key, or a text."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Question:
     """A question of a task."""
 
     task: str
     instruction: str
     prompt: str
-    wants: type[AnswerValue]
+    answer_type: type[AnswerValue]
     """`float` a number, `int` one of the choices, `str` a text."""
     choices: tuple[str, ...] = ()
     """Keys from 1; a key with the text "" is not shown."""
@@ -32,20 +32,20 @@ class Question:
         Raises:
             ValueError: If it is not valid, in words for whoever answers.
         """
-        if self.wants is str:
+        if self.answer_type is str:
             return text
-        if self.wants is float:
-            value = number_said(text)
+        if self.answer_type is float:
+            value = parse_number(text)
             if value is None:
                 raise ValueError(f"`{text}` is not a number")
             return value
-        index = key_said(text, self.choices)
+        index = parse_key(text, self.choices)
         if index is None:
             raise ValueError(f"`{text}` is none of {' / '.join(filter(None, self.choices))}")
         return index
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class Pendant:
     """The open question of each task, and the answers that no task has taken yet."""
 
@@ -67,7 +67,7 @@ class Pendant:
         self,
         task: str,
         prompt: str,
-        wants: type[AnswerValue],
+        answer_type: type[AnswerValue],
         choices: Sequence[str] = (),
         proposal: str = "",
     ) -> AnswerValue | None:
@@ -75,7 +75,7 @@ class Pendant:
         if task in self._answers:
             return self._answers.pop(task)
         name = self._instructions.get(task, "")
-        self.questions[task] = Question(task, name, prompt, wants, tuple(choices), proposal)
+        self.questions[task] = Question(task, name, prompt, answer_type, tuple(choices), proposal)
         return None
 
     def answer(self, task: str, text: str) -> None:

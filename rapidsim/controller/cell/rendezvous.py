@@ -9,7 +9,7 @@ from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
 
 
 @dataclass(slots=True, eq=False)
-class Meeting:
+class Rendezvous:
     """Tasks that wait at one synchronization point."""
 
     name: str
@@ -28,12 +28,12 @@ class Meeting:
 
 
 @dataclass(slots=True)
-class Meetings:
+class RendezvousTable:
     """The synchronization points at which tasks wait, by kind and name."""
 
-    _open: dict[tuple[str, str], Meeting] = field(default_factory=dict)
+    _open: dict[tuple[str, str], Rendezvous] = field(default_factory=dict)
 
-    def arrive(self, instruction: str, name: str, task: str, tasks: Iterable[str]) -> Meeting:
+    def arrive(self, instruction: str, name: str, task: str, tasks: Iterable[str]) -> Rendezvous:
         """A task arrives at a synchronization point.
 
         Args:
@@ -47,7 +47,7 @@ class Meetings:
         """
         key = (instruction, name.lower())
         wanted = frozenset(one.lower() for one in tasks)
-        meeting = self._open.setdefault(key, Meeting(name, wanted))
+        meeting = self._open.setdefault(key, Rendezvous(name, wanted))
         if meeting.tasks != wanted:
             raise rapid_error(
                 ERR_ARGVALERR,
@@ -59,11 +59,11 @@ class Meetings:
             del self._open[key]
         return meeting
 
-    def leave(self, instruction: str, meeting: Meeting, task: str) -> None:
+    def leave(self, instruction: str, rendezvous: Rendezvous, task: str) -> None:
         """A task gives up waiting."""
-        meeting.arrived.remove(task.lower())
-        if not meeting.arrived:
-            del self._open[instruction, meeting.name.lower()]
+        rendezvous.arrived.remove(task.lower())
+        if not rendezvous.arrived:
+            del self._open[instruction, rendezvous.name.lower()]
 
 
 def _listed(tasks: Iterable[str]) -> str:

@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from rapidsim.motion.guidance.feedback import Feedback, GuidedFeedback
-from rapidsim.motion.guidance.guided_run import GuidedRun
+from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Teller:
+@value_class(frozen=True, slots=True, eq=False)
+class FeedbackSchedule:
     """How a sensor is informed of a guidance: when, and in which frames."""
 
     first_s: float
@@ -22,15 +22,15 @@ class Teller:
     feedback: GuidedFeedback
 
 
-class Sensor(Protocol):
+class GuidanceSensor(Protocol):
     """A sensor that a task talks to."""
 
     @property
-    def looks_ahead(self) -> bool:
+    def has_lookahead(self) -> bool:
         """Whether a stream is told in advance where the robot will be, so none is late."""
         ...
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
         """A guidance begins; `exchange` is called at each of its cycles that is a sample."""
         ...
 
@@ -42,18 +42,18 @@ class Sensor(Protocol):
         """Send where the robot is; returns what the sensor has said since the last time."""
         ...
 
-    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
-        """The program ends the guidance; see `GuidedRun.stop`."""
+    def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
+        """The program ends the guidance; see `GuidedExecution.stop`."""
         ...
 
     def end(self, feedback: Feedback) -> None:
         """The guidance is over: a last message."""
         ...
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
+    def stream(self, stream: Sequence[Feedback]) -> None:
         """Tell, each at its time, where a robot is that nobody guides.
 
-        With `looks_ahead` these times are to come, and later words replace those before.
+        With `has_lookahead` these times are to come, and later words replace those before.
         """
         ...
 
@@ -62,10 +62,10 @@ class Sensor(Protocol):
         ...
 
 
-class Sensors(Protocol):
+class GuidanceSensors(Protocol):
     """All devices that a controller knows."""
 
-    def open(self, device: str) -> Sensor:
+    def open(self, device: str) -> GuidanceSensor:
         """Talk to the sensor behind a device.
 
         Raises:
@@ -81,39 +81,39 @@ class Sensors(Protocol):
 class SilentSensor:
     """A sensor that never answers."""
 
-    looks_ahead: bool = False
+    has_lookahead: bool = False
 
-    def begin(self, run: GuidedRun, told: Teller) -> None:
-        """See `Sensor`."""
+    def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
+        """See `GuidanceSensor`."""
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
         """There is never an answer."""
         del feedback
         return None
 
-    def stop(self, *, goes_back: bool, ramp_out_s: float) -> None:
-        """See `Sensor`."""
+    def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
+        """See `GuidanceSensor`."""
 
     def end(self, feedback: Feedback) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
 
-    def tell(self, stream: Sequence[Feedback]) -> None:
-        """See `Sensor`."""
+    def stream(self, stream: Sequence[Feedback]) -> None:
+        """See `GuidanceSensor`."""
 
     def close(self) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
 
 
 class NoSensors:
     """No device has a sensor."""
 
-    def open(self, device: str) -> Sensor:
-        """See `Sensors`."""
+    def open(self, device: str) -> GuidanceSensor:
+        """See `GuidanceSensors`."""
         del device
         return SilentSensor()
 
     def close(self) -> None:
-        """See `Sensors`."""
+        """See `GuidanceSensors`."""

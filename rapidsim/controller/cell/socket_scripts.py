@@ -5,10 +5,10 @@ Plain data, read from the station file or the file that `--io` names.
 
 from __future__ import annotations
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SocketStep:
     """One step of a script: wait for what the program sends, wait a while, then act."""
 
@@ -20,7 +20,7 @@ class SocketStep:
     """End the connection."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SocketScript:
     """A peer of a program's sockets."""
 

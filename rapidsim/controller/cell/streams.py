@@ -29,13 +29,13 @@ class StreamEnd:
     received: bytearray = field(default_factory=bytearray)
     has_ended: bool = False
     is_open: bool = True
-    other: StreamEnd | None = None
+    other_end: StreamEnd | None = None
     notice: Callable[[float], None] | None = None
     """What happens, at a time [s], when something arrived or the other end closed."""
 
     def send(self, data: bytes, now_s: float) -> None:
         """Bring bytes to the other end."""
-        other = self.other
+        other = self.other_end
         if other is None or self.has_ended:
             return
         other.received += data
@@ -45,7 +45,7 @@ class StreamEnd:
     def close(self, now_s: float) -> None:
         """End the connection; the other end may still read what has arrived."""
         self.is_open = False
-        other, self.other = self.other, None
+        other, self.other_end = self.other_end, None
         if other is not None:
             other.has_ended = True
             if other.notice is not None:
@@ -55,7 +55,7 @@ class StreamEnd:
 def connected(near_peer: str, far_peer: str) -> tuple[StreamEnd, StreamEnd]:
     """Both ends of a new connection, each with the address of the other."""
     near, far = StreamEnd(near_peer), StreamEnd(far_peer)
-    near.other, far.other = far, near
+    near.other_end, far.other_end = far, near
     return near, far
 
 
@@ -119,7 +119,7 @@ class ScriptedPeer:
             self.ended(now_s)
 
 
-class Outside(Protocol):
+class ExternalPeer(Protocol):
     """Who is beyond the scripts; see `outside_streams`."""
 
     def opened(self, port: Port, address: str) -> None:
@@ -146,7 +146,7 @@ class SocketTable:
         """Let scripts do what they do at the times they say."""
         self._scripts = tuple(scripts)
         self._schedule = schedule
-        self.outside: Outside | None = None
+        self.external: ExternalPeer | None = None
         """None where nobody is there but scripts and tasks."""
         self._ports: dict[int, Port] = {}
         self._busy: set[int] = set()
@@ -173,8 +173,8 @@ class SocketTable:
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
         """
-        if self.outside is not None and not self.is_scripted(port.port, serves=False):
-            self.outside.opened(port, port.address)
+        if self.external is not None and not self.is_scripted(port.port, serves=False):
+            self.external.opened(port, port.address)
         port.listens = True
         for index, script in enumerate(self._scripts):
             if script.port == port.port and not script.serves and index not in self._busy:
@@ -183,8 +183,8 @@ class SocketTable:
     def close_port(self, port: Port) -> None:
         """Give a port back."""
         port.listens = False
-        if self.outside is not None:
-            self.outside.closed(port)
+        if self.external is not None:
+            self.external.closed(port)
         if self._ports.get(port.port) is port:
             del self._ports[port.port]
 
@@ -200,7 +200,7 @@ class SocketTable:
                 return near
         listening = self._listening(port)
         if listening is None:
-            return None if self.outside is None else self.outside.called(address, port)
+            return None if self.external is None else self.external.called(address, port)
         host = "127.0.0.1" if address in LOCAL else address
         near, far = connected(name, f"{host}:{port}")
         listening.waiting.append(far)
@@ -208,8 +208,8 @@ class SocketTable:
 
     def hang_up(self, address: str, port: int, now_s: float) -> None:
         """Stop trying to connect."""
-        if self.outside is not None:
-            self.outside.hung_up(address, port, now_s)
+        if self.external is not None:
+            self.external.hung_up(address, port, now_s)
 
     def _listening(self, port: int) -> Port | None:
         """The port of that number, if a program listens there."""

@@ -22,7 +22,7 @@ from typing import ClassVar, Final, Protocol
 
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.controller.pointer_time import NO_TICKS
-from rapidsim.motion.compiled import COMPILING
+from rapidsim.motion.numba_jit import COMPILING
 
 _AGAIN_S: Final = 0.02
 """How long [s] until it takes the ticks of a task away again, in case more were just granted."""
@@ -47,7 +47,7 @@ class _Interrupted(WallLimitReached):
 class Ticking(Protocol):
     """What runs loops."""
 
-    left: int
+    ticks_left: int
     """Ticks that are left; below zero a loop asks for more, and whoever grants them looks."""
 
 
@@ -82,7 +82,7 @@ class Watchdog:
 
     @property
     def has_ended_the_run(self) -> bool:
-        """Whether `look` has raised; from then on nothing long may begin."""
+        """Whether `check` has raised; from then on nothing long may begin."""
         return self._is_over and self._rests.is_set()
 
     @property
@@ -98,7 +98,7 @@ class Watchdog:
         """Leave the loops of a task alone."""
         self._tasks.remove(task)
 
-    def look(self) -> None:
+    def check(self) -> None:
         """End the run, once, if its time is over. Costs next to nothing.
 
         Raises:
@@ -117,7 +117,7 @@ class Watchdog:
         Raises:
             WallLimitReached: If it was interrupted.
         """
-        self.look()
+        self.check()
         self._at_work = get_ident()
         try:
             try:
@@ -125,7 +125,7 @@ class Watchdog:
             finally:
                 self._no_longer()
         except _Interrupted:
-            self.look()
+            self.check()
             raise
 
     def rest(self) -> None:
@@ -146,7 +146,7 @@ class Watchdog:
         interrupt_s = monotonic() + _PATIENCE_S
         while True:
             for task in self._tasks:
-                task.left = NO_TICKS
+                task.ticks_left = NO_TICKS
             with COMPILING, self._lock:
                 if self._rests.is_set():
                     return
@@ -166,7 +166,7 @@ class Watchdog:
             interrupted, self._at_work = self._at_work is None, None
         if interrupted and not isinstance(sys.exception(), _Interrupted):
             # One that is raised in this thread by now comes up when the sleep is over. If none
-            # does, it has come before and another took its place; `look` ends the run then.
+            # does, it has come before and another took its place; `check` ends the run then.
             sleep(_AGAIN_S)
 
 

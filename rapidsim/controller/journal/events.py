@@ -8,7 +8,7 @@ from enum import StrEnum
 
 from rapidsim.language.error_answers import AnsweredError
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class EventKind(StrEnum):
@@ -26,7 +26,7 @@ class EventKind(StrEnum):
     LIMIT = "limit"
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class Event:
     """Something that happened at an instant."""
 
@@ -46,7 +46,7 @@ class Event:
         return f"<{self.kind} at {self.time_s:.3f} s of {self.task[:20]}: {said!r}>"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ErrorTally:
     """Errors of one number that one place raised and one ERROR clause answered in one way."""
 
@@ -58,7 +58,7 @@ class ErrorTally:
     count: int
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ExecutedLine:
     """The program pointer reached a statement that waits or moves."""
 
@@ -67,7 +67,7 @@ class ExecutedLine:
     place: Place
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Wait:
     """A statement let virtual time pass; waits of no length are not recorded."""
 
@@ -87,7 +87,7 @@ MAX_TIME = "its time limit"
 SATISFIED = "its condition"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Unsimulated:
     """A routine that was called and not simulated."""
 

@@ -15,13 +15,13 @@ from rapidsim.motion.geometry.curves import circle_fault, curves_of
 from rapidsim.motion.geometry.joint_mapping import arms_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _WAY_POINTS = 49
 """Enough points to make a joint move or an arc look round."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class FailedMove:
     """A move that the arm cannot make."""
 
@@ -29,7 +29,7 @@ class FailedMove:
     violation: Violation
     base_from_tcp: Transform
     """The programmed end."""
-    way: Array
+    curve: Array
     """The programmed path of the TCP (k, 3) [m] in base; only the end if no more is known."""
     fails_at: Array
     """Where on the path (3,) [m] it fails; the end if that cannot be reached."""
@@ -44,7 +44,7 @@ def refused_move(place: Place, violation: Violation, segment: Segment, robot: Ro
         start, via = segment.start.base_from_tcp, segment.via
         way = np.stack([start.translation, via.translation, end.translation])
     else:
-        way = _way(segment, robot)
+        way = _sample_curve(segment, robot)
     return FailedMove(place, violation, end, way, end.translation)
 
 
@@ -54,23 +54,23 @@ def refused_axes(place: Place, violation: Violation, base_from_tcp: Transform) -
     return FailedMove(place, violation, base_from_tcp, end[None], end)
 
 
-def failed_on_the_way(
+def failed_at_fraction(
     place: Place, violation: Violation, segment: Segment, fraction: float, robot: Robot
 ) -> FailedMove:
     """A move that fails after a fraction of its path, 0 to 1."""
-    way = _way(segment, robot)
+    way = _sample_curve(segment, robot)
     place_on_way = fraction * (len(way) - 1)
     before = min(int(place_on_way), len(way) - 2)
     rest = place_on_way - before
     fails_at = (1.0 - rest) * way[before] + rest * way[before + 1]
     end = segment.end.base_from_tcp
-    if segment.carrier is not None and segment.carrier.leader is not None:
+    if segment.carrier is not None and segment.carrier.robot is not None:
         # The pose is given on what another robot carries; the way is in base.
         end = Transform(end.rotation, way[-1])
     return FailedMove(place, violation, end, way, fails_at)
 
 
-def _way(segment: Segment, robot: Robot) -> Array:
+def _sample_curve(segment: Segment, robot: Robot) -> Array:
     """The curve of a segment at evenly spaced places (k, 3) [m]."""
     curves = curves_of((segment,), robot.kinematics)
     row = np.zeros(_WAY_POINTS, dtype=np.int64)

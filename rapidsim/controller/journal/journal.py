@@ -26,7 +26,7 @@ from rapidsim.findings.runs import AcceptedWithoutEffect, RoutineNotSimulated
 from rapidsim.language.controller import ACCEPTED
 from rapidsim.language.error_answers import AnsweredError, answer_text, error_facts
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MOST_EVENTS = 1_000_000
 """The most events of a run: an endless loop that writes would otherwise use up the memory."""
@@ -42,7 +42,7 @@ class Instant:
         self.time = time
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Moment:
     """A time some seconds after an instant."""
 
@@ -61,7 +61,7 @@ class Moment:
         return self.instant.time + self.offset_s
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ErrorMark:
     """When an error was raised: what is noted while it is answered comes after it."""
 
@@ -70,12 +70,12 @@ class ErrorMark:
     """In the list of events."""
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class _Entry:
     moment: Moment
     event: Event
     """Its time counts for nothing."""
-    is_taken: bool = False
+    is_committed: bool = False
 
     def dated(self) -> Event:
         """The event, when its time is known."""
@@ -83,7 +83,7 @@ class _Entry:
         return replace(self.event, time_s=self.moment.time_s, details=dict(self.event.details))
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class _Tally:
     """How often an error was raised and answered in one way."""
 
@@ -95,12 +95,12 @@ class _Tally:
     details: dict[str, object]
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class Journal:
     """Everything a task reports while it runs."""
 
     task: str
-    keeps_all: bool = True
+    retains_all: bool = True
     """Whether statements, waits and findings are kept, which grow without bound."""
     moves_given: int = 0
     """How many moves the task's robot has been given."""
@@ -113,17 +113,17 @@ class Journal:
     _errors: dict[AnsweredError, _Tally] = field(default_factory=dict)
     _unsimulated: dict[tuple[str, str, bool], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str, bool], Place] = field(default_factory=dict)
-    hears: Callable[[Diagnostic], None] | None = None
+    on_finding: Callable[[Diagnostic], None] | None = None
     """Told at once what is found or not simulated, once for each rule and place."""
     remarks: int = 0
     """How often something was found, has failed or was not simulated."""
 
-    def beside(self, task: str) -> Journal:
+    def for_task(self, task: str) -> Journal:
         """The journal of another task of the cell, whose events go into the same list.
 
         So what happens at one instant keeps the order in which it happened.
         """
-        return Journal(task, self.keeps_all, _events=self._events, hears=self.hears)
+        return Journal(task, self.retains_all, _events=self._events, on_finding=self.on_finding)
 
     @property
     def noted(self) -> int:
@@ -150,19 +150,19 @@ class Journal:
 
     def error(self, mark: ErrorMark, error: AnsweredError) -> None:
         """Record an error that was raised at a mark; those of one kind are one event."""
-        tally = self._errors.get(error) or self._alike(error)
+        tally = self._errors.get(error) or self._same_tally(error)
         if tally is None:
             entry, details = self._error_event(mark, error)
             self._errors[error] = _Tally(error, mark.moment, mark.moment, 1, entry, details)
             return
         tally.last = mark.moment
         tally.count += 1
-        if tally.entry.is_taken:
+        if tally.entry.is_committed:
             tally.entry, tally.details = self._error_event(mark, error)
         else:
             tally.details["count"] = tally.details["count"] + 1  # type: ignore[operator]
 
-    def _alike(self, error: AnsweredError) -> _Tally | None:
+    def _same_tally(self, error: AnsweredError) -> _Tally | None:
         """The tally of the same error before its program was loaded again."""
         known = next((known for known in self._errors if known.key == error.key), None)
         if known is None:
@@ -196,22 +196,22 @@ class Journal:
         """Remove and return the events of the cell whose time is known."""
         events = self.events()
         for entry in self._events:
-            entry.is_taken = entry.moment.is_known
-        self._events[:] = [entry for entry in self._events if not entry.is_taken]
+            entry.is_committed = entry.moment.is_known
+        self._events[:] = [entry for entry in self._events if not entry.is_committed]
         return events
 
-    def put_back(self, events: Iterable[Event]) -> None:
+    def restore(self, events: Iterable[Event]) -> None:
         """Record again what was taken."""
         self._events[:0] = [_Entry(Moment(Instant(one.time_s)), one) for one in events]
 
     def line(self, moment: Moment, place: Place) -> None:
         """Record that the program pointer reached a statement."""
-        if self.keeps_all and (not self._lines or self._lines[-1] != (moment, place)):
+        if self.retains_all and (not self._lines or self._lines[-1] != (moment, place)):
             self._lines.append((moment, place))
 
     def wait(self, wait: Wait) -> None:
         """Record a wait that is over."""
-        if self.keeps_all:
+        if self.retains_all:
             self._waits.append(wait)
 
     def finding(
@@ -227,28 +227,28 @@ class Journal:
         What is `assumed` is no error: the run goes on.
         """
         if once is not None:
-            if self.has_found(once):
+            if self.has_finding(once):
                 return
             self._reported.add(once)
         self.remarks += 1
-        if not self.keeps_all and self.hears is None:
+        if not self.retains_all and self.on_finding is None:
             return
         span = place.span if place else None
         routine = place.routine if place else None
         found = Diagnostic(violation, span, routine=routine, assumed=assumed)
-        if self.keeps_all:
+        if self.retains_all:
             self._diagnostics.append(found)
-        self._tell(found)
+        self._add_finding(found)
 
     def failed_move(self, failed: FailedMove) -> None:
         """Record a move that could not be made; once, even if a loop tries it again."""
         self.remarks += 1
         key = (failed.place.span, failed.violation)
-        if self.keeps_all and key not in self._reported:
+        if self.retains_all and key not in self._reported:
             self._reported.add(key)
             self._failed_moves.append(failed)
 
-    def has_found(self, once: object) -> bool:
+    def has_finding(self, once: object) -> bool:
         """Whether a finding with this key has been recorded, so its facts need no work."""
         return once in self._reported
 
@@ -260,13 +260,13 @@ class Journal:
         key = (name, treated_as, is_unknown)
         self._unsimulated[key] = self._unsimulated.get(key, 0) + 1
         self._first_met.setdefault(key, place)
-        self._tell(not_simulated_finding(name, treated_as, place))
+        self._add_finding(not_simulated_finding(name, treated_as, place))
 
-    def _tell(self, found: Diagnostic) -> None:
-        key = (found.code, found.span)
-        if self.hears is not None and key not in self._reported:
+    def _add_finding(self, finding: Diagnostic) -> None:
+        key = (finding.code, finding.span)
+        if self.on_finding is not None and key not in self._reported:
             self._reported.add(key)
-            self.hears(found)
+            self.on_finding(finding)
 
     def events(self) -> tuple[Event, ...]:
         """All events of the cell in order of time; at the same time, in the order of recording."""
@@ -301,9 +301,9 @@ class Journal:
             for (name, how, is_unknown), count in self._unsimulated.items()
         )
 
-    def first_met(self, one: Unsimulated) -> Place:
+    def first_met(self, notice: Unsimulated) -> Place:
         """Where a routine that was not simulated was first called."""
-        return self._first_met[one.name, one.treated_as, one.is_unknown]
+        return self._first_met[notice.name, notice.treated_as, notice.is_unknown]
 
 
 def not_simulated_finding(name: str, treated_as: str, place: Place) -> Diagnostic:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rapidsim.diagnostics import Violation
-from rapidsim.language.errors import CutOff, Stopped
+from rapidsim.language.errors import RunLimitReached, Stopped
 
 
-class TimeLimitReached(CutOff):
+class TimeLimitReached(RunLimitReached):
     """Virtual time reached `--max-time`."""
 
 
@@ -21,10 +21,10 @@ class WallLimitReached(TimeLimitReached):
 class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
 
-    def __init__(self, reason: str, cure: str | None = None) -> None:
+    def __init__(self, reason: str, suggestion: str | None = None) -> None:
         """Say why, and what would end the wait if that is not an input."""
         super().__init__(reason)
-        self.cure = cure
+        self.cure = suggestion
 
 
 class PollsForever(WaitsForever):

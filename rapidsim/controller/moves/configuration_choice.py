@@ -18,8 +18,8 @@ from rapidsim.motion.configurations.confdata import (
     QUARTER,
     Configuration,
     confdata_of,
+    has_branches,
     select,
-    told_apart,
 )
 from rapidsim.motion.configurations.reachability import (
     limit_excess,
@@ -61,7 +61,7 @@ def by_stored(
     where the arm comes from. Of each branch it is the turn nearest to what is stored, and the one
     in the middle of the range.
     """
-    if not stored or not told_apart(robot.kinematics):
+    if not stored or not has_branches(robot.kinematics):
         return [[] for _ in stored]
     meant = np.array(stored)
     near = turns_within_limits(robot, np.zeros(len(robot.joints)))
@@ -117,14 +117,14 @@ def not_as_stored(
     return found
 
 
-def taken_instead(
-    target: str, stored: Quarters, taken: Configuration, working: Sequence[Configuration]
+def replacement_finding(
+    target: str, stored: Quarters, chosen: Configuration, working: Sequence[Configuration]
 ) -> ConfigurationNotReachable:
     """A run that goes on in another turn of the stored branch, and what else works."""
-    named = conf_text(taken.confdata)
+    named = conf_text(chosen.confdata)
     others = [text for one in working if (text := conf_text(one.confdata)) != named]
     return ConfigurationNotReachable(
-        target, conf_text(stored), named, (named, *others), goes_on=True
+        target, conf_text(stored), named, (named, *others), continues=True
     )
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.data import ConfData
 from rapidsim.language.moves import Move, Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class CornerKind(StrEnum):
@@ -21,7 +21,7 @@ class CornerKind(StrEnum):
     STOP_CORNER_PATH_FAILURE = "stop(corner path failure)"
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class ExecutedMove:
     """A move as it was carried out; target, joints and configuration are its programmed end."""
 

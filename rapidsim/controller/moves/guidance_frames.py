@@ -16,15 +16,15 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import Activation
 from rapidsim.motion.configurations import targets
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.guidance.aims import Band, Chosen, PoseAim
 from rapidsim.motion.guidance.feedback import Frames
+from rapidsim.motion.guidance.goals import Band, Chosen, PoseGoal
 
 _BASE, _TOOL, _WOBJ, _WORLD = 0.0, 1.0, 2.0, 3.0
 _FRAME_NAMES = MappingProxyType({4.0: "EGM_FRAME_JOINT"})
 
 
 def frames_of(
-    resolver: Resolver, state: MotionState, activation: Activation, stands: Waypoint
+    resolver: Resolver, state: MotionState, activation: Activation, waypoint: Waypoint
 ) -> Frames:
     """In which frame the sensor is told where the TCP is: its own for poses, else the work object.
 
@@ -32,10 +32,10 @@ def frames_of(
         NotAllowed: Where tool and work object are not plain.
     """
     if activation.frames is None:
-        return told_frames(resolver, state, activation.tool, activation.wobj, stands.external)
+        return told_frames(resolver, state, activation.tool, activation.wobj, waypoint.external)
     tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
     frames = activation.frames
-    base_from_told = _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type)
+    base_from_told = _frame(resolver, waypoint, tool, wobj, frames.sensor, frames.sensor_type)
     return Frames(resolver.robot.kinematics, _tool(tool), base_from_told.inverse())
 
 
@@ -58,19 +58,19 @@ def told_frames(
 
 def pose_aim(
     resolver: Resolver,
-    stands: Waypoint,
+    waypoint: Waypoint,
     state: MotionState,
     activation: Activation,
     offset: Pose | None,
     bands: Array,
     chosen: Chosen,
     filters_hz: tuple[float, ...],
-) -> PoseAim:
+) -> PoseGoal:
     """What a sensor's poses refer to.
 
     Args:
         resolver: Of the robot.
-        stands: Where it stands.
+        waypoint: Where it stands.
         state: Of the task's motion.
         activation: What the program has said.
         offset: Behind each goal.
@@ -85,30 +85,30 @@ def pose_aim(
     assert activation.frames is not None
     frames = activation.frames
     limits = bands * np.array([targets.MM] * 3 + [np.pi / 180.0] * 3)[:, None]
-    return PoseAim(
+    return PoseGoal(
         resolver.robot.kinematics,
         _tool(tool),
-        _frame(resolver, stands, tool, wobj, frames.sensor, frames.sensor_type),
-        _frame(resolver, stands, tool, wobj, frames.correction, frames.correction_type),
+        _frame(resolver, waypoint, tool, wobj, frames.sensor, frames.sensor_type),
+        _frame(resolver, waypoint, tool, wobj, frames.correction, frames.correction_type),
         Transform.identity() if offset is None else _pose("the offset", offset),
         Band(chosen, limits[:, 0], limits[:, 1]),
         filters_hz,
-        stands.joints,
+        waypoint.joints,
     )
 
 
 def _frame(
-    resolver: Resolver, stands: Waypoint, tool: ToolData, wobj: WobjData, frame: Pose, of: float
+    resolver: Resolver, waypoint: Waypoint, tool: ToolData, wobj: WobjData, frame: Pose, of: float
 ) -> Transform:
     """base_from_frame of a frame that is given in one of the type `of`."""
     if of == _BASE:
         base_from_type = Transform.identity()
     elif of == _TOOL:
-        base_from_type = resolver.robot.forward(stands.joints) @ _tool(tool).inverse()
+        base_from_type = resolver.robot.forward(waypoint.joints) @ _tool(tool).inverse()
     elif of == _WOBJ:
-        base_from_type = _work_object(resolver, wobj, stands.external)
+        base_from_type = _work_object(resolver, wobj, waypoint.external)
     elif of == _WORLD:
-        base_from_type = _world(resolver, stands.external)
+        base_from_type = _world(resolver, waypoint.external)
     else:
         name = _FRAME_NAMES.get(of, f"{of:g}")
         raise NotAllowed(f"EGMActPose: {name} is no frame that a pose can be given in")
@@ -131,7 +131,7 @@ def _world(resolver: Resolver, external: Array) -> Transform:
 
 
 def _work_object(resolver: Resolver, wobj: WobjData, external: Array) -> Transform:
-    moved = targets.unit_of(wobj, resolver.robot.external) or resolver.is_held(wobj)
+    moved = targets.unit_of(wobj, resolver.robot.external) or resolver.has_carrier(wobj)
     if wobj.robhold or moved:
         raise NotAllowed(
             "a robot guided by a sensor in a work object that something moves is not simulated"

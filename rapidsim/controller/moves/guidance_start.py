@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 
-from rapidsim.controller.cell.sensors import Teller
+from rapidsim.controller.cell.sensors import FeedbackSchedule
 from rapidsim.controller.cell.system_parameters import SystemParameters
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.guidance_frames import frames_of, pose_aim
@@ -16,20 +16,20 @@ from rapidsim.language.data import UNUSED_AXIS, EgmMinMax, ExtJoint
 from rapidsim.language.errors import NotAllowed
 from rapidsim.language.guidance import Activation, GuidanceTerms, SensorSetup
 from rapidsim.motion.geometry.segments import Waypoint
-from rapidsim.motion.guidance.aims import Aim, Band, JointAim
 from rapidsim.motion.guidance.feedback import GuidedFeedback
-from rapidsim.motion.guidance.guided_run import GuidedRun, Terms
+from rapidsim.motion.guidance.goals import Band, GuidanceGoal, JointGoal
+from rapidsim.motion.guidance.guided_execution import EndConditions, GuidedExecution
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, Tuning
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
-from rapidsim.values import dataclass
+from rapidsim.motion.trajectory.guided_section import GuidedSection
+from rapidsim.values import value_class
 
 DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
 r"""Default of \J1 and its like: how close [deg, mm] counts as there."""
 _ROUNDING: Final = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ExternalMotionData:
     """A configuration of the type External Motion Interface Data."""
 
@@ -44,8 +44,8 @@ DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20
 """The one named `default`, which every controller has; from memory of ABB's documents."""
 
 
-@dataclass(frozen=True, slots=True)
-class AskedGuidance:
+@value_class(frozen=True, slots=True)
+class GuidanceRequest:
     """What the instructions of a guidance say together."""
 
     setup: SensorSetup
@@ -74,55 +74,55 @@ def external_motion_data(parameters: SystemParameters, name: str) -> ExternalMot
 
 
 def started(
-    asked: AskedGuidance,
+    request: GuidanceRequest,
     resolver: Resolver,
     state: MotionState,
     limits: Limits,
-    stands: Waypoint,
+    waypoint: Waypoint,
     now_s: float,
-) -> tuple[GuidedRun, Teller, GuidedStretch]:
+) -> tuple[GuidedExecution, FeedbackSchedule, GuidedSection]:
     """A guidance that begins at the next cycle.
 
     Args:
-        asked: By the program.
+        request: By the program.
         resolver: Of the robot.
         state: Of the task's motion.
         limits: Of its axes.
-        stands: Where the robot stands.
+        waypoint: Where the robot stands.
         now_s: Time [s].
 
     Raises:
         NotAllowed: Where frames are none, or not simulated.
     """
-    robot, activation, terms = resolver.robot, asked.activation, asked.terms
+    robot, activation, terms = resolver.robot, request.activation, request.terms
     count = len(robot.joints)
     speed, acceleration = limits.max_speed[:count], limits.max_acceleration[:count]
     axes = GuidedAxes(robot.lower, robot.upper, speed, acceleration)
-    frames = frames_of(resolver, state, activation, stands)
-    run = GuidedRun(
-        JointMotion(axes, stands.joints.copy(), np.zeros(count)),
-        _aim(asked, resolver, state, stands),
-        Tuning(asked.data.gain * terms.gain, math.radians(activation.max_speed)),
-        Terms(
+    frames = frames_of(resolver, state, activation, waypoint)
+    run = GuidedExecution(
+        JointMotion(axes, waypoint.joints.copy(), np.zeros(count)),
+        _aim(request, resolver, state, waypoint),
+        Tuning(request.data.gain * terms.gain, math.radians(activation.max_speed)),
+        EndConditions(
             terms.condition_s,
             terms.ramp_in_s,
-            asked.setup.silence_s,
-            terms.goes_back,
+            request.setup.silence_s,
+            terms.moves_back,
             terms.ramp_out_s,
         ),
     )
-    told = Teller(
+    told = FeedbackSchedule(
         math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S,
         max(1, round(activation.sample_s / CYCLE_S)),
-        GuidedFeedback(frames, used_axes(resolver.ext_joint(stands.external))),
+        GuidedFeedback(frames, used_axes(resolver.ext_joint(waypoint.external))),
     )
-    stretch = GuidedStretch(
+    stretch = GuidedSection(
         told.first_s,
         CYCLE_S,
         robot.forward,
         frames.tcp_from_flange,
-        stands.external,
-        stands.joints,
+        waypoint.external,
+        waypoint.joints,
     )
     return run, told, stretch
 
@@ -132,28 +132,30 @@ def used_axes(external: ExtJoint) -> tuple[float, ...]:
     return tuple(value for value in external if value != UNUSED_AXIS)
 
 
-def _aim(asked: AskedGuidance, resolver: Resolver, state: MotionState, stands: Waypoint) -> Aim:
-    activation, terms = asked.activation, asked.terms
+def _aim(
+    request: GuidanceRequest, resolver: Resolver, state: MotionState, waypoint: Waypoint
+) -> GuidanceGoal:
+    activation, terms = request.activation, request.terms
     filters = [activation.filter_hz]
-    if asked.data.filters:
-        filters.append(asked.data.bandwidth_hz)
-    count = len(stands.joints) if activation.frames is None else len(activation.bands)
+    if request.data.filters:
+        filters.append(request.data.bandwidth_hz)
+    count = len(waypoint.joints) if activation.frames is None else len(activation.bands)
     chosen = np.array(terms.chosen[:count])
     bands = np.array([band or DEFAULT_BAND for band in activation.bands[:count]])
     if not chosen.any():
         chosen = np.ones(len(chosen), dtype=np.bool_)
     if activation.frames is None:
         lowest, highest = np.radians(bands).T
-        return JointAim(Band(chosen, lowest, highest), tuple(filters), stands.joints)
+        return JointGoal(Band(chosen, lowest, highest), tuple(filters), waypoint.joints)
     return pose_aim(
-        resolver, stands, state, activation, terms.offset, bands, chosen, tuple(filters)
+        resolver, waypoint, state, activation, terms.offset, bands, chosen, tuple(filters)
     )
 
 
-def _number(text: str | None, otherwise: float) -> float:
+def _number(text: str | None, default: float) -> float:
     """A parameter of the configuration; what is no number that can be is as if it were missing."""
     try:
         value = float(text or "")
     except ValueError:
-        return otherwise
-    return value if 0.0 <= value < math.inf else otherwise
+        return default
+    return value if 0.0 <= value < math.inf else default

@@ -54,7 +54,7 @@ def fault_violation(fault: PathFault, target: str) -> Violation:
         target=target,
         percent=100.0 * fault.fraction,
         distance_mm=1000.0 * fault.distance,
-        why=fault.reason,
+        reason=fault.reason,
     )
 
 

@@ -102,7 +102,7 @@ def asked_circle_mode(move: Move, settings: MotionSettings) -> CircleMode:
     return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
 
 
-def why_no_wrist_circle(move: Move, carrier: Carrier | None, robot: Robot) -> str | None:
+def wrist_circle_problem(move: Move, carrier: Carrier | None, robot: Robot) -> str | None:
     """Why no two wrist axes can lead a tool along arcs; None if they can."""
     if not wrist_meets(robot.kinematics, robot.start):
         return "this arm has no six axes of which 4, 5 and 6 meet in one point"
@@ -116,7 +116,7 @@ def circle_mode_of(
 ) -> CircleMode:
     """How the tool turns on an arc: as asked, or as by default where no two axes can lead it."""
     mode = asked_circle_mode(move, settings)
-    if mode not in WRIST_PAIRS or why_no_wrist_circle(move, carrier, robot) is None:
+    if mode not in WRIST_PAIRS or wrist_circle_problem(move, carrier, robot) is None:
         return mode
     return CircleMode.PATH_FRAME
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from rapidsim.controller.moves.target_words import named_target
+from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.diagnostics import Violation
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import MotionSettings, Move, Place
 from rapidsim.motion.configurations.targets import Placement
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class NotReachableError(RapidError):
@@ -22,7 +22,7 @@ class NotReachableError(RapidError):
         self.violation = violation
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class MoveRequest:
     """A move with all that its segment depends on, except the robot and its start."""
 
@@ -32,8 +32,8 @@ class MoveRequest:
     """Where its tool and its work object are."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class AskedMove:
+@value_class(frozen=True, slots=True, eq=False)
+class LocatedMoveRequest:
     """A request and its place in the program, for findings about it."""
 
     request: MoveRequest

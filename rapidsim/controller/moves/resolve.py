@@ -16,11 +16,11 @@ from rapidsim.controller.moves.first_start import start_above
 from rapidsim.controller.moves.move_data import (
     asked_circle_mode,
     can_turn_wrist_in_joints,
-    why_no_wrist_circle,
     wrist_asked_in_joints,
+    wrist_circle_problem,
 )
 from rapidsim.controller.moves.move_request import (
-    AskedMove,
+    LocatedMoveRequest,
     MoveRequest,
     NotReachableError,
     target_name,
@@ -34,7 +34,7 @@ from rapidsim.controller.moves.target_checks import (
     require_limits,
     require_orientation,
 )
-from rapidsim.controller.moves.target_words import named_target
+from rapidsim.controller.moves.target_labels import named_target
 from rapidsim.controller.moves.work_object_holders import Holder, Holders
 from rapidsim.findings.reach_and_motion_data import CoordinationImpossible, NothingMovesTool
 from rapidsim.frames.transform import Array, Transform
@@ -52,7 +52,7 @@ from rapidsim.language.error_numbers import ERR_OUTSIDE_REACH
 from rapidsim.language.errors import NotSimulated, Stopped
 from rapidsim.language.moves import CirclePathMode, Interpolation, MotionSettings, Move, Place
 from rapidsim.motion.configurations import targets
-from rapidsim.motion.configurations.confdata import told_apart
+from rapidsim.motion.configurations.confdata import has_branches
 from rapidsim.motion.configurations.short_lines import end_of_short_line
 from rapidsim.motion.geometry.segments import WRIST_PAIRS, Waypoint
 from rapidsim.motion.robot.robot import Robot
@@ -101,7 +101,7 @@ class Resolver:
         *,
         is_first: bool = False,
         starts_free: bool = False,
-        lead: targets.Lead | None = None,
+        lead: targets.CarrierMotion | None = None,
     ) -> QueuedMove:
         """Work out where a move goes.
 
@@ -137,12 +137,12 @@ class Resolver:
         place: Place,
         start: Waypoint,
         settings: MotionSettings,
-        lead: targets.Lead | None,
+        lead: targets.CarrierMotion | None,
         *,
         is_first: bool,
     ) -> QueuedMove:
         """Return the move of an earlier cycle where nothing has changed; see `resolve`."""
-        is_made_anew = is_first or lead is not None or self.may_be_held(move.wobj)
+        is_made_anew = is_first or lead is not None or self.may_have_carrier(move.wobj)
         if is_made_anew or not place.is_lasting:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
         aim = None if start.aim is None else start.aim.tobytes()
@@ -165,17 +165,17 @@ class Resolver:
         place: Place,
         start: Waypoint,
         settings: MotionSettings,
-        lead: targets.Lead | None = None,
+        lead: targets.CarrierMotion | None = None,
         *,
         is_first: bool = False,
         starts_free: bool = False,
     ) -> QueuedMove:
         to = move.to
         request = MoveRequest(move, settings, self._placement_of(move, place, lead))
-        asked, placed = AskedMove(request, place, is_first, starts_free), request.placed
+        asked, placed = LocatedMoveRequest(request, place, is_first, starts_free), request.placed
         external = external_end(asked, to.extax, start.external, self.robot, self.journal)
         end, is_short = self._end(asked, start, external)
-        self._tell_what_is_not_simulated(asked)
+        self._report_unsimulated(asked)
         (segment,) = segments(
             (request,),
             (start,),
@@ -212,7 +212,7 @@ class Resolver:
         """
         if not isinstance(move.to, RobTarget) or not move.interpolation.leads_tcp:
             return None
-        if self.robot.external or not told_apart(self.robot.kinematics):
+        if self.robot.external or not has_branches(self.robot.kinematics):
             return None
         try:
             placed = self._placement_of(move, place, None)
@@ -294,7 +294,7 @@ class Resolver:
         if monitored:
             arrivals = self._arrivals
             if self.functions_fail:
-                arrivals = replace(arrivals, takes_nearest=False)
+                arrivals = replace(arrivals, uses_nearest=False)
             return arrivals.at_target(base_from_flange, _TARGET, stored, near.joints, place).joints
         working = self._arrivals.working(base_from_flange, _TARGET)
         return stored_or_nearest(working, stored, near.joints).joints
@@ -305,25 +305,27 @@ class Resolver:
             self.robot, self.journal, self.nearest_configuration, self.exact_configuration
         )
 
-    def _end(self, asked: AskedMove, start: Waypoint, external: Array) -> tuple[Waypoint, bool]:
+    def _end(
+        self, request: LocatedMoveRequest, start: Waypoint, external: Array
+    ) -> tuple[Waypoint, bool]:
         """Where a move ends, and whether its joints there are known.
 
         To a pose they are known at the end of a short line only; else they are those of its start.
         """
-        move, placed = asked.request.move, asked.request.placed
+        move, placed = request.request.move, request.request.placed
         if isinstance(move.to, RobTarget):
-            check_orientation(asked, asked.name, move.to.rot, self.journal)
+            check_orientation(request, request.name, move.to.rot, self.journal)
             if move.circle_point is not None:
-                name = named_target(asked.place.arguments.get("cirpoint", "CirPoint"))
-                check_orientation(asked, name, move.circle_point.rot, self.journal)
+                name = named_target(request.place.arguments.get("cirpoint", "CirPoint"))
+                check_orientation(request, name, move.circle_point.rot, self.journal)
             pose = placed.curve_from_tcp(move.to)
-            joints = self._end_of_short_line(asked.request, start, pose)
+            joints = self._end_of_short_line(request.request, start, pose)
             if joints is None:
                 return Waypoint(start.joints, pose, external), False
             return Waypoint(joints, pose, external), True
         of_arm = move.interpolation is Interpolation.AXES
         joints = self.joints(move.to) if of_arm else start.joints
-        require_limits(asked, joints, external, self.robot, self.journal)
+        require_limits(request, joints, external, self.robot, self.journal)
         pose = placed.standing_at(self.robot.kinematics, joints, external)
         return Waypoint(joints, pose, external), True
 
@@ -338,7 +340,7 @@ class Resolver:
         return end_of_short_line(self.robot, start.joints, pose, placed.tcp_from_flange, branch)
 
     def _placement_of(
-        self, move: Move, place: Place, lead: targets.Lead | None
+        self, move: Move, place: Place, lead: targets.CarrierMotion | None
     ) -> targets.Placement:
         """Where tool and work object of a move are."""
         if move.interpolation is Interpolation.EXTERNAL_AXES:
@@ -361,23 +363,23 @@ class Resolver:
         """Where nothing moves the tool against the work object: as for a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
-    def may_be_held(self, wobj: WobjData) -> bool:
+    def may_have_carrier(self, wobj: WobjData) -> bool:
         """Whether another robot may hold a work object."""
         if wobj.ufprog or wobj.robhold:
             return False
         return not targets.unit_of(wobj, self.robot.external)
 
-    def _guesses_frame_of(self, wobj: WobjData, lead: targets.Lead | None) -> bool:
+    def _guesses_frame_of(self, wobj: WobjData, lead: targets.CarrierMotion | None) -> bool:
         """Whether a unit that the run does not have moves a work object."""
-        return lead is None and self.may_be_held(wobj) and not self.is_held(wobj)
+        return lead is None and self.may_have_carrier(wobj) and not self.has_carrier(wobj)
 
-    def is_held(self, wobj: WobjData) -> bool:
+    def has_carrier(self, wobj: WobjData) -> bool:
         """Whether another robot holds a work object."""
         return self._holder(wobj) is not None
 
     def _holder(self, wobj: WobjData) -> Holder | None:
         """The robot that holds a work object, where it is now."""
-        return self.holders.find(wobj.ufmec) if self.may_be_held(wobj) else None
+        return self.holders.find(wobj.ufmec) if self.may_have_carrier(wobj) else None
 
     def _placement(
         self,
@@ -385,7 +387,7 @@ class Resolver:
         wobj: WobjData,
         place: Place,
         holder: Holder | None = None,
-        lead: targets.Lead | None = None,
+        lead: targets.CarrierMotion | None = None,
     ) -> targets.Placement | targets.NotSimulatedFrame:
         """Where a tool and a work object are; `place` asks.
 
@@ -412,7 +414,7 @@ class Resolver:
             self._placements[tool, wobj] = placed
         if isinstance(placed, targets.NotSimulatedFrame):
             return placed
-        if self.may_be_held(wobj):
+        if self.may_have_carrier(wobj):
             if not self.guesses_frames:
                 raise Stopped(f"{wobj.ufmec}, which moves the work object, is not in this run")
             self.journal.unsimulated(
@@ -422,16 +424,16 @@ class Resolver:
             )
         return placed
 
-    def _tell_what_is_not_simulated(self, asked: AskedMove) -> None:
+    def _report_unsimulated(self, request: LocatedMoveRequest) -> None:
         """Report what SingArea and CirPathMode ask of a move but do not get."""
-        move, settings = asked.request.move, asked.request.settings
+        move, settings = request.request.move, request.request.settings
         if asked_circle_mode(move, settings) in WRIST_PAIRS:
-            why = why_no_wrist_circle(move, asked.request.placed.carrier, self.robot)
+            why = wrist_circle_problem(move, request.request.placed.carrier, self.robot)
             if why is None:
                 return
             name = f"CirPathMode {settings.circle_path.value} where {why}"
             instead = f"the tool turns as with CirPathMode {CirclePathMode.PATH_FRAME.value}"
-            self.journal.unsimulated(name, instead, asked.place)
+            self.journal.unsimulated(name, instead, request.place)
         if wrist_asked_in_joints(move, settings) and not can_turn_wrist_in_joints(move, self.robot):
             with_what = "a seven-axis arm" if move.tool.robhold else "a stationary tool"
-            self.journal.unsimulated(f"SingArea with {with_what}", r"SingArea \Off", asked.place)
+            self.journal.unsimulated(f"SingArea with {with_what}", r"SingArea \Off", request.place)

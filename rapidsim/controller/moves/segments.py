@@ -29,11 +29,11 @@ from rapidsim.motion.geometry.segments import (
     Speed,
     Waypoint,
     Zone,
-    led_segment,
+    with_carrier_axes,
 )
 from rapidsim.motion.path.wrist_circle import start_on_circle
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 def segments(
@@ -63,13 +63,13 @@ def segments(
     else:
         branches = robot.kinematics.branch_of(np.array([one.joints for one in starts])).tolist()
     of_robot = (robot, payload_acceleration)
-    asked = _all_asked(requests, *of_robot)
+    asked = _parameters_of_all(requests, *of_robot)
     rows = zip(requests, asked, starts, begins, ends, branches, strict=True)
     return tuple(_segment(*one) for one in rows)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Asked:
+@value_class(frozen=True, slots=True, eq=False)
+class _MoveParameters:
     """What a move asks for apart from its target; most moves of a program ask for the same."""
 
     speed: Speed
@@ -83,24 +83,26 @@ class _Asked:
     external_speeds: tuple[float, ...]
 
 
-def _all_asked(
+def _parameters_of_all(
     requests: Sequence[MoveRequest], robot: Robot, payload_acceleration: float | None
-) -> Iterator[_Asked]:
+) -> Iterator[_MoveParameters]:
     last, of_last = None, None
     for request in requests:
         move, settings, carrier = request.move, request.settings, request.placed.carrier
         of = (move.interpolation, move.speed, move.zone, move.tool, settings, carrier)
         if of_last is None or last is None or not all(map(is_, of, of_last)):
-            last, of_last = _asked(request, robot, payload_acceleration), of
+            last, of_last = _parameters_of(request, robot, payload_acceleration), of
         yield last
 
 
-def _asked(request: MoveRequest, robot: Robot, payload_acceleration: float | None) -> _Asked:
+def _parameters_of(
+    request: MoveRequest, robot: Robot, payload_acceleration: float | None
+) -> _MoveParameters:
     move, settings, placed = request.move, request.settings, request.placed
     share, load = acceleration_share_of(move, settings, robot.payload_kg, payload_acceleration)
     mode = circle_mode_of(move, settings, placed.carrier, robot)
     in_joints = wrist_asked_in_joints(move, settings) and can_turn_wrist_in_joints(move, robot)
-    return _Asked(
+    return _MoveParameters(
         speed_of(move, settings),
         zone_of(move),
         share,
@@ -115,14 +117,14 @@ def _asked(request: MoveRequest, robot: Robot, payload_acceleration: float | Non
 
 def _segment(
     request: MoveRequest,
-    asked: _Asked,
+    parameters: _MoveParameters,
     start: Waypoint,
     begin: Transform,
     end: Waypoint,
     branch: int,
 ) -> Segment:
     move, settings, placed = request.move, request.settings, request.placed
-    if asked.mode in WRIST_PAIRS:
+    if parameters.mode in WRIST_PAIRS:
         begin = start_on_circle(begin, start.aim)
     via = move.circle_point
     segment = Segment(
@@ -131,23 +133,25 @@ def _segment(
         end=end,
         tcp_from_flange=placed.tcp_from_flange,
         branch=branch,
-        speed=asked.speed,
-        zone=asked.zone,
+        speed=parameters.speed,
+        zone=parameters.zone,
         via=None if via is None else placed.curve_from_tcp(via),
         duration=move.duration_s,
         # Only the move after it tells.
         joint_corner=False,
-        acceleration_share=asked.share,
+        acceleration_share=parameters.share,
         ramp=settings.ramp_percent / 100.0,
-        stop_ramp=asked.stop_ramp,
+        stop_ramp=parameters.stop_ramp,
         carrier=placed.carrier,
-        wrist_in_joints=asked.in_joints,
-        circle_mode=asked.mode,
+        wrist_in_joints=parameters.in_joints,
+        circle_mode=parameters.mode,
         tcp_acceleration=unbounded(settings.tcp_acceleration_m_s2),
         tcp_deceleration=unbounded(settings.tcp_deceleration_m_s2),
         world_acceleration=unbounded(settings.world_acceleration_m_s2),
-        external_linear=asked.external_linear,
-        external_speeds=asked.external_speeds,
-        load=asked.load,
+        external_linear=parameters.external_linear,
+        external_speeds=parameters.external_speeds,
+        load=parameters.load,
     )
-    return segment if placed.led is None else led_segment(segment, *placed.led)
+    return (
+        segment if placed.carrier_axes is None else with_carrier_axes(segment, *placed.carrier_axes)
+    )

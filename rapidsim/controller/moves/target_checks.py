@@ -9,7 +9,7 @@ import numpy as np
 from rapidsim.controller.journal.failed_moves import refused_axes
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.journal.stop_reasons import MoveImpossible
-from rapidsim.controller.moves.move_request import AskedMove, NotReachableError
+from rapidsim.controller.moves.move_request import LocatedMoveRequest, NotReachableError
 from rapidsim.findings.reach_and_motion_data import (
     ExternalAxisMissing,
     ExternalAxisUnknown,
@@ -40,7 +40,9 @@ _NOTHING_MEANT = (0.0, 9999.0)
 """What old and generated programs write for axes that do not exist."""
 
 
-def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Journal) -> None:
+def check_orientation(
+    request: LocatedMoveRequest, name: str, rotation: Orient, journal: Journal
+) -> None:
     """Report a quaternion that is not quite a unit; refuse one that is no orientation.
 
     Raises:
@@ -50,7 +52,7 @@ def check_orientation(asked: AskedMove, name: str, rotation: Orient, journal: Jo
     if abs(length - 1.0) > TOLERATED_NORM_ERROR:
         require_orientation(name, rotation)
         violation = QuaternionNotUnit(name, length)
-        journal.finding(violation, asked.place, once=("norm", asked.written, name))
+        journal.finding(violation, request.place, once=("norm", request.written, name))
 
 
 def require_orientation(name: str, rotation: Orient) -> None:
@@ -75,7 +77,7 @@ def frame_orientations(
 
 
 def external_end(
-    asked: AskedMove, extax: ExtJoint, near: Array, robot: Robot, journal: Journal
+    request: LocatedMoveRequest, extax: ExtJoint, near: Array, robot: Robot, journal: Journal
 ) -> Array:
     """External axes (e,) [m or rad] that a move goes to; those of units that are off stay.
 
@@ -86,11 +88,11 @@ def external_end(
     if not axes and extax == NO_EXTERNAL_AXES:
         return near
     values, missing = external_values(extax, axes, near)
-    inactive = asked.request.settings.inactive_units
-    independent = asked.request.settings.independent_axes
+    inactive = request.request.settings.inactive_units
+    independent = request.request.settings.independent_axes
     for axis in missing:
         if axis.unit.lower() not in inactive and axis.component not in independent:
-            raise MoveImpossible(ExternalAxisMissing(asked.name, axis.component, axis.unit))
+            raise MoveImpossible(ExternalAxisMissing(request.name, axis.component, axis.unit))
     # The additional joint of a seven-axis arm stands in `eax_a`, too.
     known = {axis.component for axis in axes} | ({"eax_a"} if len(robot.joints) > 6 else set())
     unknown = [
@@ -99,14 +101,14 @@ def external_end(
         if value < UNUSED_AXIS and value not in _NOTHING_MEANT and field not in known
     ]
     if unknown:
-        told = ExternalAxisUnknown(asked.name, ", ".join(unknown))
-        journal.finding(told, asked.place, once=("external", asked.written))
+        told = ExternalAxisUnknown(request.name, ", ".join(unknown))
+        journal.finding(told, request.place, once=("external", request.written))
     passive = [axis.unit.lower() in inactive or axis.component in independent for axis in axes]
     return np.where(passive, near, values)
 
 
 def require_limits(
-    asked: AskedMove, joints: Array, external: Array, robot: Robot, journal: Journal
+    request: LocatedMoveRequest, joints: Array, external: Array, robot: Robot, journal: Journal
 ) -> None:
     """Refuse joints (n,) [rad] and external axes (e,) [m or rad] past their limits.
 
@@ -115,9 +117,9 @@ def require_limits(
     """
     over = excess_text(robot, np.concatenate([joints, external]))
     if over:
-        violation = JointOutOfRange(asked.name, robot.title, over, is_of_joints=True)
-        base_from_tcp = asked.request.placed.base_from_tcp(robot.kinematics, joints, external)
-        journal.failed_move(refused_axes(asked.place, violation, base_from_tcp))
+        violation = JointOutOfRange(request.name, robot.title, over, is_of_joints=True)
+        base_from_tcp = request.request.placed.base_from_tcp(robot.kinematics, joints, external)
+        journal.failed_move(refused_axes(request.place, violation, base_from_tcp))
         raise MoveImpossible(violation)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from rapidsim.frames.transform import Transform
-from rapidsim.values import dataclass as value
+from rapidsim.values import value_class as value
 
 
 @value(frozen=True, slots=True, eq=False)
@@ -24,7 +24,7 @@ class Holder:
     world_from_flange: Transform
 
 
-def nobody(unit: str) -> Holder | None:
+def no_holder(unit: str) -> Holder | None:
     """For cells in which no other robot has this name."""
     del unit
     return None
@@ -34,4 +34,4 @@ def nobody(unit: str) -> Holder | None:
 class Holders:
     """Finds robots by the names of their mechanical units once all tasks exist."""
 
-    find: Callable[[str], Holder | None] = nobody
+    find: Callable[[str], Holder | None] = no_holder

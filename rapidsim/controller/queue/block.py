@@ -6,11 +6,11 @@ from dataclasses import field, replace
 
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.time_scaling import Timing
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Commit:
     """Up to here the path is fixed: a distance past the start of one of the block's moves."""
 
@@ -22,12 +22,12 @@ class Commit:
     """How long the move has taken so far; None if it was stopped on its way."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class BlockPlan:
     """A tentative plan of the open part of the block."""
 
     path: Path
-    timing: Timing
+    timing: TimeScaling
     first: int
     """Index in the block of the path's first segment."""
     from_m: float
@@ -37,10 +37,10 @@ class BlockPlan:
     lost_corner: int | None = None
     """Index in the block of a move that ends with a stop instead of its programmed corner."""
 
-    def renumbered(self, gone: int) -> BlockPlan:
+    def renumbered(self, count: int) -> BlockPlan:
         """The same after this many moves at the start of the block have been dropped."""
-        lost = None if self.lost_corner is None else self.lost_corner - gone
-        return replace(self, first=self.first - gone, lost_corner=lost)
+        lost = None if self.lost_corner is None else self.lost_corner - count
+        return replace(self, first=self.first - count, lost_corner=lost)
 
     def time_at(self, s: float) -> float:
         """Command time [s] at a place of the path."""
@@ -51,8 +51,8 @@ class BlockPlan:
         return float(self.path.segment_starts[index - self.first])
 
 
-@dataclass(slots=True, eq=False)
-class Block:
+@value_class(slots=True, eq=False)
+class MotionBlock:
     """The moves of one block and what became of them: what StorePath keeps of the planning."""
 
     moves: list[QueuedMove] = field(default_factory=list)

@@ -33,8 +33,8 @@ class MechanicalUnit:
     Whoever needs the robot's queue asks here each time.
     """
 
-    own: SoloQueue
-    seat: TeamQueue | None = None
+    solo_queue: SoloQueue
+    team_queue: TeamQueue | None = None
     """Its place in the team it moves with; None while it moves alone."""
     held_by_task: bool = False
     """StopMove of its own task holds it, in addition to a task that watches."""
@@ -48,7 +48,7 @@ class MechanicalUnit:
     @property
     def queue(self) -> MotionQueue:
         """The queue it currently moves through."""
-        return self.own if self.seat is None else self.seat
+        return self.solo_queue if self.team_queue is None else self.team_queue
 
     @property
     def version(self) -> tuple[int, int]:
@@ -58,13 +58,13 @@ class MechanicalUnit:
     @property
     def team(self) -> TeamPlanner | None:
         """The team it currently moves with."""
-        return None if self.seat is None else self.seat.team
+        return None if self.team_queue is None else self.team_queue.team
 
     def forget(self, before_s: float, keep_from: int | None) -> None:
         """Forget what was before a time [s]; see `BlockPlanner.forget`."""
-        self.own.planner.forget(before_s, keep_from)
-        if self.seat is not None:
-            self.seat.team.planner.forget(before_s)
+        self.solo_queue.planner.forget(before_s, keep_from)
+        if self.team_queue is not None:
+            self.team_queue.team.planner.forget(before_s)
 
     @contextmanager
     def ending(self) -> Iterator[None]:
@@ -82,30 +82,30 @@ class MechanicalUnit:
 
     def join(self, team: TeamPlanner, number: int) -> None:
         """Move together with others, as a robot of this number in the team."""
-        if self.own.corrected is not None:
-            self.own.corrected.settle()
+        if self.solo_queue.corrected is not None:
+            self.solo_queue.corrected.settle()
         self._changes += 1
-        self.seat = TeamQueue(self.own, team, number)
+        self.team_queue = TeamQueue(self.solo_queue, team, number)
 
     def part(self) -> None:
         """Move alone from where the team has come to rest."""
-        if self.seat is not None:
-            ended_s = self.own.trajectory.command_end
-            self.own.continue_from(max(self.seat.team.planner.ready_s, ended_s))
+        if self.team_queue is not None:
+            ended_s = self.solo_queue.trajectory.command_end
+            self.solo_queue.continue_from(max(self.team_queue.team.planner.ready_s, ended_s))
             self._changes += 1
-            self.seat = None
+            self.team_queue = None
 
     @property
     def has_left_team(self) -> bool:
         """Whether it moves alone until its team moves together again or its path is restored."""
         stored = any(level.seat is not None for level in self._levels)
-        return self.seat is None and (stored or bool(self.suspended))
+        return self.team_queue is None and (stored or bool(self.suspended))
 
     def hold(self) -> None:
         """Note that the robot's own task has stopped it, and with it its team."""
         self.held_by_task = True
-        if self.seat is not None:
-            self.seat.team.holders.add(self.seat.number)
+        if self.team_queue is not None:
+            self.team_queue.team.holders.add(self.team_queue.number)
 
     def release(self) -> bool:
         """Note that the robot's own task restarts it; whether no task of its team holds it then.
@@ -113,9 +113,9 @@ class MechanicalUnit:
         A task that has not stopped the team restarts it for all.
         """
         self.held_by_task = False
-        if self.seat is None:
+        if self.team_queue is None:
             return True
-        holders, number = self.seat.team.holders, self.seat.number
+        holders, number = self.team_queue.team.holders, self.team_queue.number
         if number not in holders:
             holders.clear()
         holders.discard(number)
@@ -127,15 +127,15 @@ class MechanicalUnit:
         Args:
             keep_sync: Whether a robot in a team begins it together with the team, or alone.
         """
-        seat = self.seat
-        self._levels.append(_PathLevel(seat, self.own.end))
+        seat = self.team_queue
+        self._levels.append(_PathLevel(seat, self.solo_queue.end))
         if seat is not None:
             seat.team.store(seat.number)
             self.part()
-        self.own.store()
+        self.solo_queue.store()
         if seat is not None and keep_sync:
             self._changes += 1
-            self.seat = TeamQueue(self.own, seat.team.next_level(), seat.number)
+            self.team_queue = TeamQueue(self.solo_queue, seat.team.next_level(), seat.number)
 
     def restore_path(self) -> None:
         """Restore the path that was stored last, and with it the team that it is a path of.
@@ -144,17 +144,17 @@ class MechanicalUnit:
             RapidError: ERR_PATH, if the robot joined a team after it had stored a path of its own.
         """
         level = self._levels[-1]
-        if level.seat is None and self.seat is not None:
+        if level.seat is None and self.team_queue is not None:
             raise rapid_error(ERR_PATH, _STORED_ALONE)
         del self._levels[-1]
         self.suspended = ()
         self.part()
-        self.own.restore()
+        self.solo_queue.restore()
         if level.seat is not None:
             self._changes += 1
-            self.seat = level.seat
+            self.team_queue = level.seat
             if level.seat.is_open:
-                self.own.end = level.end
+                self.solo_queue.end = level.end
             level.seat.team.restore(level.seat.number)
 
     def drop_paths(self) -> None:
@@ -164,9 +164,9 @@ class MechanicalUnit:
                 level.seat.team.restore(level.seat.number)
         self._levels.clear()
         self.suspended = ()
-        while self.own.stored:
-            self.own.clear()
-            self.own.restore()
+        while self.solo_queue.stored:
+            self.solo_queue.clear()
+            self.solo_queue.restore()
 
 
 _STORED_ALONE = (

@@ -7,7 +7,7 @@ from typing import Protocol
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
-from rapidsim.controller.queue.given_moves import GivenMoves
+from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
@@ -25,7 +25,7 @@ class MotionQueue(Protocol):
         ...
 
     @property
-    def moves(self) -> GivenMoves:
+    def moves(self) -> MoveLog:
         """All moves the robot was ever given."""
         ...
 
@@ -83,7 +83,7 @@ class MotionQueue(Protocol):
         """Where a move of the current block starts and ends [m] on the preview; None for others."""
         ...
 
-    def stretch_of(self, queued: QueuedMove) -> float:
+    def path_ratio(self, queued: QueuedMove) -> float:
         """How far [m] the run's place goes on for a metre of the TCP's way on such a move."""
         ...
 
@@ -114,7 +114,7 @@ class MotionQueue(Protocol):
         """Forget what is left of the path of a robot that stands."""
         ...
 
-    def too_far_off(self) -> str:
+    def off_path_reason(self) -> str:
         """How far the arm stands from where it left the path it is to take up, in words.
 
         Empty where it is near enough to go back there by itself.

@@ -17,12 +17,12 @@ import numpy as np
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.motion.trajectory.trajectory import Trajectory
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _ROUNDING_M = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PathMark:
     """A place on the path, and what happens there."""
 
@@ -38,9 +38,9 @@ class PathMark:
     """Whether it runs a trap or a procedure."""
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class PathMarks:
-    """The marks on a robot's path that it has not passed yet: a `happening.Happening`."""
+    """The marks on a robot's path that it has not passed yet: a `event_source.EventSource`."""
 
     on_path: ClassVar = True
     unit: MechanicalUnit
@@ -71,8 +71,8 @@ class PathMarks:
         earliest_s = min(self._times(), default=math.inf)
         return None if math.isinf(earliest_s) else earliest_s
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Do what the next mark stands for; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Do what the next mark stands for; see `event_source.EventSource`."""
         del until_s
         times = self._times()
         index = min(range(len(times)), key=times.__getitem__)
@@ -80,7 +80,7 @@ class PathMarks:
         mark.act(max(times[index], passed_s))
         return times[index]
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Marks wait until they are passed."""
 
     def _times(self) -> tuple[float, ...]:
@@ -112,7 +112,7 @@ class PathMarks:
         start_m, end_m = places
         distance_m = mark.distance_m
         if distance_m:
-            distance_m *= self.unit.queue.stretch_of(mark.move)
+            distance_m *= self.unit.queue.path_ratio(mark.move)
         if mark.from_start:
             return min(start_m + distance_m, end_m)
         return max(end_m - distance_m, start_m)

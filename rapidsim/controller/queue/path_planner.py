@@ -21,9 +21,9 @@ import numpy as np
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of, nominal_s
-from rapidsim.controller.queue.block import Block, BlockPlan, Commit
-from rapidsim.controller.queue.given_moves import GivenMoves
-from rapidsim.controller.queue.repeats import Repeats
+from rapidsim.controller.queue.block import BlockPlan, Commit, MotionBlock
+from rapidsim.controller.queue.move_log import MoveLog
+from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look, undisturbed
@@ -31,7 +31,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.planning import plan
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -65,21 +65,21 @@ class BlockPlanner:
     """Axis speeds and accelerations for timing."""
     build: Build
     moved: Moved = untold
-    look: Look = undisturbed
+    check_deadline: Look = undisturbed
     """Called while planning; raises to interrupt it."""
-    repeats: Repeats | None = None
+    repeats: PlanCache | None = None
     """Plans kept for blocks that are repeated; None if they are not kept."""
     ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
     settled_s: float = -math.inf
     """When the arm is seen to stand at the end of the last block."""
-    moves: GivenMoves = field(default_factory=GivenMoves)
+    moves: MoveLog = field(default_factory=MoveLog)
     """All that were ever put on the path."""
-    block: Block = field(default_factory=Block)
+    block: MotionBlock = field(default_factory=MotionBlock)
     version: int = 0
     """Changes whenever what the robot will do may change."""
     _preview: tuple[int, Trajectory] | None = None
-    _reckoned: tuple[Commit, int, float] | None = None
+    _estimated: tuple[Commit, int, float] | None = None
     """How far `nominal_last_start` got: from which commit, to which move's start, at what time."""
 
     @property
@@ -118,7 +118,7 @@ class BlockPlanner:
         if not self.is_open:
             start_s = self._next_start_s(now_s)
             commit = Commit(start_s, 0, 0.0, 0.0)
-            self.block = Block(commit=commit, is_halted=self.block.is_halted)
+            self.block = MotionBlock(commit=commit, is_halted=self.block.is_halted)
             queued.started.time = start_s
             queued.command_start_s = start_s
         else:
@@ -183,9 +183,9 @@ class BlockPlanner:
         """
         self.trajectory.forget(before_s)
         before, gone = self.block.commit, self.block.forget(before_s)
-        if self._reckoned is not None and self._reckoned[0] is before:
-            _, last, start_s = self._reckoned
-            self._reckoned = (self.block.commit, last - gone, start_s)
+        if self._estimated is not None and self._estimated[0] is before:
+            _, last, start_s = self._estimated
+            self._estimated = (self.block.commit, last - gone, start_s)
         needed = self.block.moves[0].number if self.block.moves else len(self.moves)
         self.moves.forget(before_s, needed if keep_from is None else min(needed, keep_from))
 
@@ -220,13 +220,13 @@ class BlockPlanner:
     def nominal_last_start(self) -> float:
         """About when the robot starts the last move [s]: at programmed speeds, without ramps."""
         commit = self.block.commit
-        if self._reckoned is None or self._reckoned[0] is not commit:
-            self._reckoned = (commit, commit.move, commit.time_s)
-        _, begin, start_s = self._reckoned
+        if self._estimated is None or self._estimated[0] is not commit:
+            self._estimated = (commit, commit.move, commit.time_s)
+        _, begin, start_s = self._estimated
         last = len(self.block.moves) - 1
         # Each move is added once, however often somebody asks.
         start_s += sum(nominal_s(queued.segment) for queued in self.block.moves[begin:last])
-        self._reckoned = (commit, last, start_s)
+        self._estimated = (commit, last, start_s)
         return start_s
 
     def commit_last_start(self) -> float:
@@ -286,7 +286,7 @@ class BlockPlanner:
         lost = None if lost_corner is None else lost_corner - first
         moves, begun = self.block.moves[first:], commit.move - first
 
-        def made() -> tuple[Path, Timing]:
+        def made() -> tuple[Path, TimeScaling]:
             path = self.build(moves, lost)
             timing = plan(
                 path,
@@ -294,7 +294,7 @@ class BlockPlanner:
                 start=float(path.segment_starts[begun]) + commit.distance_m,
                 start_speed=commit.speed_m_s,
                 spent_s=commit.spent_s,
-                look=self.look,
+                check_deadline=self.check_deadline,
             )
             return path, timing
 
@@ -397,7 +397,7 @@ class BlockPlanner:
             return now_s - started
         return None if commit.spent_s is None else commit.spent_s + (now_s - commit.time_s)
 
-    def _travel(self, tentative: BlockPlan, moves_begun: int, to_m: float) -> float:
+    def _travel(self, tentative: BlockPlan, moves_started: int, to_m: float) -> float:
         """Append a stretch of a plan to the trajectory and time the moves that begin on it."""
         path, timing = tentative.path, tentative.timing
         if tentative.lost_corner is not None:
@@ -409,11 +409,11 @@ class BlockPlanner:
         offset_m = self.trajectory.append(piece) - tentative.from_m
         self.block.driven.append(tentative)
         self.version += 1
-        count = moves_begun - tentative.first
+        count = moves_started - tentative.first
         bounds = path.segment_bounds[: count + 1]
         times = (tentative.start_s + tentative.timing.time_at(bounds)).tolist()
         places, lengths = bounds.tolist(), tentative.path.lengths.tolist()
-        for k, queued in enumerate(self.block.moves[tentative.first : moves_begun]):
+        for k, queued in enumerate(self.block.moves[tentative.first : moves_started]):
             if queued.started.time is None:
                 queued.started.time = times[k]
             if places[k] >= tentative.from_m - 1e-12:
@@ -424,7 +424,7 @@ class BlockPlanner:
             if queued.ended_s is None or places[k + 1] >= tentative.from_m - 1e-12:
                 queued.ended_s = times[k + 1]
             self._note_corner(queued, tentative.path.corners[k])
-        self.moved(self.block.moves[tentative.first : moves_begun], path)
+        self.moved(self.block.moves[tentative.first : moves_started], path)
         return tentative.time_at(to_m)
 
     def _note_corner(self, queued: QueuedMove, corner: Corner) -> None:

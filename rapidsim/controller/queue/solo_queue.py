@@ -12,10 +12,10 @@ import numpy as np
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, executed_move
 from rapidsim.controller.queue import stopping
-from rapidsim.controller.queue.block import Block
-from rapidsim.controller.queue.given_moves import GivenMoves
+from rapidsim.controller.queue.block import MotionBlock
+from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.path_planner import BlockPlanner
-from rapidsim.controller.queue.repeats import Repeats
+from rapidsim.controller.queue.plan_cache import PlanCache
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment, Waypoint
@@ -26,9 +26,9 @@ from rapidsim.motion.path.curve_following import PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import limits_of, model_of
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 REGAINED_M = 0.010
 """How far [m] the TCP may be from where it left its path to return by itself."""
@@ -38,13 +38,13 @@ _OTHER_STANCE = np.radians(90.0)
 """An axis this far off is in another configuration, even if the tool is close."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Stored:
     """A path kept by StorePath."""
 
-    block: Block
+    block: MotionBlock
     end: Waypoint
-    stood: Waypoint
+    position: Waypoint
     """Where the arm stood."""
 
 
@@ -52,11 +52,11 @@ class GuidedMotion(Protocol):
     """A robot guided by a sensor."""
 
     @property
-    def stretch(self) -> GuidedStretch:
+    def section(self) -> GuidedSection:
         """Its motion so far; it grows."""
         ...
 
-    def let_go(self) -> None:
+    def release(self) -> None:
         """Brake now and stand still to the end of the stretch."""
         ...
 
@@ -73,7 +73,7 @@ class CorrectedMotion(Protocol):
         ...
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class SoloQueue:
     """Implements `MotionQueue` for a robot that moves alone."""
 
@@ -98,7 +98,7 @@ class SoloQueue:
         return self.planner.trajectory
 
     @property
-    def moves(self) -> GivenMoves:
+    def moves(self) -> MoveLog:
         """All moves the robot was ever given, alone or with others."""
         return self.planner.moves
 
@@ -133,7 +133,7 @@ class SoloQueue:
         return len(self._stored)
 
     @property
-    def is_led(self) -> bool:
+    def is_guided(self) -> bool:
         """Whether a sensor guides the robot or corrects its path."""
         return self.guided is not None or self.corrected is not None
 
@@ -179,7 +179,7 @@ class SoloQueue:
         """Where a move of the current block starts and ends [m] on the preview."""
         return self.planner.places_of(queued)
 
-    def stretch_of(self, queued: QueuedMove) -> float:
+    def path_ratio(self, queued: QueuedMove) -> float:
         """For a robot alone, place and distance travelled are the same."""
         del queued
         return 1.0
@@ -204,14 +204,14 @@ class SoloQueue:
     def guide(self, guided: GuidedMotion) -> None:
         """Let something other than the path move a robot that stands."""
         self.guided = guided
-        self.trajectory.guide(guided.stretch)
+        self.trajectory.guide(guided.section)
 
     def end_guidance(self) -> None:
         """Bring the robot to rest where it is; the next move begins there."""
         guided, self.guided = self.guided, None
         if guided is not None:
-            guided.let_go()
-            self.continue_from(guided.stretch.end_s)
+            guided.release()
+            self.continue_from(guided.section.end_s)
             self.end = self.standing()
 
     def resume(self, now_s: float) -> None:
@@ -242,13 +242,13 @@ class SoloQueue:
         # A path that was taken up and not gone on with is left where it was left before.
         left_at, self._left_at = self._left_at or stands, None
         self._stored.append(_Stored(self.planner.block, self.end, left_at))
-        self.planner.block, self.end = Block(), stands
+        self.planner.block, self.end = MotionBlock(), stands
 
     def restore(self) -> None:
         """Take up the path that was kept last, where it was left."""
         self.planner.version += 1
         kept = self._stored.pop()
-        self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.stood
+        self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.position
         kept.block.plan = None
         if not kept.block.is_open:
             # Nothing is left of it to go on with: what comes next begins where the arm stands.
@@ -259,9 +259,9 @@ class SoloQueue:
         planner = self.planner
         planner.version += 1
         planner.ready_s = max(planner.ready_s, ready_s)
-        planner.block = Block(is_halted=planner.is_halted)
+        planner.block = MotionBlock(is_halted=planner.is_halted)
 
-    def too_far_off(self) -> str:
+    def off_path_reason(self) -> str:
         """How far the arm stands from where it left its path, in words; empty if near enough."""
         block, left_at = self.planner.block, self._left_at
         if left_at is None or not block.is_open:
@@ -309,7 +309,7 @@ class SoloQueue:
 
 
 def solo_queue(
-    robot: Robot, model: MotionModel, start: Waypoint, look: Look = undisturbed
+    robot: Robot, model: MotionModel, start: Waypoint, check_deadline: Look = undisturbed
 ) -> SoloQueue:
     """The queue of a robot that stands somewhere at time zero.
 
@@ -317,27 +317,29 @@ def solo_queue(
         robot: The arm.
         model: How its controller moves it.
         start: Where it stands.
-        look: Called while it plans; raises to end that.
+        check_deadline: Called while it plans; raises to end that.
     """
     model = model_of(robot, model)
     trajectory = Trajectory(start, model.window, model.smoothing, model.filter_averages)
-    build = partial(_path, robot, model, look)
-    limits, repeats = limits_of(robot, model), Repeats()
-    planner = BlockPlanner(trajectory, model, limits, build, look=look, repeats=repeats)
+    build = partial(_path, robot, model, check_deadline)
+    limits, repeats = limits_of(robot, model), PlanCache()
+    planner = BlockPlanner(
+        trajectory, model, limits, build, check_deadline=check_deadline, repeats=repeats
+    )
     return SoloQueue(robot, planner, start)
 
 
 def _path(
     robot: Robot,
     model: MotionModel,
-    look: Look,
+    check_deadline: Look,
     moves: Sequence[QueuedMove],
     lost_corner: int | None,
 ) -> Path:
     segments = [queued.segment for queued in moves]
     if lost_corner is not None:
         segments[lost_corner] = replace(segments[lost_corner], zone=None)
-    path = build_path(robot, segments, model, look)
+    path = build_path(robot, segments, model, check_deadline)
     if isinstance(path, PathFault):
         raise MotionError(moves[path.segment], path)
     return path

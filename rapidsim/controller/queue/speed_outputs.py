@@ -10,14 +10,14 @@ import numpy as np
 from rapidsim.controller.cell.cell import Cause, Cell
 from rapidsim.controller.journal.journal import Instant, Moment
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 STEP_S = 0.012
 """An output is written at intervals of this length."""
 _MM = 1e-3
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Follower:
     """How an output follows the speed, and which instruction asked for it."""
 
@@ -26,9 +26,9 @@ class _Follower:
     lag_s: float
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class SpeedOutputs:
-    """The outputs that follow one robot's speed: a `happening.Happening`.
+    """The outputs that follow one robot's speed: a `event_source.EventSource`.
 
     They are written while time passes and no further move can come, so the preview of the motion
     is what will be.
@@ -56,8 +56,8 @@ class SpeedOutputs:
         ends_s = self.unit.queue.preview().duration
         return min(self._written_s + STEP_S, ends_s) if self._written_s < ends_s else None
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Write all outputs; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Write all outputs; see `event_source.EventSource`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None
@@ -67,7 +67,7 @@ class SpeedOutputs:
         self._written_s = time_s
         return time_s
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """A robot that stood is followed from when it goes on."""
         self._written_s = max(self._written_s, time_s - STEP_S)
 

@@ -88,36 +88,36 @@ def resume(planner: BlockPlanner, now_s: float) -> None:
             block.moves[0].command_start_s = block.commit.time_s
 
 
-def regain(planner: BlockPlanner, stands: Waypoint, left_at: Waypoint, now_s: float) -> float:
+def regain(planner: BlockPlanner, waypoint: Waypoint, left_at: Waypoint, now_s: float) -> float:
     """Go back to where the path was left, all axes together, as slowly as the path is programmed.
 
     Args:
         planner: Of the path.
-        stands: Where the arm stands, as a flange with no tool.
+        waypoint: Where the arm stands, as a flange with no tool.
         left_at: Where it left the path, likewise.
         now_s: When it begins [s].
 
     Returns:
         Command time [s] at which it is there; `now_s` if it is there already.
     """
-    if is_same_place(stands, left_at):
+    if is_same_place(waypoint, left_at):
         return now_s
     move = planner.block.moves[planner.block.commit.move]
-    back = replace(move, segment=segment_back(move.segment, stands, left_at))
+    back = replace(move, segment=segment_back(move.segment, waypoint, left_at))
     return go_back(planner, back, now_s)
 
 
-def is_same_place(stands: Waypoint, left_at: Waypoint) -> bool:
+def is_same_place(waypoint: Waypoint, left_at: Waypoint) -> bool:
     """Whether an arm is where it left its path."""
-    return bool(np.max(np.abs(stands.joints - left_at.joints)) < _SAME_JOINTS)
+    return bool(np.max(np.abs(waypoint.joints - left_at.joints)) < _SAME_JOINTS)
 
 
-def segment_back(segment: Segment, stands: Waypoint, left_at: Waypoint) -> Segment:
+def segment_back(segment: Segment, waypoint: Waypoint, left_at: Waypoint) -> Segment:
     """The segment from where an arm is to where it left one; all axes move together."""
     return replace(
         segment,
         geometry=Geometry.JOINT,
-        start=stands,
+        start=waypoint,
         end=left_at,
         tcp_from_flange=Transform.identity(),
         zone=None,
@@ -131,7 +131,7 @@ def segment_back(segment: Segment, stands: Waypoint, left_at: Waypoint) -> Segme
 def go_back(planner: BlockPlanner, move: QueuedMove, now_s: float) -> float:
     """Add a move back to the path to the motion; the command time [s] at which it has ended."""
     path = planner.build([move], None)
-    timing = plan(path, planner.limits, look=planner.look)
+    timing = plan(path, planner.limits, check_deadline=planner.check_deadline)
     start_s = max(now_s, planner.ready_s)
     planner.trajectory.append(Piece(start_s, path, timing, 0.0, path.length, move.number))
     return start_s + timing.duration + planner.model.dwell_after(timing.braking_s)

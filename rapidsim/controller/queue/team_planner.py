@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove, frames_of
 from rapidsim.controller.queue import stopping
-from rapidsim.controller.queue.given_moves import GivenMoves
+from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.path_planner import BlockPlanner
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.language.error_numbers import ERR_ARGVALERR, rapid_error
@@ -20,7 +20,7 @@ from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath
 from rapidsim.motion.path.team_building import TeamFault, build_team
-from rapidsim.motion.timing.axis_limits import limits_together
+from rapidsim.motion.timing.axis_limits import combined_limits
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
@@ -37,7 +37,7 @@ class TeamMove(QueuedMove):
 
 
 @dataclass(slots=True, eq=False)
-class Offer:
+class PendingTeamMove:
     """A move of the team that waits for tasks that have not given theirs yet."""
 
     sync_id: float
@@ -53,7 +53,7 @@ class _TeamTrajectory(Trajectory):
     is the same: the command of a quicker one is later by half of the difference.
     """
 
-    def __init__(self, robots: Sequence[SoloQueue], moves: GivenMoves) -> None:
+    def __init__(self, robots: Sequence[SoloQueue], moves: MoveLog) -> None:
         own = robots[0]
         model = own.planner.model
         super().__init__(own.end, model.window, model.smoothing, model.filter_averages)
@@ -90,18 +90,18 @@ class TeamPlanner:
             tasks: Names of their tasks.
             robots: Their own queues, in the order of the tasks.
         """
-        lead, moves = robots[0].planner, GivenMoves()
+        lead, moves = robots[0].planner, MoveLog()
         self.tasks = tuple(tasks)
         self.robots = tuple(robots)
-        self.offer: Offer | None = None
+        self.offer: PendingTeamMove | None = None
         self._trajectory = _TeamTrajectory(robots, moves)
         self.planner = BlockPlanner(
             self._trajectory,
             lead.model,
-            limits_together([robot.planner.limits for robot in robots]),
+            combined_limits([robot.planner.limits for robot in robots]),
             self._build,
             self._pass_on,
-            lead.look,
+            lead.check_deadline,
             ready_s=max(robot.planner.ready_s for robot in robots),
             moves=moves,
         )
@@ -121,11 +121,11 @@ class TeamPlanner:
         """Where these robots left the path, until it is taken up again."""
         self._next_level: TeamPlanner | None = None
 
-    def said(self, number: int) -> QueuedMove | None:
+    def submitted(self, number: int) -> QueuedMove | None:
         """A robot's part of the next move; None before its task has given it."""
         return None if self.offer is None else self.offer.parts.get(number)
 
-    def say(self, number: int, part: QueuedMove, sync_id: float) -> Offer:
+    def submit(self, number: int, part: QueuedMove, sync_id: float) -> PendingTeamMove:
         r"""Take a task's part of the next move.
 
         Args:
@@ -137,7 +137,7 @@ class TeamPlanner:
             RapidError: ERR_ARGVALERR, if another task has said another number.
         """
         if self.offer is None:
-            self.offer = Offer(sync_id)
+            self.offer = PendingTeamMove(sync_id)
         offer = self.offer
         if offer.sync_id != sync_id:
             other, said = next(iter(offer.parts.items()))
@@ -150,9 +150,9 @@ class TeamPlanner:
         offer.parts[number] = part
         return offer
 
-    def begin(self, offer: Offer, now_s: float) -> TeamMove:
+    def begin(self, pending: PendingTeamMove, now_s: float) -> TeamMove:
         """Put a move on the path when all parts are given; see `BlockPlanner.append`."""
-        parts = tuple(offer.parts[number] for number in range(len(self.robots)))
+        parts = tuple(pending.parts[number] for number in range(len(self.robots)))
         lead = parts[0]
         stops = any(part.corner is CornerKind.STOP for part in parts)
         # One window of the smoothing for all, or they would not stay together.
@@ -174,7 +174,7 @@ class TeamPlanner:
             lead.tcp_from_flange,
             parts=parts,
         )
-        self.offer, offer.is_complete = None, True
+        self.offer, pending.is_complete = None, True
         last = self.planner.block.moves[-1] if self.planner.is_open else None
         self.planner.append(move, now_s)
         continues = last is not None and self.planner.block.moves[0] is not move
@@ -299,7 +299,7 @@ class TeamPlanner:
         starts, ends = self._offsets_of(move)
         return starts[number] + places[0], ends[number] + places[1]
 
-    def stretch_of(self, number: int, part: QueuedMove) -> float:
+    def parameter_rate(self, number: int, part: QueuedMove) -> float:
         """How far [m] the common parameter advances per metre of a robot's own path on its move."""
         move, places = self._whole(number, part), self.places_of(number, part)
         if move is None or places is None:
@@ -336,7 +336,7 @@ class TeamPlanner:
                 segments[lost_corner] = replace(segments[lost_corner], zone=None)
             rows.append(segments)
         arms = [robot.robot for robot in self.robots]
-        joint = build_team(arms, rows, self.planner.model, self.planner.look)
+        joint = build_team(arms, rows, self.planner.model, self.planner.check_deadline)
         if isinstance(joint, TeamFault):
             blamed = moves[joint.fault.segment]
             assert isinstance(blamed, TeamMove)

@@ -5,16 +5,16 @@ from __future__ import annotations
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.queue import stopping
-from rapidsim.controller.queue.given_moves import GivenMoves
+from rapidsim.controller.queue.move_log import MoveLog
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.team_planner import TeamPlanner
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TeamQueue:
     """Implements `MotionQueue` in a team: the team plans, each queue shows its own robot."""
 
@@ -29,7 +29,7 @@ class TeamQueue:
         return self.own.trajectory
 
     @property
-    def moves(self) -> GivenMoves:
+    def moves(self) -> MoveLog:
         """All moves the robot was ever given, alone or with others."""
         return self.own.moves
 
@@ -87,9 +87,9 @@ class TeamQueue:
         """Where a move of the robot starts and ends [m] on its preview; None for others."""
         return self.team.places_of(self.number, queued)
 
-    def stretch_of(self, queued: QueuedMove) -> float:
+    def path_ratio(self, queued: QueuedMove) -> float:
         """In a team the robot with the longest path sets the parameter."""
-        return self.team.stretch_of(self.number, queued)
+        return self.team.parameter_rate(self.number, queued)
 
     def seen(self, now_s: float, times: Array) -> Samples:
         """The robot at times (k,) [s] around now; see `MotionQueue.seen`."""
@@ -116,6 +116,6 @@ class TeamQueue:
         """Forget what is left of the path of the team."""
         self.team.clear()
 
-    def too_far_off(self) -> str:
+    def off_path_reason(self) -> str:
         """Distance of a robot of the team from where it left the path; see `MotionQueue`."""
         return self.team.too_far_off()

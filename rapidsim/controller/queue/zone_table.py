@@ -41,14 +41,14 @@ class WatchedZone:
 
 @dataclass(slots=True)
 class WorldZoneTable:
-    """The zones that are watched while one robot moves: a `happening.Happening`."""
+    """The zones that are watched while one robot moves: a `event_source.EventSource`."""
 
     on_path: ClassVar = True
     unit: MechanicalUnit
     world_from_base: Transform
     limit_s: float
     """Nothing is looked for after this time [s]: a motion may be commanded for days."""
-    look: Callable[[], None]
+    check_deadline: Callable[[], None]
     """Called while searching for crossings; ends a run that takes too long."""
     _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
@@ -105,8 +105,8 @@ class WorldZoneTable:
             self._next = (self.unit.version, found, crossed)
         return self._next[1]
 
-    def pass_next(self, passed_s: float, until_s: float) -> float:
-        """Do what the next crossing stands for; see `happening.Happening`."""
+    def dispatch_next(self, passed_s: float, until_s: float) -> float:
+        """Do what the next crossing stands for; see `event_source.EventSource`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None
@@ -119,7 +119,7 @@ class WorldZoneTable:
             zone.crossed(zone.inside, max(time_s, passed_s))
         return time_s
 
-    def look_from(self, time_s: float) -> None:
+    def advance_to(self, time_s: float) -> None:
         """Look only at what comes after a time [s]."""
         self._looked_to_s = max(time_s, self._looked_to_s)
 
@@ -133,9 +133,9 @@ class WorldZoneTable:
 
     def _crossing(self, zone: WatchedZone, preview: Trajectory) -> float | None:
         """The first time [s] after the last look at which being in a zone changes."""
-        looks = _looks(preview, self._looked_to_s, min(preview.duration, self.limit_s))
+        looks = _sample_times(preview, self._looked_to_s, min(preview.duration, self.limit_s))
         for begin in range(1, len(looks), _LOOKS):
-            self.look()
+            self.check_deadline()
             times = looks[begin : begin + _LOOKS]
             changed = np.flatnonzero(self._inside(zone, preview.at(times)) != zone.inside)
             if len(changed):
@@ -164,7 +164,7 @@ class WorldZoneTable:
         return result
 
 
-def _looks(preview: Trajectory, start_s: float, end_s: float) -> Array:
+def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
     """Times [s] between which the arm makes at most about a millimetre of its path."""
     if end_s <= start_s:
         return np.zeros(0)

@@ -1,6 +1,7 @@
 """Python syntax nodes at RAPID positions; the only module that sets positions.
 
-An `At` is a position on one line of a RAPID file and builds Python nodes there, so that Python's
+An `AstBuilder` is a position on one line of a RAPID file and builds Python nodes there, so that
+Python's
 tracebacks, debuggers and coverage tools refer to RAPID lines. Python counts columns in UTF-8 bytes,
 and moves an attribute that spans lines to its last line; so every position ends on the line it
 begins on.
@@ -19,7 +20,7 @@ _LOAD = ast.Load()
 _STORE = ast.Store()
 
 
-class At:
+class AstBuilder:
     """Builds Python nodes at one position of a RAPID file."""
 
     __slots__ = ("_where", "line")
@@ -89,9 +90,9 @@ class At:
         """`and` or `or`, the right operand evaluated only where it matters."""
         return ast.BoolOp(operator, list(operands), **self._where)
 
-    def choice(self, condition: ast.expr, value: ast.expr, otherwise: ast.expr) -> ast.IfExp:
+    def choice(self, condition: ast.expr, value: ast.expr, else_value: ast.expr) -> ast.IfExp:
         """`value if condition else otherwise`."""
-        return ast.IfExp(condition, value, otherwise, **self._where)
+        return ast.IfExp(condition, value, else_value, **self._where)
 
     def named(self, name: str, value: ast.expr) -> ast.NamedExpr:
         """`(name := value)`."""
@@ -130,10 +131,10 @@ class At:
         return ast.Expr(value, **self._where)
 
     def when(
-        self, condition: ast.expr, body: Sequence[ast.stmt], otherwise: Sequence[ast.stmt] = ()
+        self, condition: ast.expr, body: Sequence[ast.stmt], else_body: Sequence[ast.stmt] = ()
     ) -> ast.If:
         """`if`; an empty body becomes `pass`."""
-        return ast.If(condition, self._body(body), list(otherwise), **self._where)
+        return ast.If(condition, self._body(body), list(else_body), **self._where)
 
     def repeat(self, condition: ast.expr, body: Sequence[ast.stmt]) -> ast.While:
         """`while`."""
@@ -231,26 +232,26 @@ class Positions:
         self._start = self._end = 0
         # Likewise the place: a name, the path it is and the expression that is all ask for theirs.
         self._asked = (-1, -1)
-        self._at = At(0, 0, 0)
+        self._at = AstBuilder(0, 0, 0)
 
-    def at(self, node: tree.Node) -> At:
+    def at(self, node: tree.Node) -> AstBuilder:
         """The start of a node, up to the end of its first line."""
         return self.between(node.start, node.end)
 
-    def between(self, start: int, end: int) -> At:
+    def between(self, start: int, end: int) -> AstBuilder:
         """The range from `start`, up to the end of its first line."""
         if (start, end) != self._asked:
             self._at, self._asked = self._between(start, end), (start, end)
         return self._at
 
-    def _between(self, start: int, end: int) -> At:
+    def _between(self, start: int, end: int) -> AstBuilder:
         if not self._start <= start < self._end:
             self._find(start)
         first, last = start - self._start, min(end, self._end) - self._start
         if self._ascii:
-            return At(self._line, first, last)
+            return AstBuilder(self._line, first, last)
         text = self._source.text[self._start : self._end]
-        return At(self._line, len(text[:first].encode()), len(text[:last].encode()))
+        return AstBuilder(self._line, len(text[:first].encode()), len(text[:last].encode()))
 
     def _find(self, offset: int) -> None:
         line, column = self._source.position(offset)
@@ -258,7 +259,7 @@ class Positions:
         self._start = offset - column + 1
         self._end = self._start + len(self._source.line(line))
 
-    def within(self, statement: At, node: tree.Node) -> At:
+    def within(self, statement: AstBuilder, node: tree.Node) -> AstBuilder:
         """The position of a part of a statement.
 
         Parts on later lines get the position of the whole statement, so a statement is one line

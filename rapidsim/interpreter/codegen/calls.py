@@ -20,34 +20,34 @@ from rapidsim.analysis.program import (
     UnknownSymbol,
 )
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, by_reference
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.data_access import DataPathTranslator, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.inlined_functions import function_in_place
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.runtime.executed_runs import ROW, ExecutedRun
-from rapidsim.interpreter.runtime.late_binding import LateArgument, key_of
+from rapidsim.interpreter.runtime.bulk_execution import ROW, BulkExecution
+from rapidsim.interpreter.runtime.late_binding import DeferredArgument, key_of
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.interpreter.runtime.values import is_signal
-from rapidsim.language.annotations import Mode
-from rapidsim.language.initial import initial_value
+from rapidsim.language.annotations import ParameterMode
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.moves import Place
 from rapidsim.language.types import NUM, ArrayOf, Type, resolved
 from rapidsim.library.table import LibraryRoutine, Parameter, Signature
 from rapidsim.library.text import value_text
-from rapidsim.library.traits import ONLY_LOOKS, Does
+from rapidsim.library.traits import ONLY_LOOKS, Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SMALL = 60
 """Nodes of a small routine."""
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+@value_class(frozen=True, slots=True)
+class BoundArgument:
     """What a call passes for one parameter; no value for a switch."""
 
     value: tree.Expression | None = None
@@ -57,20 +57,20 @@ class Given:
 
 def match_arguments(
     arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
-) -> dict[str, Given]:
+) -> dict[str, BoundArgument]:
     """What a call passes, by folded parameter name."""
     required = (p.name.lower() for p in parameters if not p.optional)
-    given: dict[str, Given] = {}
+    given: dict[str, BoundArgument] = {}
     for argument in arguments:
         match argument:
-            case tree.Required(value=value, name=name):
+            case tree.RequiredArgument(value=value, name=name):
                 following = next(required, "")
                 key = following if name is None else key_of(name.key, parameters)
-                given[key] = Given(value)
-            case tree.Optional(name=name, value=value):
-                given[name.key] = Given(value)
-            case tree.Conditional(name=name, present=present):
-                given[name.key] = Given(None, present)
+                given[key] = BoundArgument(value)
+            case tree.OptionalArgument(name=name, value=value):
+                given[name.key] = BoundArgument(value)
+            case tree.ConditionalArgument(name=name, present=present):
+                given[name.key] = BoundArgument(None, present)
     return given
 
 
@@ -90,14 +90,14 @@ def takes_elements(routine: RoutineSymbol, program: Program) -> bool:
 def _only_takes_values(callee: Symbol) -> bool:
     """Whether a call of something asks neither for names nor for references."""
     return isinstance(callee, LibrarySymbol) and all(
-        parameter.mode is Mode.IN for parameter in callee.routine.signature.parameters
+        parameter.mode is ParameterMode.IN for parameter in callee.routine.signature.parameters
     )
 
 
 class Calls:
     """Translates the calls of one routine."""
 
-    def __init__(self, expressions: Operands, paths: Paths) -> None:
+    def __init__(self, expressions: Operands, paths: DataPathTranslator) -> None:
         """Translate with the names and the place that expressions have."""
         self._expressions = expressions
         self._paths = paths
@@ -137,12 +137,12 @@ class Calls:
                     self._expressions.span(call),
                 )
 
-    def procedure(self, call: tree.Call, at: At) -> list[ast.stmt]:
+    def procedure(self, call: tree.Call, at: AstBuilder) -> list[ast.stmt]:
         """A procedure or instruction call as statements."""
         match self._program.symbol_of[call]:
             case RoutineSymbol() as symbol:
                 return [at.do(self._user(symbol, call.arguments, at).node)]
-            case LibrarySymbol(routine=routine) if Does.CALL_BY_NAME in routine.does:
+            case LibrarySymbol(routine=routine) if Trait.CALL_BY_NAME in routine.traits:
                 return self._call_by_var(routine, call, at)
             case LibrarySymbol(routine=routine):
                 return self._instruction(routine, call, at)
@@ -163,20 +163,20 @@ class Calls:
                     self._expressions.span(call),
                 )
 
-    def _missing_data(self, name: str, at: At) -> ast.expr:
+    def _missing_data(self, name: str, at: AstBuilder) -> ast.expr:
         why = self._program.missing_data[name.lower()]
         return at.call("_unresolved_data", [at.constant(name), at.constant(why)])
 
-    def late(self, call: tree.LateCall, at: At) -> list[ast.stmt]:
+    def late(self, call: tree.LateCall, at: AstBuilder) -> list[ast.stmt]:
         """A call of a procedure whose name is a string known at run time."""
         name = self._expressions.value(call.routine).node
         return [at.do(at.call("_late", self._late_arguments(call, name, at)))]
 
     def _late_arguments(
-        self, call: tree.LateCall | tree.Call | tree.FunctionCall, name: ast.expr, at: At
+        self, call: tree.LateCall | tree.Call | tree.FunctionCall, name: ast.expr, at: AstBuilder
     ) -> list[ast.expr]:
         """Place, name, shapes and values of a call whose routine only the run finds."""
-        shapes: list[LateArgument] = []
+        shapes: list[DeferredArgument] = []
         values: list[ast.expr] = []
         for argument in call.arguments:
             shape, value = self._late_argument(argument, at)
@@ -186,7 +186,9 @@ class Calls:
         place = at.name(self._place(call, {}))
         return [place, name, form, at.tuple_of(values)]
 
-    def _call_by_var(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
+    def _call_by_var(
+        self, routine: LibraryRoutine, call: tree.Call, at: AstBuilder
+    ) -> list[ast.stmt]:
         """CallByVar: late binding to a name that ends in a number."""
         given = match_arguments(call.arguments, routine.signature.parameters)
         parts = [value for key in ("name", "number") if (value := given[key].value) is not None]
@@ -195,7 +197,9 @@ class Calls:
         place = at.name(self._place(call, {}))
         return [at.do(at.call("_late", [place, name, form, at.tuple_of([])]))]
 
-    def _user(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: At) -> Code:
+    def _user(
+        self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument], at: AstBuilder
+    ) -> Code:
         given = match_arguments(arguments, symbol.parameters)
         elements = self._elements(symbol, given)
         nodes = {
@@ -220,7 +224,7 @@ class Calls:
         return Code(node, may_raise=True, calls=True, integer=integer)
 
     def _elements(
-        self, symbol: RoutineSymbol, given: dict[str, Given]
+        self, symbol: RoutineSymbol, arguments: dict[str, BoundArgument]
     ) -> dict[ParameterSymbol, tuple[ast.expr, ast.expr]]:
         """Array and position of the elements that a call lends to a small routine.
 
@@ -230,16 +234,18 @@ class Calls:
         if symbol.module is not self._names.module.module:
             return found
         for parameter in symbol.parameters:
-            one = given.get(parameter.name.lower())
+            one = arguments.get(parameter.name.lower())
             value = None if one is None or one.value is None else bare(one.value)
-            lends = parameter.mode is Mode.INOUT and not parameter.optional
+            lends = parameter.mode is ParameterMode.INOUT and not parameter.optional
             if lends and isinstance(value, tree.Index) and takes_elements(symbol, self._program):
                 element = self._paths.element(value)
                 if element is not None:
                     found[parameter] = element
         return found
 
-    def _argument(self, parameter: ParameterSymbol, given: Given | None, at: At) -> ast.expr:
+    def _argument(
+        self, parameter: ParameterSymbol, given: BoundArgument | None, at: AstBuilder
+    ) -> ast.expr:
         """The argument of a user routine's parameter."""
         if given is None:
             return at.constant(False) if parameter.is_switch else at.name("_ABSENT")
@@ -248,13 +254,13 @@ class Calls:
         if given.value is None:
             return at.constant(True)
         value = bare(given.value)
-        is_path = isinstance(value, tree.Reference | tree.Index | tree.Component)
+        is_path = isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess)
         if is_path and (by_reference(parameter.mode) or is_signal(parameter.type)):
-            assert isinstance(value, tree.Reference | tree.Index | tree.Component)
+            assert isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess)
             return self._paths.reference(value).node
         return self._expressions.copy(given.value, parameter.node).node
 
-    def _forwarded(self, option: tree.Name, mode: Mode, at: At) -> ast.expr:
+    def _forwarded(self, option: tree.Name, mode: ParameterMode, at: AstBuilder) -> ast.expr:
         r"""The value for `\X?y`: the caller's own option, present or not."""
         symbol = self._caller_option(option)
         name = self._names.get(symbol)
@@ -282,9 +288,9 @@ class Calls:
     def _refuse_two_alternatives(
         self,
         parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
-        given: dict[str, Given],
+        arguments: dict[str, BoundArgument],
         nodes: dict[str, ast.expr],
-        at: At,
+        at: AstBuilder,
     ) -> None:
         """Where two options exclude each other and only the run shows who is there, check then.
 
@@ -292,33 +298,35 @@ class Calls:
 
         Args:
             parameters: Of the routine.
-            given: What the call gives, by folded parameter name.
+            arguments: What the call gives, by folded parameter name.
             nodes: The arguments, likewise; changed where a check is needed.
             at: The place of the call.
         """
-        if not any(one.caller_option for one in given.values()):
+        if not any(one.caller_option for one in arguments.values()):
             return
         groups: dict[int, list[str]] = {}
         for parameter in parameters:
-            if parameter.optional and parameter.group and parameter.name.lower() in given:
+            if parameter.optional and parameter.group and parameter.name.lower() in arguments:
                 groups.setdefault(parameter.group, []).append(parameter.name.lower())
         for names in groups.values():
-            if len(names) > 1 and any(given[name].caller_option for name in names):
-                flags = [self._is_there(given[name], at) for name in names]
+            if len(names) > 1 and any(arguments[name].caller_option for name in names):
+                flags = [self._presence(arguments[name], at) for name in names]
                 nodes[names[-1]] = at.call("_at_most_one", [nodes[names[-1]], *flags])
 
-    def _is_there(self, given: Given, at: At) -> ast.expr:
+    def _presence(self, argument: BoundArgument, at: AstBuilder) -> ast.expr:
         """Whether an argument is given: a conditional one only if the caller's option is."""
-        if given.caller_option is None:
+        if argument.caller_option is None:
             return at.constant(True)
-        symbol = self._caller_option(given.caller_option)
+        symbol = self._caller_option(argument.caller_option)
         name = self._names.get(symbol)
         assert name is not None
         if symbol.is_switch:
             return at.name(name)
         return at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT")))
 
-    def _library_function(self, routine: LibraryRoutine, call: tree.FunctionCall, at: At) -> Code:
+    def _library_function(
+        self, routine: LibraryRoutine, call: tree.FunctionCall, at: AstBuilder
+    ) -> Code:
         signature = routine.signature
         given = match_arguments(call.arguments, signature.parameters)
         function = at.name(self._names.module.library(routine))
@@ -329,11 +337,13 @@ class Calls:
         if not signature.takes_controller:
             return Code(at.call(function, values, options), may_raise=True, calls=calls)
         place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
-        how = "_look_at" if ONLY_LOOKS & routine.does else "_call_at"
+        how = "_look_at" if ONLY_LOOKS & routine.traits else "_call_at"
         node = at.call(how, [place, function, asked, *values], options)
         return Code(node, may_raise=True, calls=True)
 
-    def _instruction(self, routine: LibraryRoutine, call: tree.Call, at: At) -> list[ast.stmt]:
+    def _instruction(
+        self, routine: LibraryRoutine, call: tree.Call, at: AstBuilder
+    ) -> list[ast.stmt]:
         signature = routine.signature
         arguments = () if signature.is_open else call.arguments
         given = match_arguments(arguments, signature.parameters)
@@ -342,25 +352,25 @@ class Calls:
         if not signature.takes_controller:
             return [at.do(at.call(function, values, options))]
         place, asked = at.name(self._place(call, given)), at.name(f"_{signature.concern}")
-        if Does.OUTPUT in routine.does and Does.MOVE not in routine.does:
+        if Trait.OUTPUT in routine.traits and Trait.MOVE not in routine.traits:
             return [at.do(at.call("_set_at", [place, function, asked, *values], options))]
         if calls:
             # A call among the arguments reports places of its own; ours comes after.
             return [at.do(at.call("_call_at", [place, function, asked, *values], options))]
         return _reported(place, at.call(function, [asked, *values], options), at)
 
-    def row(self, run: tree.Run, at: At) -> tuple[ast.expr, list[ast.stmt]]:
+    def row(self, run: tree.BulkStatements, at: AstBuilder) -> tuple[ast.expr, list[ast.stmt]]:
         """The rows of a run of moves, and what is done for each."""
         call = run.like
         assert isinstance(call, tree.Call)
         symbol, target = self._program.symbol_of[call], call.arguments[0]
         assert isinstance(symbol, LibrarySymbol)
-        assert isinstance(target, tree.Required)
+        assert isinstance(target, tree.RequiredArgument)
         signature = symbol.routine.signature
         given = match_arguments(call.arguments, signature.parameters)
         taken = next(name for name, one in given.items() if one.value is target.value)
         like = self._written(call, given)
-        rows = self._names.module.numbered("_rows", ExecutedRun(run, like, taken))
+        rows = self._names.module.numbered("_rows", BulkExecution(run, like, taken))
         function = at.name(self._names.module.library(symbol.routine))
         values, options, _ = self._library_arguments(signature, given, at, taken)
         asked = at.name(f"_{signature.concern}")
@@ -370,90 +380,97 @@ class Calls:
     def _library_arguments(
         self,
         signature: Signature,
-        given: dict[str, Given],
-        at: At,
+        arguments: dict[str, BoundArgument],
+        at: AstBuilder,
         of_row: str = "",
     ) -> tuple[list[ast.expr], list[tuple[str, ast.expr]], bool]:
         """Positional arguments, keyword options, and whether calls are among them.
 
         Args:
             signature: Of what is called.
-            given: What the call gives.
+            arguments: What the call gives.
             at: Its place.
             of_row: Folded name of the parameter that takes the target of the row whose turn it is.
         """
-        there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in given]
+        there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in arguments]
         nodes: dict[str, ast.expr] = {}
         calls = False
         for parameter, key in there:
             if key == of_row:
                 nodes[key] = at.attribute(ROW, "target")
                 continue
-            code = self._library_argument(parameter, given[key], at)
+            code = self._library_argument(parameter, arguments[key], at)
             calls |= code.calls
             nodes[key] = code.node
-        self._refuse_two_alternatives(signature.parameters, given, nodes, at)
+        self._refuse_two_alternatives(signature.parameters, arguments, nodes, at)
         values = [nodes[key] for parameter, key in there if not parameter.by_keyword]
         options = [(p.python, nodes[key]) for p, key in there if p.by_keyword]
         for keyword, parameter in signature.types_of:
-            of = self._given_type(parameter, given)
+            of = self._given_type(parameter, arguments)
             options.append((keyword, at.name(self._names.module.numbered("_type", of))))
         return values, options, calls
 
-    def _library_argument(self, parameter: Parameter, given: Given, at: At) -> Code:
-        if given.caller_option is not None:
-            node = self._forwarded(given.caller_option, parameter.mode, at)
+    def _library_argument(
+        self, parameter: Parameter, argument: BoundArgument, at: AstBuilder
+    ) -> Code:
+        if argument.caller_option is not None:
+            node = self._forwarded(argument.caller_option, parameter.mode, at)
             if parameter.is_switch:
                 return Code(node)
             # The Python functions know no ABSENT; None is how they say it.
             present = at.compare(at.named("_given", node), (ast.IsNot(), at.name("_ABSENT")))
             return Code(at.choice(present, at.name("_given"), at.constant(None)))
-        if given.value is None:
+        if argument.value is None:
             return Code(at.constant(True))
-        value = bare(given.value)
-        if isinstance(value, tree.Reference | tree.Index | tree.Component) and (
+        value = bare(argument.value)
+        if isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess) and (
             by_reference(parameter.mode) or any(map(is_signal, parameter.types))
         ):
             return self._paths.reference(value)
-        code = self._expressions.value(given.value)
+        code = self._expressions.value(argument.value)
         if by_reference(parameter.mode):
-            return Code(at.call("_Box", [code.node]), code.owed, code.may_raise, code.calls)
+            return Code(at.call("_Box", [code.node]), code.deferred, code.may_raise, code.calls)
         return Code(at.deferred(code.node)) if parameter.deferred else code
 
-    def _given_type(self, parameter: Parameter, given: dict[str, Given]) -> Type:
-        one = given.get(parameter.name.lower())
+    def _given_type(self, parameter: Parameter, arguments: dict[str, BoundArgument]) -> Type:
+        one = arguments.get(parameter.name.lower())
         if one is not None and one.value is not None:
             return self._expressions.type_of(one.value)
         return NUM
 
-    def _late_argument(self, argument: tree.Argument, at: At) -> tuple[LateArgument, ast.expr]:
+    def _late_argument(
+        self, argument: tree.Argument, at: AstBuilder
+    ) -> tuple[DeferredArgument, ast.expr]:
         match argument:
-            case tree.Conditional(name=name, present=present):
+            case tree.ConditionalArgument(name=name, present=present):
                 symbol = self._caller_option(present)
                 spelled = self._names.get(symbol)
                 assert spelled is not None
-                shape = LateArgument(name.key, self._is_reference(symbol), symbol.type)
+                shape = DeferredArgument(name.key, self._is_reference(symbol), symbol.type)
                 return shape, at.name(spelled)
-            case tree.Optional(name=name, value=None):
-                return LateArgument(name.key, False, None), at.constant(True)
-            case tree.Optional(name=name, value=value) | tree.Required(name=name, value=value):
+            case tree.OptionalArgument(name=name, value=None):
+                return DeferredArgument(name.key, False, None), at.constant(True)
+            case (
+                tree.OptionalArgument(name=name, value=value)
+                | tree.RequiredArgument(name=name, value=value)
+            ):
                 assert value is not None
                 inner = bare(value)
                 key = name.key if name is not None else None
                 of = self._expressions.type_of(value)
-                if isinstance(inner, tree.Reference | tree.Index | tree.Component):
+                if isinstance(inner, tree.DataReference | tree.Index | tree.ComponentAccess):
                     refers = not isinstance(resolved(of), ArrayOf)
                     node = self._paths.reference(inner).node
-                    return LateArgument(key, refers, of), node
-                return LateArgument(key, False, of), self._expressions.copy(value).node
+                    return DeferredArgument(key, refers, of), node
+                return DeferredArgument(key, False, of), self._expressions.copy(value).node
 
-    def _place(self, node: tree.Node, given: dict[str, Given]) -> str:
-        return self._names.module.place(self._written(node, given))
+    def _place(self, node: tree.Node, arguments: dict[str, BoundArgument]) -> str:
+        return self._names.module.place(self._written(node, arguments))
 
-    def _written(self, node: tree.Node, given: dict[str, Given]) -> Place:
+    def _written(self, node: tree.Node, arguments: dict[str, BoundArgument]) -> Place:
         source = self._expressions.module.source.text
         texts = {}
-        for name, one in given.items():
+        for name, one in arguments.items():
             written = one.value or one.caller_option
             texts[name] = source[written.start : written.end] if written is not None else ""
         return Place(self._expressions.span(node), self._names.routine, texts)
@@ -470,6 +487,6 @@ class Calls:
         return f"skipped, {value_text(value, of)} taken for its value"
 
 
-def _reported(place: ast.expr, call: ast.expr, at: At) -> list[ast.stmt]:
+def _reported(place: ast.expr, call: ast.expr, at: AstBuilder) -> list[ast.stmt]:
     """A call, and before it the place from which what it does is told."""
     return [at.assign(at.store_attribute("_clock", "place"), place), at.do(call)]

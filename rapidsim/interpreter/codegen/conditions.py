@@ -35,11 +35,11 @@ def narrowed(
         integers: Bounds of variables that hold everywhere, by declaration.
         of: Gives the bounds of an expression.
     """
-    if _may_be_reached_otherwise(routine):
+    if _is_jump_target(routine):
         return {}
     flow = _Flow(program, integers, of)
     flow.follow(routine.node.body, {})
-    return flow.found
+    return flow.intervals
 
 
 def never_shows(data: tree.Data, routine: RoutineSymbol, program: Program) -> bool:
@@ -47,9 +47,7 @@ def never_shows(data: tree.Data, routine: RoutineSymbol, program: Program) -> bo
 
     True if each statement list that uses the variable assigns to it first.
     """
-    return not _may_be_reached_otherwise(routine) and _assigned_first(
-        routine.node.body, data, program
-    )
+    return not _is_jump_target(routine) and _assigned_first(routine.node.body, data, program)
 
 
 def _assigned_first(body: tree.Body, data: tree.Data, program: Program) -> bool:
@@ -69,12 +67,12 @@ def _assigned_first(body: tree.Body, data: tree.Data, program: Program) -> bool:
 def _names(node: tree.Node, data: tree.Data, program: Program) -> int:
     """How often a part of the text names a variable."""
     return sum(
-        isinstance(one, tree.Reference) and declaration(one, program) is data
+        isinstance(one, tree.DataReference) and declaration(one, program) is data
         for one in descendants(node)
     )
 
 
-def _may_be_reached_otherwise(routine: RoutineSymbol) -> bool:
+def _is_jump_target(routine: RoutineSymbol) -> bool:
     """Whether a statement may come to execution without those before it."""
     labels = (isinstance(one, tree.Label) for one in statements(routine.node.body))
     return routine.node.error is not None or routine.node.undo is not None or any(labels)
@@ -85,71 +83,71 @@ class _Flow:
     program: Program
     integers: _Bounds
     of: _Of
-    found: dict[tree.Node, Interval] = field(default_factory=dict)
+    intervals: dict[tree.Node, Interval] = field(default_factory=dict)
 
-    def follow(self, body: tree.Body, known: _Bounds) -> _Bounds | None:
+    def follow(self, body: tree.Body, bounds: _Bounds) -> _Bounds | None:
         """Walk through statements; what is known after them, None if control never gets there."""
         for statement in body:
-            after = self._statement(statement, known)
+            after = self._statement(statement, bounds)
             if after is None:
                 return None
-            known = after
-        return known
+            bounds = after
+        return bounds
 
-    def _statement(self, statement: tree.Statement, known: _Bounds) -> _Bounds | None:
+    def _statement(self, statement: tree.Statement, bounds: _Bounds) -> _Bounds | None:
         match statement:
             case tree.Return() | tree.Raise() | tree.Exit():
-                self._name(descendants(statement), known)
+                self._name(descendants(statement), bounds)
                 return None
             case tree.If(branches=branches, otherwise=otherwise):
-                rest: _Bounds = known
+                rest: _Bounds = bounds
                 ends = []
                 for branch in branches:
                     self._name(descendants(branch.condition), rest)
-                    holds = self._where(branch.condition, rest, holds=True)
+                    holds = self._bounds_where(branch.condition, rest, holds=True)
                     ends.append(self.follow(branch.body, holds))
-                    rest = self._where(branch.condition, rest, holds=False)
+                    rest = self._bounds_where(branch.condition, rest, holds=False)
                 ends.append(self.follow(otherwise or (), rest))
                 return _common(ends)
             case tree.CompactIf(condition=condition, statement=inner):
-                self._name(descendants(condition), known)
-                done = self._statement(inner, self._where(condition, known, holds=True))
-                return _common([done, self._where(condition, known, holds=False)])
+                self._name(descendants(condition), bounds)
+                done = self._statement(inner, self._bounds_where(condition, bounds, holds=True))
+                return _common([done, self._bounds_where(condition, bounds, holds=False)])
             case tree.While(condition=condition, body=body):
-                known = self._forgets(known, body)
-                self._name(descendants(condition), known)
-                self.follow(body, self._where(condition, known, holds=True))
-                return self._where(condition, known, holds=False)
+                bounds = self._forgets(bounds, body)
+                self._name(descendants(condition), bounds)
+                self.follow(body, self._bounds_where(condition, bounds, holds=True))
+                return self._bounds_where(condition, bounds, holds=False)
             case tree.For(first=first, last=last, step=step, body=body):
                 parts = [part for part in (first, last, step) if part is not None]
-                self._name(descendants(*parts), known)
-                known = self._forgets(known, body)
-                self.follow(body, known)
-                return known
+                self._name(descendants(*parts), bounds)
+                bounds = self._forgets(bounds, body)
+                self.follow(body, bounds)
+                return bounds
             case tree.Test():
-                known = self._forgets(known, *blocks(statement))
+                bounds = self._forgets(bounds, *blocks(statement))
                 for block in blocks(statement):
-                    self.follow(block, known)
-                return known
+                    self.follow(block, bounds)
+                return bounds
             case _:
-                self._name(descendants(statement), known)
-                return self._forgets(known, (statement,))
+                self._name(descendants(statement), bounds)
+                return self._forgets(bounds, (statement,))
 
-    def _name(self, nodes: Iterable[tree.Node], known: _Bounds) -> None:
+    def _name(self, nodes: Iterable[tree.Node], facts: _Bounds) -> None:
         """Note what is known where variables are named."""
         for node in nodes:
-            if isinstance(node, tree.Reference):
-                home = declaration(node, self.program) if known else None
-                bounds = None if home is None else known.get(home)
+            if isinstance(node, tree.DataReference):
+                home = declaration(node, self.program) if facts else None
+                bounds = None if home is None else facts.get(home)
                 if bounds is not None:
-                    self.found[node] = bounds
+                    self.intervals[node] = bounds
 
-    def _forgets(self, known: _Bounds, *bodies: tree.Body) -> _Bounds:
+    def _forgets(self, facts: _Bounds, *bodies: tree.Body) -> _Bounds:
         """What is still known when some statements may have assigned."""
-        if not known:
-            return known
+        if not facts:
+            return facts
         changed = {self._assigned(one) for one in statements(*bodies)}
-        return {node: bounds for node, bounds in known.items() if node not in changed}
+        return {node: bounds for node, bounds in facts.items() if node not in changed}
 
     def _assigned(self, statement: tree.Statement) -> tree.Node | None:
         match statement:
@@ -161,30 +159,32 @@ class _Flow:
             case _:
                 return None
 
-    def _where(self, condition: tree.Expression, known: _Bounds, *, holds: bool) -> _Bounds:
+    def _bounds_where(self, condition: tree.Expression, bounds: _Bounds, *, holds: bool) -> _Bounds:
         """What is known where a condition holds, or does not."""
         match bare(condition):
             case tree.Unary(operator="NOT", operand=operand):
-                return self._where(operand, known, holds=not holds)
+                return self._bounds_where(operand, bounds, holds=not holds)
             case tree.Binary(operator="AND" | "OR" as operator, left=left, right=right):
                 if holds is (operator == "AND"):
-                    return self._where(right, self._where(left, known, holds=holds), holds=holds)
+                    return self._bounds_where(
+                        right, self._bounds_where(left, bounds, holds=holds), holds=holds
+                    )
             case tree.Binary(operator=operator, left=left, right=right) if operator in _OPPOSITE:
                 relation = operator if holds else _OPPOSITE[operator]
-                known = self._compared(left, relation, right, known)
-                return self._compared(right, _MIRRORED[relation], left, known)
+                bounds = self._compared(left, relation, right, bounds)
+                return self._compared(right, _MIRRORED[relation], left, bounds)
             case _:
                 pass
-        return known
+        return bounds
 
     def _compared(
-        self, variable: tree.Expression, relation: str, other: tree.Expression, known: _Bounds
+        self, variable: tree.Expression, relation: str, other: tree.Expression, facts: _Bounds
     ) -> _Bounds:
         node = declaration(variable, self.program)
-        bounds = None if node is None else known.get(node) or self.integers.get(node)
+        bounds = None if node is None else facts.get(node) or self.integers.get(node)
         limit = self.of(other)
         if node is None or bounds is None or limit is None or limit.low > limit.high:
-            return known
+            return facts
         limit = rounded(limit)
         low, high = bounds.low, bounds.high
         match relation:
@@ -195,14 +195,14 @@ class _Flow:
             case "=":
                 low, high = max(low, limit.low), min(high, limit.high)
             case _:
-                return known
+                return facts
         # Who comes here all the same knows no less.
-        return {**known, node: replace(bounds, low=low, high=high)} if low <= high else known
+        return {**facts, node: replace(bounds, low=low, high=high)} if low <= high else facts
 
 
-def _common(ways: Iterable[_Bounds | None]) -> _Bounds | None:
+def _common(alternatives: Iterable[_Bounds | None]) -> _Bounds | None:
     """What is known where several ways meet."""
-    every = [way for way in ways if way is not None]
+    every = [way for way in alternatives if way is not None]
     if not every:
         return None
     shared = set.intersection(*(set(way) for way in every))

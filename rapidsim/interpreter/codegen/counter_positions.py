@@ -10,10 +10,10 @@ import ast
 from collections.abc import Sequence
 from typing import TypeGuard
 
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 
 
-def position_once(body: list[ast.stmt], counter: str, at: At) -> list[ast.stmt]:
+def position_once(body: list[ast.stmt], counter: str, at: AstBuilder) -> list[ast.stmt]:
     """The body of a loop with an integer counter; unchanged where that saves nothing."""
     if not _pays(body, counter):
         return body

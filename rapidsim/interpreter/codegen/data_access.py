@@ -21,9 +21,9 @@ from rapidsim.analysis.program import (
     Symbol,
     UnknownSymbol,
 )
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.codegen.constant_tables import bounds_of, constant_table
-from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, within
+from rapidsim.interpreter.codegen.expression_code import Code, DeferredCheck, finished, within
 from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.written_paths import FlatPath, flat
@@ -31,10 +31,10 @@ from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _KEPT_BY = MappingProxyType(
     {
@@ -47,7 +47,7 @@ _KEPT_BY = MappingProxyType(
 """Where the controller keeps predefined data: a concern, and the way in it."""
 
 
-class Home(Enum):
+class StorageKind(Enum):
     """Where a whole variable is kept."""
 
     PLAIN = "plain"
@@ -64,11 +64,11 @@ class Home(Enum):
     """Behind a reference to a signal, whose value the controller keeps."""
 
 
-@dataclass(frozen=True, slots=True)
-class Whole:
+@value_class(frozen=True, slots=True)
+class RootVariable:
     """The data that a path begins with."""
 
-    home: Home
+    home: StorageKind
     node: ast.expr
     """The Python variable, or the value itself of a constant."""
     type: Type
@@ -80,12 +80,12 @@ class Whole:
     """Where a local variable or parameter is declared."""
 
 
-def by_reference(mode: Mode) -> bool:
+def by_reference(mode: ParameterMode) -> bool:
     """Whether a parameter of this mode takes a reference."""
-    return mode is not Mode.IN
+    return mode is not ParameterMode.IN
 
 
-class Paths:
+class DataPathTranslator:
     """Translates the paths of one statement after the other."""
 
     def __init__(self, expressions: Operands) -> None:
@@ -144,7 +144,7 @@ class Paths:
             return None
         return self._names.module.constant_integers(symbol, value), integer
 
-    def write(self, path: tree.DataPath, value: Code, at: At) -> list[ast.stmt]:
+    def write(self, path: tree.DataPath, value: Code, at: AstBuilder) -> list[ast.stmt]:
         """Statements that put a value at a path; the value is evaluated first."""
         parts = flat(path)
         whole = self._whole(parts.reference)
@@ -159,7 +159,7 @@ class Paths:
         if not parts.indices:
             record = self._value(whole, at)
             of = whole.type
-            if whole.home is Home.PLAIN:
+            if whole.home is StorageKind.PLAIN:
                 new = self._with_component(of, parts.names, whole.node, node, at)
                 return [*before, *self._store_whole(whole, new, at)]
             before.append(at.set("_record", record))
@@ -215,9 +215,9 @@ class Paths:
         parts = flat(path)
         whole = self._whole(parts.reference)
         if not parts.indices:
-            if whole.home in (Home.REFERENCE, Home.SIGNAL, Home.ARRAY):
+            if whole.home in (StorageKind.REFERENCE, StorageKind.SIGNAL, StorageKind.ARRAY):
                 node = whole.node
-            elif whole.home is Home.ELEMENT:
+            elif whole.home is StorageKind.ELEMENT:
                 node = at.call("_Element", [whole.node, at.name(position_of(whole.name))])
             else:
                 # Installed routines look at constants and counters through references too.
@@ -253,123 +253,133 @@ class Paths:
         array, index, _ = self._array_and_index(whole, parts, self._expressions.at(path))
         return array, index
 
-    def _whole(self, reference: tree.Reference) -> Whole:
+    def _whole(self, reference: tree.DataReference) -> RootVariable:
         at = self._expressions.at(reference)
         symbol = self._program.symbol_of[reference]
         name = self._names.get(symbol)
         match symbol:
             case DataSymbol(storage=Storage.CONST, type=of):
-                return Whole(Home.PLAIN, self._expressions.constant_data(symbol, at), of)
+                return RootVariable(
+                    StorageKind.PLAIN, self._expressions.constant_data(symbol, at), of
+                )
             case DataSymbol(type=of) if symbol.node is None and symbol.name.lower() in _KEPT_BY:
                 concern, *way = _KEPT_BY[symbol.name.lower()]
                 node: ast.expr = at.name(concern)
                 for name_of_part in way:
                     node = at.attribute(node, name_of_part)
-                return Whole(Home.CONTROLLER, node, of)
+                return RootVariable(StorageKind.CONTROLLER, node, of)
             case DataSymbol(type=of):
                 in_reference = name is None or symbol in self._names.in_cell
                 home = _home(of, in_reference)
                 spelled = name or self._names.module.variable(symbol)
-                return Whole(home, at.name(spelled), of, spelled, declared=symbol.node)
+                return RootVariable(home, at.name(spelled), of, spelled, declared=symbol.node)
             case ParameterSymbol(type=of, mode=mode, optional=optional):
                 assert name is not None
                 in_reference = by_reference(mode) or symbol in self._names.in_cell
                 home = _home(of, in_reference)
                 # Absent references refuse by themselves; other absent values must be asked.
                 if symbol in self._names.elements:
-                    home = Home.ELEMENT
-                asks = optional and home in (Home.PLAIN, Home.ARRAY) and not symbol.is_switch
+                    home = StorageKind.ELEMENT
+                asks = (
+                    optional
+                    and home in (StorageKind.PLAIN, StorageKind.ARRAY)
+                    and not symbol.is_switch
+                )
                 declared = symbol.node
-                return Whole(home, at.name(name), of, name, asks, optional, declared)
+                return RootVariable(home, at.name(name), of, name, asks, optional, declared)
             case CounterSymbol():
                 assert name is not None
-                return Whole(Home.PLAIN, at.name(name), NUM, name)
+                return RootVariable(StorageKind.PLAIN, at.name(name), NUM, name)
             case ConfiguredSymbol() | UnknownSymbol():
                 signal = at.name(self._names.module.signal(symbol))
-                return Whole(Home.SIGNAL, signal, SIGNAL_DI)
+                return RootVariable(StorageKind.SIGNAL, signal, SIGNAL_DI)
             case _:
                 span = self._expressions.span(reference)
                 raise NotExecutableError(f"`{reference.name.text}` used as data", span)
 
-    def _read_whole(self, whole: Whole, reference: tree.Reference, at: At) -> Code:
-        integer = self._expressions.counters.get(whole.name)
-        if integer is None and whole.declared is not None:
+    def _read_whole(
+        self, variable: RootVariable, reference: tree.DataReference, at: AstBuilder
+    ) -> Code:
+        integer = self._expressions.counters.get(variable.name)
+        if integer is None and variable.declared is not None:
             integers = self._expressions.integers
-            integer = integers.get(reference) or integers.get(whole.declared)
+            integer = integers.get(reference) or integers.get(variable.declared)
         if integer is not None:
-            return Code(whole.node, integer=integer)
-        node = self._value(whole, at)
-        if whole.optional:
-            present = at.compare(whole.node, (ast.IsNot(), at.name("_ABSENT")))
+            return Code(variable.node, integer=integer)
+        node = self._value(variable, at)
+        if variable.optional:
+            present = at.compare(variable.node, (ast.IsNot(), at.name("_ABSENT")))
             node = at.choice(
                 present, node, at.call("_not_present", [at.constant(reference.name.text)])
             )
         literal = node.value if isinstance(node, ast.Constant) else None
         if isinstance(literal, float) and not isinstance(literal, bool):
             return number(literal, at)
-        return Code(node, may_raise=whole.may_raise)
+        return Code(node, may_raise=variable.may_raise)
 
-    def _value(self, whole: Whole, at: At) -> ast.expr:
-        match whole.home:
-            case Home.REFERENCE:
-                return at.attribute(whole.node, "value")
-            case Home.SIGNAL:
-                name = at.attribute(at.attribute(whole.node, "value"), "name")
+    def _value(self, variable: RootVariable, at: AstBuilder) -> ast.expr:
+        match variable.home:
+            case StorageKind.REFERENCE:
+                return at.attribute(variable.node, "value")
+            case StorageKind.SIGNAL:
+                name = at.attribute(at.attribute(variable.node, "value"), "name")
                 return at.call(at.attribute("_signals", "read_signal"), [name])
-            case Home.ELEMENT:
-                return at.item(whole.node, at.name(position_of(whole.name)))
+            case StorageKind.ELEMENT:
+                return at.item(variable.node, at.name(position_of(variable.name)))
             case _:
-                return whole.node
+                return variable.node
 
-    def _store_whole(self, whole: Whole, value: ast.expr, at: At) -> list[ast.stmt]:
-        match whole.home:
-            case Home.PLAIN:
-                self._names.assigned.add(whole.name)
-                return [at.set(whole.name, value)]
-            case Home.ARRAY:
-                return [at.do(at.call("_assign_array", [whole.node, value]))]
-            case Home.ELEMENT:
-                place = at.store_item(whole.node, at.name(position_of(whole.name)))
+    def _store_whole(
+        self, variable: RootVariable, value: ast.expr, at: AstBuilder
+    ) -> list[ast.stmt]:
+        match variable.home:
+            case StorageKind.PLAIN:
+                self._names.assigned.add(variable.name)
+                return [at.set(variable.name, value)]
+            case StorageKind.ARRAY:
+                return [at.do(at.call("_assign_array", [variable.node, value]))]
+            case StorageKind.ELEMENT:
+                place = at.store_item(variable.node, at.name(position_of(variable.name)))
                 return [at.assign(place, value)]
             case _:
-                return [at.assign(at.store_attribute(whole.node, "value"), value)]
+                return [at.assign(at.store_attribute(variable.node, "value"), value)]
 
     def _write_element(
-        self, whole: Whole, parts: FlatPath, value: ast.expr, at: At
+        self, variable: RootVariable, parts: FlatPath, value: ast.expr, at: AstBuilder
     ) -> list[ast.stmt]:
         if not parts.indices:
-            return self._store_whole(whole, value, at)
-        array, index, _ = self._array_and_index(whole, parts, at)
-        if len(parts.indices) < _dimensions(whole.type):
+            return self._store_whole(variable, value, at)
+        array, index, _ = self._array_and_index(variable, parts, at)
+        if len(parts.indices) < _dimensions(variable.type):
             return [at.do(at.call("_assign_array", [at.item(array, index), value]))]
         return [at.assign(at.store_item(array, index), value)]
 
-    def _element(self, whole: Whole, parts: FlatPath, at: At) -> Code:
+    def _element(self, variable: RootVariable, parts: FlatPath, at: AstBuilder) -> Code:
         """The element that the indices choose, or the whole where there are none."""
         if not parts.indices:
-            return Code(self._value(whole, at), may_raise=whole.may_raise)
-        array, index, code = self._array_and_index(whole, parts, at)
+            return Code(self._value(variable, at), may_raise=variable.may_raise)
+        array, index, code = self._array_and_index(variable, parts, at)
         return Code(at.item(array, index), may_raise=code.may_raise, calls=code.calls)
 
     def _array_and_index(
-        self, whole: Whole, parts: FlatPath, at: At
+        self, variable: RootVariable, parts: FlatPath, at: AstBuilder
     ) -> tuple[ast.expr, ast.expr, Code]:
         """The innermost list, the position in it, and what both together may do."""
-        node = whole.node
-        of = resolved(whole.type)
+        node = variable.node
+        of = resolved(variable.type)
         assert isinstance(of, ArrayOf)
-        may_raise, calls = whole.may_raise, False
+        may_raise, calls = variable.may_raise, False
         index = Code(node)
         for depth, expression in enumerate(parts.indices):
             if depth:
                 node = at.item(node, index.node)
-            index = self._index(whole, of.dimensions[depth], depth, expression)
+            index = self._index(variable, of.dimensions[depth], depth, expression)
             may_raise |= index.may_raise
             calls |= index.calls
         return node, index.node, Code(node, may_raise=may_raise, calls=calls)
 
     def _index(
-        self, whole: Whole, size: int | None, depth: int, expression: tree.Expression
+        self, whole: RootVariable, size: int | None, depth: int, expression: tree.Expression
     ) -> Code:
         """One index as a Python position, its bounds and integrality checked."""
         at = self._expressions.at(expression)
@@ -385,10 +395,16 @@ class Paths:
         else:
             table = self._names.module.index_table(size)
         # The table rounds, where that makes a difference.
-        value = code if code.owed in (Owed.SINGLE, Owed.CHECKED_SINGLE) else finished(code, at)
+        value = (
+            code
+            if code.deferred in (DeferredCheck.SINGLE, DeferredCheck.CHECKED_SINGLE)
+            else finished(code, at)
+        )
         return Code(at.item(table, value.node), may_raise=True, calls=code.calls)
 
-    def _integer_index(self, code: Code, integer: Interval, size: int | str, at: At) -> Code:
+    def _integer_index(
+        self, code: Code, integer: Interval, size: int | str, at: AstBuilder
+    ) -> Code:
         """The index of which is known that it is an integer, checked as far as need be.
 
         Args:
@@ -410,7 +426,7 @@ class Paths:
         return Code(at.choice(bounds, position, refused), may_raise=True, calls=code.calls)
 
     def _with_component(
-        self, of: Type, names: tuple[str, ...], record: ast.expr, value: ast.expr, at: At
+        self, of: Type, names: tuple[str, ...], record: ast.expr, value: ast.expr, at: AstBuilder
     ) -> ast.expr:
         """A record like `record`, which is cheap to evaluate again, with one component replaced."""
         target = resolved(of)
@@ -427,7 +443,7 @@ class Paths:
         return at.call("_new", [python, at.tuple_of(parts)])
 
 
-def number(value: float, at: At) -> Code:
+def number(value: float, at: AstBuilder) -> Code:
     """A number as a constant that records whether it is an integer."""
     # A zero with a sign is no integer.
     whole = value.is_integer() and abs(value) < MAX_EXACT and str(value) != "-0.0"
@@ -443,12 +459,12 @@ def whole_number(expression: tree.Expression | None) -> int | None:
     return None
 
 
-def _home(of: Type, in_reference: bool) -> Home:
+def _home(of: Type, in_reference: bool) -> StorageKind:
     if isinstance(resolved(of), ArrayOf):
-        return Home.ARRAY
+        return StorageKind.ARRAY
     if is_signal(of):
-        return Home.SIGNAL
-    return Home.REFERENCE if in_reference else Home.PLAIN
+        return StorageKind.SIGNAL
+    return StorageKind.REFERENCE if in_reference else StorageKind.PLAIN
 
 
 def _symbol_type(symbol: Symbol) -> Type:

@@ -20,18 +20,18 @@ from __future__ import annotations
 import ast
 from collections.abc import Sequence
 
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 
 
 def protected(
-    body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
+    body: Sequence[ast.stmt], at: AstBuilder, *, else_body: Sequence[ast.stmt] = ()
 ) -> list[ast.stmt]:
-    """The statements in such a loop; `otherwise` runs when TRYNEXT skips them."""
+    """The statements in such a loop; `else_body` runs when TRYNEXT skips them."""
     recovered = at.call("_recover", [at.name("ERROR"), at.name("_e"), at.name("_tries")])
     handler = [
         at.set("_tries", recovered),
         at.when(at.name("_tries"), [at.go_on()]),
-        *otherwise,
+        *else_body,
     ]
     return [
         at.set("_tries", at.constant(0)),

@@ -20,7 +20,7 @@ from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.written_paths import bare, flat
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
 from rapidsim.interpreter.runtime.values import is_signal
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.table import Parameter
 from rapidsim.syntax import tree
@@ -51,7 +51,10 @@ def lent_symbols(
         elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
             # Which parameters take references, only the run will show.
             for argument in node.arguments:
-                if not isinstance(argument, tree.Conditional) and argument.value is not None:
+                if (
+                    not isinstance(argument, tree.ConditionalArgument)
+                    and argument.value is not None
+                ):
                     yield from _lendable(argument.value, program)
         elif isinstance(node, tree.Call) and assigned_in_place(node, program):
             continue
@@ -88,13 +91,13 @@ def _taking_references(parameters: _Parameters) -> Iterator[str]:
     """Folded names of the parameters that take references."""
     for parameter in parameters:
         # REF parameters look at a name, not at what is behind it.
-        if by_reference(parameter.mode) and parameter.mode is not Mode.REF:
+        if by_reference(parameter.mode) and parameter.mode is not ParameterMode.REF:
             yield parameter.name.lower()
 
 
 def _lendable(expression: tree.Expression, program: Program) -> Iterator[Symbol]:
     path = bare(expression)
-    if isinstance(path, tree.Reference | tree.Index | tree.Component):
+    if isinstance(path, tree.DataReference | tree.Index | tree.ComponentAccess):
         symbol = program.symbol_of[flat(path).reference]
         if isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE:
             if symbol.storage is Storage.VAR and not isinstance(resolved(symbol.type), ArrayOf):

@@ -12,14 +12,14 @@ import ast
 import math
 from enum import Enum
 
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.codegen.intervals import ANY, MAX_EXACT, Interval, rounded
 from rapidsim.interpreter.runtime.arithmetic import MAX_DOUBLE, MAX_INTEGER, MAX_STRING
-from rapidsim.language.single import LARGEST_SINGLE, SPLIT
-from rapidsim.values import dataclass
+from rapidsim.language.single_precision import LARGEST_SINGLE, SPLIT
+from rapidsim.values import value_class
 
 
-class Owed(Enum):
+class DeferredCheck(Enum):
     """What must be done to a result before it can be observed."""
 
     NOTHING = "nothing"
@@ -29,12 +29,12 @@ class Owed(Enum):
     STRING = "check the length of a string"
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class Code:
     """One expression."""
 
     node: ast.expr
-    owed: Owed = Owed.NOTHING
+    deferred: DeferredCheck = DeferredCheck.NOTHING
     may_raise: bool = False
     calls: bool = False
     """Contains a call that may change variables or the place that is reported."""
@@ -56,12 +56,12 @@ class Code:
         elif self.integer is not None and self.integer.is_double:
             self.most = float(max(-self.integer.low, self.integer.high))
 
-    def as_integer(self, at: At) -> ast.expr:
+    def as_integer(self, at: AstBuilder) -> ast.expr:
         """The node as a Python integer to compute with; only where `integer` is known."""
         if self.literal is not None:
             return at.constant(int(self.literal))
         if self.too_exact:
-            return _kept(self, MAX_EXACT, "_double_integer", at)
+            return _same_magnitude(self, MAX_EXACT, "_double_integer", at)
         return self.node
 
     @property
@@ -70,20 +70,22 @@ class Code:
         return self.integer is not None and self.literal is None
 
 
-def finished(code: Code, at: At) -> Code:
+def finished(code: Code, at: AstBuilder) -> Code:
     """Apply what is owed; the node then has the value that RAPID would store."""
     exact = code.integral is not None and code.integral.exact
-    if code.owed is Owed.NOTHING or exact:
+    if code.deferred is DeferredCheck.NOTHING or exact:
         if not code.stays_integer:
             return code
         whole = at.operation(code.node, ast.Add(), at.constant(0.0))
         return Code(whole, calls=code.calls, may_raise=code.may_raise)
-    checked = code.owed is not Owed.SINGLE
-    if not checked or (code.owed is Owed.CHECKED_SINGLE and code.most <= LARGEST_SINGLE):
+    checked = code.deferred is not DeferredCheck.SINGLE
+    if not checked or (
+        code.deferred is DeferredCheck.CHECKED_SINGLE and code.most <= LARGEST_SINGLE
+    ):
         node: ast.expr = _rounded(code.node, at)
-    elif code.owed is Owed.CHECKED_SINGLE:
+    elif code.deferred is DeferredCheck.CHECKED_SINGLE:
         node = _in_range(code.node, LARGEST_SINGLE, _split(at.name("_x"), at), at)
-    elif code.owed is Owed.CHECKED_DOUBLE:
+    elif code.deferred is DeferredCheck.CHECKED_DOUBLE:
         node = _in_range(code.node, MAX_DOUBLE, at.name("_x"), at)
     else:
         length = at.call("_len", [at.named("_s", code.node)])
@@ -92,28 +94,30 @@ def finished(code: Code, at: At) -> Code:
     return Code(node, may_raise=code.may_raise or checked, calls=code.calls)
 
 
-def whole(code: Code, at: At) -> Code:
+def finished_integer(code: Code, at: AstBuilder) -> Code:
     """Like `finished`, but integers stay integers, and inferred ones are converted to integers."""
     if code.integer is None:
         paid = finished(code, at)
         node: ast.expr = at.call("_int", [paid.node])
         return Code(node, may_raise=paid.may_raise, calls=code.calls, integer=ANY)
-    if code.literal is not None or code.owed is Owed.NOTHING:
+    if code.literal is not None or code.deferred is DeferredCheck.NOTHING:
         node = at.constant(int(code.literal)) if code.literal is not None else code.node
         return Code(node, may_raise=code.may_raise, calls=code.calls, integer=code.integer)
-    checked = code.owed is Owed.CHECKED_SINGLE
-    node = _kept(code, MAX_INTEGER, "_checked_integer" if checked else "_single_integer", at)
+    checked = code.deferred is DeferredCheck.CHECKED_SINGLE
+    node = _same_magnitude(
+        code, MAX_INTEGER, "_checked_integer" if checked else "_single_integer", at
+    )
     may_raise = code.may_raise or checked
     return Code(node, may_raise=may_raise, calls=code.calls, integer=rounded(code.integer))
 
 
-def comparable(code: Code, at: At) -> Code:
+def comparable(code: Code, at: AstBuilder) -> Code:
     """Like `finished`, but integers stay integers: equal ints and floats compare equal."""
-    return whole(code, at) if code.stays_integer else finished(code, at)
+    return finished_integer(code, at) if code.stays_integer else finished(code, at)
 
 
 def within(
-    x: ast.Name | ast.NamedExpr, low: float | None, high: ast.expr | float | None, at: At
+    x: ast.Name | ast.NamedExpr, low: float | None, high: ast.expr | float | None, at: AstBuilder
 ) -> ast.expr:
     """Whether a number is between two bounds, either of which may be None.
 
@@ -129,7 +133,7 @@ def within(
     return at.both_or_either(ast.And(), enough, at.compare(name, (ast.LtE(), limit)))
 
 
-def _kept(code: Code, most: int, otherwise: str, at: At) -> ast.expr:
+def _same_magnitude(code: Code, most: int, default: str, at: AstBuilder) -> ast.expr:
     """An integer that is no larger, either way; of others what a function gives."""
     assert code.integer is not None
     low = None if code.integer.low >= -most else -most
@@ -137,22 +141,22 @@ def _kept(code: Code, most: int, otherwise: str, at: At) -> ast.expr:
     if low is high is None:
         return code.node
     test = within(at.named("_x", code.node), low, high, at)
-    return at.choice(test, at.name("_x"), at.call(otherwise, [at.name("_x")]))
+    return at.choice(test, at.name("_x"), at.call(default, [at.name("_x")]))
 
 
-def _rounded(node: ast.expr, at: At) -> ast.expr:
+def _rounded(node: ast.expr, at: AstBuilder) -> ast.expr:
     """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single`."""
     return _split(at.named("_x", node), at)
 
 
-def _split(x: ast.expr, at: At) -> ast.expr:
+def _split(x: ast.expr, at: AstBuilder) -> ast.expr:
     """The same, once `_x` is set or where `x` sets it."""
     scaled = at.operation(x, ast.Mult(), at.constant(SPLIT))
     rest = at.operation(at.name("_t"), ast.Sub(), at.name("_x"))
     return at.operation(at.named("_t", scaled), ast.Sub(), rest)
 
 
-def _in_range(node: ast.expr, limit: float, value: ast.expr, at: At) -> ast.expr:
+def _in_range(node: ast.expr, limit: float, value: ast.expr, at: AstBuilder) -> ast.expr:
     """A value made from `_x`, the node, or ERR_OVERFLOW where that is beyond the limit or none."""
     test = within(at.named("_x", node), -limit, limit, at)
     return at.choice(test, value, at.call("_overflow", [at.name("_x")]))

@@ -12,15 +12,15 @@ from dataclasses import dataclass, field
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
-from rapidsim.interpreter.codegen.ast_builder import At, Positions
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder, Positions
 from rapidsim.interpreter.codegen.calls import Calls
-from rapidsim.interpreter.codegen.data_access import Paths, number
+from rapidsim.interpreter.codegen.data_access import DataPathTranslator, number
 from rapidsim.interpreter.codegen.expression_code import (
     Code,
-    Owed,
+    DeferredCheck,
     comparable,
     finished,
-    whole,
+    finished_integer,
     within,
 )
 from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval, combined, negated
@@ -29,7 +29,7 @@ from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER, WHOLE_FROM
 from rapidsim.interpreter.runtime.values import Value, element_type, literal
-from rapidsim.language.single import LARGEST_SINGLE, single
+from rapidsim.language.single_precision import LARGEST_SINGLE, single
 from rapidsim.language.types import ArrayOf, Atomic, Record, Type, resolved
 from rapidsim.syntax import tree
 
@@ -76,20 +76,20 @@ class Expressions:
     constant_value: ConstantValue
     integers: Mapping[tree.Node, Interval]
     """Variables and functions whose values are integers, as `integer_inference` knows them."""
-    statement: At = field(default_factory=lambda: At(1, 0, 0))
+    statement: AstBuilder = field(default_factory=lambda: AstBuilder(1, 0, 0))
     """Where the statement stands whose expressions are translated."""
     counters: dict[str, Interval] = field(default_factory=dict)
     """FOR counters that are Python integers, by Python name."""
-    paths: Paths = field(init=False)
+    paths: DataPathTranslator = field(init=False)
     calls: Calls = field(init=False)
     _depth: int = 0
 
     def __post_init__(self) -> None:
         """Join the parts that translate each other's operands."""
-        self.paths = Paths(self)
+        self.paths = DataPathTranslator(self)
         self.calls = Calls(self, self.paths)
 
-    def at(self, node: tree.Node) -> At:
+    def at(self, node: tree.Node) -> AstBuilder:
         """The position of a part of the statement."""
         return self.positions.within(self.statement, node)
 
@@ -99,7 +99,7 @@ class Expressions:
 
     def type_of(self, expression: tree.Expression) -> Type:
         """The type of an expression."""
-        if isinstance(expression, tree.Reference | tree.Index | tree.Component):
+        if isinstance(expression, tree.DataReference | tree.Index | tree.ComponentAccess):
             return self.paths.type_of(expression)
         return self.program.type_of[expression]
 
@@ -115,12 +115,12 @@ class Expressions:
             home: The declaration of the variable or function that gets the value.
         """
         if home in self.integers:
-            return whole(self.code(expression), self.at(expression))
+            return finished_integer(self.code(expression), self.at(expression))
         code = self.value(expression)
         # A literal aggregate is a constant of the namespace; functions give a list of their own.
         shared = isinstance(
             bare(expression),
-            tree.Reference | tree.Index | tree.LiteralAggregate | tree.Aggregate,
+            tree.DataReference | tree.Index | tree.LiteralAggregate | tree.Aggregate,
         )
         if shared and isinstance(resolved(self.type_of(expression)), ArrayOf):
             node = self.at(expression).call("_copy_array", [code.node])
@@ -131,7 +131,7 @@ class Expressions:
         """A bool for a Python `if`."""
         return self.code(expression)
 
-    def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:
+    def constant_data(self, symbol: DataSymbol, at: AstBuilder) -> ast.expr:
         """A CONST: plain values are inlined, records and arrays are referred to by name."""
         value = self.constant_value(symbol)
         if isinstance(value, float | str | bool):
@@ -153,11 +153,11 @@ class Expressions:
     def _code(self, expression: tree.Expression) -> Code:
         at = self.at(expression)
         match expression:
-            case tree.Number():
+            case tree.NumberLiteral():
                 return self._number(expression, at)
-            case tree.String(value=value) | tree.Bool(value=value):
+            case tree.StringLiteral(value=value) | tree.BoolLiteral(value=value):
                 return Code(at.constant(value))
-            case tree.Reference() | tree.Index() | tree.Component():
+            case tree.DataReference() | tree.Index() | tree.ComponentAccess():
                 return self.paths.read(expression)
             case tree.FunctionCall():
                 return self.calls.function(expression)
@@ -174,12 +174,12 @@ class Expressions:
             case tree.Placeholder():
                 return Code(at.call("_unfinished"), may_raise=True)
 
-    def _number(self, expression: tree.Number, at: At) -> Code:
+    def _number(self, expression: tree.NumberLiteral, at: AstBuilder) -> Code:
         value = float(expression.value)
         of = resolved(self.program.type_of[expression])
         return number(value if of.name.lower() == "dnum" else single(value), at)
 
-    def _unary(self, expression: tree.Unary, at: At) -> Code:
+    def _unary(self, expression: tree.Unary, at: AstBuilder) -> Code:
         operand = self.code(expression.operand)
         if expression.operator == "+":
             return operand
@@ -197,14 +197,14 @@ class Expressions:
         node = at.unary(ast.USub(), operand.node)
         return Code(
             node,
-            operand.owed,
+            operand.deferred,
             operand.may_raise,
             operand.calls,
             opposite_of,
             too_exact=operand.too_exact,
         )
 
-    def _binary(self, expression: tree.Binary, at: At) -> Code:
+    def _binary(self, expression: tree.Binary, at: AstBuilder) -> Code:
         operator = expression.operator
         left, right = self.code(expression.left), self.code(expression.right)
         may_raise = left.may_raise or right.may_raise
@@ -221,19 +221,21 @@ class Expressions:
             return self._vector(operator, types, left, right, at)
         if types[0] == "string":
             node = at.operation(left.node, ast.Add(), right.node)
-            return Code(node, Owed.STRING, may_raise=True, calls=calls)
+            return Code(node, DeferredCheck.STRING, may_raise=True, calls=calls)
         return self._arithmetic(operator, types[0] == "dnum", left, right, at)
 
-    def _arithmetic(self, operator: str, is_dnum: bool, left: Code, right: Code, at: At) -> Code:
+    def _arithmetic(
+        self, operator: str, is_dnum: bool, left: Code, right: Code, at: AstBuilder
+    ) -> Code:
         may_raise = left.may_raise or right.may_raise
         calls = left.calls or right.calls
         checked = operator in "*/" and not _cannot_grow(operator, left, right)
-        checked = checked or Owed.CHECKED_SINGLE in (left.owed, right.owed)
-        checked = checked or Owed.CHECKED_DOUBLE in (left.owed, right.owed)
+        checked = checked or DeferredCheck.CHECKED_SINGLE in (left.deferred, right.deferred)
+        checked = checked or DeferredCheck.CHECKED_DOUBLE in (left.deferred, right.deferred)
         if is_dnum:
-            owed = Owed.CHECKED_DOUBLE if checked else Owed.NOTHING
+            owed = DeferredCheck.CHECKED_DOUBLE if checked else DeferredCheck.NOTHING
         else:
-            owed = Owed.CHECKED_SINGLE if checked else Owed.SINGLE
+            owed = DeferredCheck.CHECKED_SINGLE if checked else DeferredCheck.SINGLE
         divides = operator == "/" and not right.literal
         folded = _folded(operator, left, right, at)
         if folded is not None:
@@ -249,12 +251,16 @@ class Expressions:
         node = at.operation(operands[0], _ARITHMETIC[operator](), operands[1])
         if integer.exact:
             return Code(
-                node, Owed.NOTHING, may_raise or (checked and integer.signed), calls, integer
+                node,
+                DeferredCheck.NOTHING,
+                may_raise or (checked and integer.signed),
+                calls,
+                integer,
             )
         too_exact = not integer.is_double
         return Code(node, owed, may_raise or checked, calls, integer, too_exact=too_exact)
 
-    def _comparison(self, expression: tree.Binary, left: Code, right: Code, at: At) -> Code:
+    def _comparison(self, expression: tree.Binary, left: Code, right: Code, at: AstBuilder) -> Code:
         left_at, right_at = self.at(expression.left), self.at(expression.right)
         if left.stays_integer and right.literal is not None and right.integer is not None:
             right = Code(right.as_integer(right_at))
@@ -267,7 +273,7 @@ class Expressions:
         )
 
     def _vector(
-        self, operator: str, types: tuple[str, str], left: Code, right: Code, at: At
+        self, operator: str, types: tuple[str, str], left: Code, right: Code, at: AstBuilder
     ) -> Code:
         operands = [finished(left, at).node, finished(right, at).node]
         calls = left.calls or right.calls
@@ -277,7 +283,9 @@ class Expressions:
         function = _POSITIONS[operator, types[0], types[1]]
         return Code(at.call(function, operands), may_raise=True, calls=calls)
 
-    def _aggregate(self, expression: tree.LiteralAggregate | tree.Aggregate, at: At) -> Code:
+    def _aggregate(
+        self, expression: tree.LiteralAggregate | tree.Aggregate, at: AstBuilder
+    ) -> Code:
         of = self.program.type_of[expression]
         value = literal(expression, of)
         if value is not None:
@@ -286,7 +294,7 @@ class Expressions:
         return self._computed_aggregate(expression, resolved(of), at)
 
     def _computed_aggregate(
-        self, expression: tree.Aggregate, of: Atomic | Record | ArrayOf, at: At
+        self, expression: tree.Aggregate, of: Atomic | Record | ArrayOf, at: AstBuilder
     ) -> Code:
         if isinstance(of, ArrayOf):
             types: list[Type] = [element_type(of)] * len(expression.elements)
@@ -320,7 +328,7 @@ class Expressions:
         return of.name.lower()
 
 
-def _folded(operator: str, left: Code, right: Code, at: At) -> Code | None:
+def _folded(operator: str, left: Code, right: Code, at: AstBuilder) -> Code | None:
     """The sum, difference or product of literals that is an integer."""
     a, b = left.literal, right.literal
     if a is None or b is None or operator == "/":
@@ -329,7 +337,7 @@ def _folded(operator: str, left: Code, right: Code, at: At) -> Code | None:
     return number(value, at) if value.is_integer() and abs(value) <= MAX_INTEGER else None
 
 
-def _as_doubles(left: Code, right: Code, at: At) -> tuple[ast.expr, ast.expr]:
+def _as_doubles(left: Code, right: Code, at: AstBuilder) -> tuple[ast.expr, ast.expr]:
     """Operands for arithmetic in doubles; a zero of it may get a sign."""
     first, second = (
         code.as_integer(at) if code.stays_integer else code.node for code in (left, right)
@@ -339,7 +347,7 @@ def _as_doubles(left: Code, right: Code, at: At) -> tuple[ast.expr, ast.expr]:
     return first, second
 
 
-def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
+def _integer_division(operator: str, left: Code, right: Code, at: AstBuilder) -> Code:
     """DIV and MOD: in Python's own operators where these mean the same, which is from 0 up."""
     calls = left.calls or right.calls
     python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
@@ -362,12 +370,12 @@ def _integer_division(operator: str, left: Code, right: Code, at: At) -> Code:
 
 
 def _division_of_integers(
-    operator: str, left: Code, right: Code, integer: Interval, at: At
+    operator: str, left: Code, right: Code, integer: Interval, at: AstBuilder
 ) -> Code:
     """The same of Python integers; their quotient may be negative, their remainder is not."""
     calls, by_literal = left.calls or right.calls, right.literal is not None
     halves = right.literal is not None and math.frexp(right.literal)[0] == 0.5
-    left, right = whole(left, at), whole(right, at)
+    left, right = finished_integer(left, at), finished_integer(right, at)
     a, b = left.integer, right.integer
     assert a is not None
     assert b is not None
@@ -417,6 +425,6 @@ def _cannot_grow(operator: str, left: Code, right: Code) -> bool:
     """Whether a product or quotient is no larger than its other operand, which is in range."""
     if operator == "*":
         factors = [code.literal for code in (left, right) if code.literal is not None]
-        exact = left.owed is Owed.NOTHING and right.owed is Owed.NOTHING
+        exact = left.deferred is DeferredCheck.NOTHING and right.deferred is DeferredCheck.NOTHING
         return exact and any(abs(factor) <= 1.0 for factor in factors)
     return right.literal is not None and 1.0 <= abs(right.literal) <= LARGEST_SINGLE

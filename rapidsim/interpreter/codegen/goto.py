@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from itertools import takewhile
 
 from rapidsim.analysis.tree_walk import statements
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.syntax import tree
 
 _NEXT_TURN = -1
@@ -88,7 +88,7 @@ class Jumps:
         yield loop
         self._loops.pop()
 
-    def jump(self, label: str, at: At) -> list[ast.stmt]:
+    def jump(self, label: str, at: AstBuilder) -> list[ast.stmt]:
         """GOTO a label, by folded name."""
         between = 0
         for loop in reversed(self._loops):
@@ -104,7 +104,7 @@ class Jumps:
             crossed.crossed = True
         return [go, at.set("_jump", at.constant(loop.number)), at.stop()]
 
-    def next_turn(self, at: At) -> list[ast.stmt]:
+    def next_turn(self, at: AstBuilder) -> list[ast.stmt]:
         """CONTINUE: the next iteration of the enclosing FOR or WHILE, leaving inner machines."""
         crossed = list(takewhile(lambda loop: loop.number, reversed(self._loops)))
         if not crossed:
@@ -113,7 +113,7 @@ class Jumps:
             machine.crossed = machine.continued = True
         return [at.set("_jump", at.constant(_NEXT_TURN)), at.stop()]
 
-    def after(self, loop: Loop, at: At) -> list[ast.stmt]:
+    def after(self, loop: Loop, at: AstBuilder) -> list[ast.stmt]:
         """What follows a loop: if a GOTO broke out of it, propagate the jump."""
         if not loop.crossed or not self._loops:
             return []

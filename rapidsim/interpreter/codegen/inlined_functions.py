@@ -14,15 +14,17 @@ from collections.abc import Callable, Mapping, Sequence
 from types import MappingProxyType
 from typing import TypeAlias
 
-from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.expression_code import Code, Owed, finished, within
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.expression_code import Code, DeferredCheck, finished, within
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.library.mathematics import abs_, sqrt
 from rapidsim.library.strings import MAX_DECIMALS, num_to_str, str_part
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
 
-_Form: TypeAlias = Callable[[Sequence[tree.Expression], Operands, ast.expr, At], Code | None]
+_Form: TypeAlias = Callable[
+    [Sequence[tree.Expression], Operands, ast.expr, AstBuilder], Code | None
+]
 
 
 def function_in_place(
@@ -30,12 +32,14 @@ def function_in_place(
     call: tree.FunctionCall,
     expressions: Operands,
     function: ast.Name,
-    at: At,
+    at: AstBuilder,
 ) -> Code | None:
     """A call of an installed function as an inline expression; None where it must be called."""
     form = _FORMS.get(routine.function)
     values = [
-        one.value for one in call.arguments if isinstance(one, tree.Required) and one.name is None
+        one.value
+        for one in call.arguments
+        if isinstance(one, tree.RequiredArgument) and one.name is None
     ]
     if form is None or len(values) != len(call.arguments):
         return None
@@ -44,7 +48,7 @@ def function_in_place(
 
 
 def _character(
-    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: AstBuilder
 ) -> Code | None:
     """StrPart of length 1: `text[i - 1] if 0 < i <= _len(text) else strpart(text, i, 1)`."""
     text, place, length = values
@@ -65,7 +69,7 @@ def _character(
 
 
 def _decimals(
-    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: AstBuilder
 ) -> Code | None:
     """NumToStr without its option: no num is too long for a string."""
     del function
@@ -79,7 +83,7 @@ def _decimals(
 
 
 def _magnitude(
-    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: AstBuilder
 ) -> Code | None:
     """Abs: a num without its sign is a num."""
     del function
@@ -89,12 +93,12 @@ def _magnitude(
 
 
 def _root(
-    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: At
+    values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: AstBuilder
 ) -> Code | None:
     """The root of what has one, rounded; of the rest the refusal."""
     value = expressions.value(values[0])
     has_root = at.compare(at.constant(0.0), (ast.LtE(), at.named("_x", value.node)))
-    root = finished(Code(at.call("_root", [at.name("_x")]), Owed.SINGLE), at)
+    root = finished(Code(at.call("_root", [at.name("_x")]), DeferredCheck.SINGLE), at)
     node = at.choice(has_root, root.node, at.call(function, [at.name("_x")]))
     return Code(node, may_raise=True, calls=value.calls)
 

@@ -40,13 +40,13 @@ from rapidsim.interpreter.codegen.intervals import (
     hull,
     negated,
     rounded,
-    way,
+    step_direction,
     widened,
 )
 from rapidsim.interpreter.codegen.written_paths import declaration, flat
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.values import Value, literal
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import NUM, Type, resolved
 from rapidsim.syntax import tree
 
@@ -84,7 +84,7 @@ def integers_of(
     mine = [inference.candidates(routine) for routine in routines]
     for routine, own in zip(routines, mine, strict=True):
         inference.note(routine, own)
-    found = inference.found()
+    found = inference.infer()
     for routine, own in zip(routines, mine, strict=True):
         if own:
             found.update(narrowed(routine, program, found, inference.bounds))
@@ -95,9 +95,9 @@ def integers_of(
 class _Inference:
     program: Program
     constant_value: Callable[[DataSymbol], Value]
-    _known: dict[tree.Node, Interval | None] = field(default_factory=dict)
+    _intervals: dict[tree.Node, Interval | None] = field(default_factory=dict)
     """What may be an integer; None where it has turned out that it is none."""
-    _given: dict[RoutineSymbol, tuple[ParameterSymbol, ...]] = field(default_factory=dict)
+    _arguments_of: dict[RoutineSymbol, tuple[ParameterSymbol, ...]] = field(default_factory=dict)
     """The parameters among them."""
     _to_functions: bool = False
     """Whether functions have such parameters."""
@@ -115,7 +115,7 @@ class _Inference:
         node = routine.node
         is_open = self.program.loads_modules
         nums = [one for one in routine.parameters if _is_num(one.type) and not one.optional]
-        given = [one for one in nums if one.mode is Mode.IN and not is_open]
+        given = [one for one in nums if one.mode is ParameterMode.IN and not is_open]
         data = [
             symbol
             for statement in node.body
@@ -127,14 +127,14 @@ class _Inference:
         if given or data:
             lent = set(lent_symbols(routine, list(descendants(node)), self.program))
             given = [one for one in given if one not in lent]
-            self._known |= {one.node: _NEVER for one in given}
-            self._known |= {one.node: _NEVER for one in data if one.node and one not in lent}
+            self._intervals |= {one.node: _NEVER for one in given}
+            self._intervals |= {one.node: _NEVER for one in data if one.node and one not in lent}
         if given:
-            self._given[routine] = tuple(given)
+            self._arguments_of[routine] = tuple(given)
             self._to_functions |= routine.result is not None
         gives = routine.result is not None and _is_num(routine.result) and not is_open
         if gives:
-            self._known[node] = _NEVER
+            self._intervals[node] = _NEVER
         return bool(given or data or gives)
 
     def note(self, routine: RoutineSymbol, own: bool) -> None:
@@ -144,13 +144,13 @@ class _Inference:
         if own or self._to_functions:
             nodes = every = list(descendants(routine.node))
             is_small = len(every) <= _SMALL
-        elif self._given:
+        elif self._arguments_of:
             nodes = statements(*clauses(routine.node))
         else:
             return
         for node in nodes:
             match node:
-                case tree.Data(value=value) if node in self._known:
+                case tree.Data(value=value) if node in self._intervals:
                     if value is not None:
                         self._flow(node, value)
                     elif not (is_small and never_shows(node, routine, self.program)):
@@ -168,26 +168,26 @@ class _Inference:
                 case _:
                     pass
 
-    def found(self) -> dict[tree.Node, Interval]:
+    def infer(self) -> dict[tree.Node, Interval]:
         """Iterate to a fixed point."""
         waiting = deque(range(len(self._flows)))
         while waiting:
             self._reading = waiting.popleft()
             target, source = self._flows[self._reading]
-            before = self._known[target]
+            before = self._intervals[target]
             often = self._grown.get(target, 0)
             after = None if before is None else _with(before, source(), far=often > _SELDOM)
             if after != before:
-                self._known[target], self._grown[target] = after, often + 1
+                self._intervals[target], self._grown[target] = after, often + 1
                 waiting += self._readers.get(target, ())
         return {
             node: interval
-            for node, interval in self._known.items()
+            for node, interval in self._intervals.items()
             if interval is not None and interval != _NEVER
         }
 
     def _flow(self, target: tree.Node | None, value: tree.Expression | _Source) -> None:
-        if target in self._known:
+        if target in self._intervals:
             source = value if callable(value) else lambda: self.bounds(value)
             self._flows.append((target, source))
 
@@ -201,34 +201,34 @@ class _Inference:
 
     def _call(self, call: tree.Call | tree.FunctionCall) -> None:
         symbol = self.program.symbol_of[call]
-        if isinstance(symbol, RoutineSymbol) and symbol in self._given:
+        if isinstance(symbol, RoutineSymbol) and symbol in self._arguments_of:
             given = match_arguments(call.arguments, symbol.parameters)
-            for parameter in self._given[symbol]:
+            for parameter in self._arguments_of[symbol]:
                 one = given.get(parameter.name.lower())
                 value = None if one is None else one.value
                 self._flow(parameter.node, (lambda: None) if value is None else value)
 
     def _called_with_anything(self) -> None:
         """A procedure is called by a name that only the run knows."""
-        for parameters in self._given.values():
+        for parameters in self._arguments_of.values():
             for parameter in parameters:
                 self._flow(parameter.node, lambda: None)
 
     def _read(self, node: tree.Node | None) -> Interval | None:
         """What is known of something, for the flow that is looked at."""
-        if node not in self._known:
+        if node not in self._intervals:
             return None
         self._readers.setdefault(node, set()).add(self._reading)
-        return self._known[node]
+        return self._intervals[node]
 
     def bounds(self, expression: tree.Expression) -> Interval | None:
         """The interval of an expression that is an integer."""
         match expression:
             case tree.Parenthesised(inner=inner) | tree.Unary(operator="+", operand=inner):
                 return self.bounds(inner)
-            case tree.Number():
+            case tree.NumberLiteral():
                 return _literal(literal(expression, self.program.type_of[expression]))
-            case tree.Reference():
+            case tree.DataReference():
                 return self._data(expression)
             case tree.Index():
                 return self._element(expression)
@@ -246,7 +246,7 @@ class _Inference:
             case _:
                 return None
 
-    def _data(self, reference: tree.Reference) -> Interval | None:
+    def _data(self, reference: tree.DataReference) -> Interval | None:
         match self.program.symbol_of[reference]:
             case DataSymbol(storage=Storage.CONST) as symbol:
                 return _literal(self.constant_value(symbol)) if _is_num(symbol.type) else None
@@ -274,7 +274,7 @@ class _Inference:
         if loop.step is not None and step is None:
             return None
         ends = last if last is not None and last.exact else None
-        return counted(first, ends, way(first, ends) if step is None else step)
+        return counted(first, ends, step_direction(first, ends) if step is None else step)
 
     def _combined(self, operator: str, a: Interval | None, b: Interval | None) -> Interval | None:
         if a is None or b is None:

@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
-from rapidsim.language.single import LARGEST_SINGLE
-from rapidsim.values import dataclass
+from rapidsim.language.single_precision import LARGEST_SINGLE
+from rapidsim.values import value_class
 
 LARGEST = int(LARGEST_SINGLE)
 MAX_EXACT = 2**53
@@ -22,7 +22,7 @@ _BOUNDS = (-LARGEST, -MAX_INTEGER, -1, 0, 1, MAX_INTEGER, LARGEST)
 """Where the bounds of a variable come to that is seen to grow."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Interval:
     """The integers between two bounds, both included."""
 
@@ -106,7 +106,7 @@ def hull(intervals: Iterable[Interval]) -> Interval:
     return Interval(low, high, signed=any(one.signed for one in every))
 
 
-def way(first: Interval, last: Interval | None) -> int:
+def step_direction(first: Interval, last: Interval | None) -> int:
     """The step of a FOR without STEP: 1 up, -1 down, 0 if only known at run time."""
     if last is None:
         return 0
@@ -121,7 +121,7 @@ def counted(first: Interval, last: Interval | None, step: int) -> Interval:
     Args:
         first: The start value.
         last: The end value; None if it may be fractional or beyond the integers exact in a single.
-        step: As given by `way`, or the literal STEP.
+        step: As given by `step_direction`, or the literal STEP.
     """
     if last is None:
         # Steps of 1 come no further: the integer after that is not a num.

@@ -19,9 +19,9 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from copy import deepcopy
 from typing import TypeGuard
 
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.runtime.idle_state import LEFT, TURNS
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 COMPUTING = frozenset(
     {
@@ -38,18 +38,18 @@ _DEEPEST = 10
 """Loops within loops: what catches exceptions is one more block of the 20 that CPython allows."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Plan:
     """What counting in a variable would save in a loop, and cost."""
 
     ticks: int
-    looks: int
+    clock_reads: int
     """Statements that could look at the clock."""
     statements: int
 
     @property
     def pays(self) -> bool:
-        return self.ticks > self.looks and self.statements <= _MOST
+        return self.ticks > self.clock_reads and self.statements <= _MOST
 
 
 def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[str]) -> None:
@@ -67,7 +67,7 @@ def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[st
     only_compute = {one.name: len(one.body) for one in functions if installed.none_in(one)}
     loops = _Loops(statements | only_compute)
     for function in functions:
-        function.body = list(loops.outside(function.body))
+        function.body = list(loops.at_depth(function.body))
 
 
 class _Loops:
@@ -78,11 +78,11 @@ class _Loops:
     def none_in(self, function: ast.FunctionDef) -> bool:
         """Whether a routine has no loops and only computes; it calls no other, so it is quick."""
         parts = (ast.For, ast.While, ast.FunctionDef)
-        return not self._looks(function) and not any(
+        return not self._reads_clock(function) and not any(
             isinstance(part, parts) for statement in function.body for part in ast.walk(statement)
         )
 
-    def outside(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
+    def at_depth(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
         """Statements at loop nesting `depth`, with the loops among and below them changed."""
         for statement in body:
             plan = self._plan(statement, depth) if _is_loop(statement) else None
@@ -91,7 +91,7 @@ class _Loops:
                 yield from self._region(statement)
                 continue
             for inner in _bodies(statement):
-                inner[:] = self.outside(inner, depth + _is_loop(statement))
+                inner[:] = self.at_depth(inner, depth + _is_loop(statement))
             yield statement
 
     def _plan(self, loop: ast.stmt, outer: int) -> _Plan | None:
@@ -106,17 +106,17 @@ class _Loops:
                 statements += self._called(decides)
                 if isinstance(decides, ast.Attribute) and decides.attr == "watches":
                     continue  # It seldom looks.
-                if self._looks(decides) or depth > _DEEPEST:
+                if self._reads_clock(decides) or depth > _DEEPEST:
                     return None
                 ticks += _is_loop(statement)
                 depth += _is_loop(statement)
                 waiting += [(inner, depth) for inner in (*statement.body, *statement.orelse)]
             elif not _is_tick(statement):
-                looks += self._looks(statement)
+                looks += self._reads_clock(statement)
                 statements += self._called(statement)
         return _Plan(ticks, looks, statements)
 
-    def _looks(self, node: ast.AST) -> bool:
+    def _reads_clock(self, node: ast.AST) -> bool:
         """Whether a part of a program could look at the clock, or takes long."""
         for part in ast.walk(node):
             if isinstance(part, ast.Call):
@@ -138,7 +138,7 @@ class _Loops:
         return isinstance(loop.iter, ast.Call) and not any(
             isinstance(part, ast.For | ast.While | ast.Break | ast.Return)
             or (isinstance(part, ast.Attribute) and part.attr == "watches")
-            or (isinstance(part, ast.Call) and self._looks(part))
+            or (isinstance(part, ast.Call) and self._reads_clock(part))
             for part in parts
         )
 
@@ -192,13 +192,13 @@ class _Loops:
                 self._count(statement)
                 yield statement
             case ast.Return(value=value):
-                if value is not None and not self._looks(value):
+                if value is not None and not self._reads_clock(value):
                     yield at.set("_value", value)
                     statement.value = at.name("_value")
                 yield _give(at)
                 yield at.set(LEFT, at.constant(-1))
                 yield statement
-            case _ if self._looks(statement):
+            case _ if self._reads_clock(statement):
                 yield _give(at)
                 yield at.set(LEFT, at.constant(-1))
                 yield statement
@@ -210,9 +210,9 @@ class _Loops:
 def _is_tick(statement: ast.stmt) -> bool:
     """Whether a statement is one of the two that take a tick."""
     match statement:
-        case ast.AugAssign(target=ast.Attribute(value=ast.Name(id="_clock"), attr="left")):
+        case ast.AugAssign(target=ast.Attribute(value=ast.Name(id="_clock"), attr="ticks_left")):
             return True
-        case ast.If(test=ast.Compare(left=ast.Attribute(ast.Name(id="_clock"), "left"))):
+        case ast.If(test=ast.Compare(left=ast.Attribute(ast.Name(id="_clock"), "ticks_left"))):
             return True
         case _:
             return False
@@ -237,15 +237,15 @@ def _bodies(statement: ast.stmt) -> Iterator[list[ast.stmt]]:
         yield handler.body
 
 
-def _take(at: At) -> ast.stmt:
+def _take(at: AstBuilder) -> ast.stmt:
     """`_left = _clock.left`."""
-    return at.set(LEFT, at.attribute("_clock", "left"))
+    return at.set(LEFT, at.attribute("_clock", "ticks_left"))
 
 
-def _give(at: At) -> ast.stmt:
+def _give(at: AstBuilder) -> ast.stmt:
     """`_clock.left = _left`."""
-    return at.assign(at.store_attribute("_clock", "left"), at.name(LEFT))
+    return at.assign(at.store_attribute("_clock", "ticks_left"), at.name(LEFT))
 
 
-def _place(statement: ast.stmt) -> At:
-    return At(statement.lineno, statement.col_offset, statement.end_col_offset or 0)
+def _place(statement: ast.stmt) -> AstBuilder:
+    return AstBuilder(statement.lineno, statement.col_offset, statement.end_col_offset or 0)

@@ -26,21 +26,21 @@ from rapidsim.language.moves import Place
 from rapidsim.language.reference import Box
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Fixed:
+@value_class(frozen=True, eq=False, slots=True)
+class TaskIndependent:
     """An object that is the same for every task: a constant, a position, a library function."""
 
     value: object
 
 
-Binding: TypeAlias = DataSymbol | RoutineSymbol | Fixed
+Binding: TypeAlias = DataSymbol | RoutineSymbol | TaskIndependent
 """What a name of a namespace stands for: a variable, a routine, or an object."""
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class ModuleNames:
     """The names of one module's namespace."""
 
@@ -52,7 +52,7 @@ class ModuleNames:
         default_factory=dict
     )
     """Functions for calls that lend elements of arrays, by routine and the parameters for these."""
-    runs: dict[tree.Node, tree.Run] = field(init=False)
+    runs: dict[tree.Node, tree.BulkStatements] = field(init=False)
     """Runs of moves, by the statement before each that they are like."""
     _name_of: dict[object, str] = field(default_factory=dict)
     _counts: dict[str, int] = field(default_factory=dict)
@@ -78,31 +78,31 @@ class ModuleNames:
 
     def library(self, routine: LibraryRoutine) -> str:
         """The name of an installed routine's function."""
-        return self._bound(routine, routine.name, Fixed(routine.body))
+        return self._bound(routine, routine.name, TaskIndependent(routine.body))
 
     def signal(self, symbol: ConfiguredSymbol | UnknownSymbol) -> str:
         """The name of a reference to an undeclared name, normally a signal."""
         key = symbol.name.lower()
         return self._bound(
-            ("signal", key), key, Fixed(Box(Signal(symbol.name, is_configured=True)))
+            ("signal", key), key, TaskIndependent(Box(Signal(symbol.name, is_configured=True)))
         )
 
     def constant_data(self, symbol: DataSymbol, value: object) -> str:
         """The name of a constant with its value."""
-        return self._bound(symbol, symbol.name, Fixed(value))
+        return self._bound(symbol, symbol.name, TaskIndependent(value))
 
     def constant_integers(self, symbol: DataSymbol, value: object) -> str:
         """The name of a constant all-integer array as Python integers."""
-        table = Fixed(_as_integers(value))
+        table = TaskIndependent(_as_integers(value))
         return self._bound(("integers", symbol), f"_{symbol.name}_integers", table)
 
     def record_class(self, python: type[tuple[object, ...]]) -> str:
         """The name of a record's class."""
-        return self._bound(python, f"_record_{python.__name__.lower()}", Fixed(python))
+        return self._bound(python, f"_record_{python.__name__.lower()}", TaskIndependent(python))
 
     def index_table(self, size: int) -> str:
         """The name of the index table for arrays of one size."""
-        return self._bound(("index", size), f"_at{size}", Fixed(INDEX_TABLES[size]))
+        return self._bound(("index", size), f"_at{size}", TaskIndependent(INDEX_TABLES[size]))
 
     def place(self, place: Place) -> str:
         """A name for the position of a statement."""
@@ -116,7 +116,7 @@ class ModuleNames:
         """A new name for an object."""
         number = self._counts[stem] = self._counts.get(stem, 0) + 1
         name = f"{stem}{number}"
-        self.bindings[name] = Fixed(value)
+        self.bindings[name] = TaskIndependent(value)
         return name
 
     def _bound(self, key: object, wanted: str, binding: Binding) -> str:
@@ -128,7 +128,7 @@ class ModuleNames:
         return name
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ArrayDimension:
     """One dimension of an array parameter whose size the caller decides."""
 
@@ -140,7 +140,7 @@ class ArrayDimension:
     """The array may be absent."""
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class LocalNames:
     """The names of one routine's variables, which hide the module's."""
 
@@ -161,12 +161,12 @@ class LocalNames:
     sizes: dict[str, ArrayDimension] = field(default_factory=dict)
     """Python variables with the sizes of such arrays, by name."""
     _name_of: dict[Symbol, str] = field(default_factory=dict)
-    _taken: set[str] = field(default_factory=set)
+    _used: set[str] = field(default_factory=set)
 
     def declare(self, symbol: Symbol, wanted: str) -> str:
         """Give a parameter or a local its Python name."""
-        name = free_name(wanted.lower(), self._taken | self.reserved)
-        self._taken.add(name)
+        name = free_name(wanted.lower(), self._used | self.reserved)
+        self._used.add(name)
         self._name_of[symbol] = name
         return name
 
@@ -174,7 +174,7 @@ class LocalNames:
         """The Python name of a local; None for anything else."""
         return self._name_of.get(symbol)
 
-    def held(self) -> set[str]:
+    def data_variables(self) -> set[str]:
         """The Python variables of the routine's data, and of the sizes of its arrays."""
         return {*self._name_of.values(), *self.tables, *self.sizes}
 
@@ -183,7 +183,7 @@ class LocalNames:
         """Name a FOR counter for the duration of its loop."""
         name = self.declare(symbol, wanted)
         yield name
-        self._taken.discard(name)
+        self._used.discard(name)
 
     def index_table(self, array: str, depth: int, *, optional: bool) -> str:
         """The name of the index table for one dimension of an array sized by the caller."""
@@ -202,11 +202,11 @@ def _as_integers(value: Any) -> Any:
     return [_as_integers(one) for one in value] if isinstance(value, list) else int(value)
 
 
-def free_name(wanted: str, taken: dict[str, Binding] | frozenset[str] | set[str]) -> str:
+def free_name(wanted: str, used: dict[str, Binding] | frozenset[str] | set[str]) -> str:
     """The wanted name, or the first of `wanted_2`, `wanted_3` ... that is free."""
-    if wanted not in taken:
+    if wanted not in used:
         return wanted
     number = 2
-    while f"{wanted}_{number}" in taken:
+    while f"{wanted}_{number}" in used:
         number += 1
     return f"{wanted}_{number}"

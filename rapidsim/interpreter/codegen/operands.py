@@ -12,7 +12,7 @@ from typing import Protocol
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import LocalNames
@@ -37,7 +37,7 @@ class Operands(Protocol):
         """Gives the value of a CONST."""
         ...
 
-    def at(self, node: tree.Node) -> At:
+    def at(self, node: tree.Node) -> AstBuilder:
         """The position of a part of the statement."""
         ...
 
@@ -61,6 +61,6 @@ class Operands(Protocol):
         """Like `value`, but copying arrays, and as an integer if its home is one."""
         ...
 
-    def constant_data(self, symbol: DataSymbol, at: At) -> ast.expr:
+    def constant_data(self, symbol: DataSymbol, at: AstBuilder) -> ast.expr:
         """A CONST: plain values are inlined, records and arrays are referred to by name."""
         ...

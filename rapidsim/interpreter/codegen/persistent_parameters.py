@@ -19,9 +19,9 @@ from rapidsim.analysis.program import (
     Symbol,
 )
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.written_paths import bare, flat
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.syntax import tree
 
 
@@ -34,8 +34,8 @@ def persistent_parameters(program: Program) -> frozenset[tree.Node]:
         if isinstance(symbol := program.symbol_of[routine], RoutineSymbol)
     ]
     parameters = [one for routine in routines for one in routine.parameters]
-    lent: set[tree.Node] = {one.node for one in parameters if one.mode is Mode.INOUT}
-    found: set[tree.Node] = {one.node for one in parameters if one.mode is Mode.PERS}
+    lent: set[tree.Node] = {one.node for one in parameters if one.mode is ParameterMode.INOUT}
+    found: set[tree.Node] = {one.node for one in parameters if one.mode is ParameterMode.PERS}
     if program.loads_modules:
         return frozenset(found | lent)
     takers: dict[tree.Node, set[tree.Node]] = {}
@@ -47,7 +47,7 @@ def persistent_parameters(program: Program) -> frozenset[tree.Node]:
                 return frozenset(found | lent)
             for taker, giver in _lent(node, options, program):
                 match giver:
-                    case ParameterSymbol(mode=Mode.INOUT | Mode.PERS, node=given):
+                    case ParameterSymbol(mode=ParameterMode.INOUT | ParameterMode.PERS, node=given):
                         takers.setdefault(given, set()).add(taker)
                     case (
                         DataSymbol(storage=Storage.VAR | Storage.CONST)
@@ -78,15 +78,17 @@ def _lent(
     given = match_arguments(node.arguments, callee.parameters)
     for parameter in callee.parameters:
         one = given.get(parameter.name.lower())
-        if parameter.mode is Mode.INOUT and one is not None:
+        if parameter.mode is ParameterMode.INOUT and one is not None:
             yield parameter.node, _giver(one, options, program)
 
 
-def _giver(given: Given, options: Mapping[str, ParameterSymbol], program: Program) -> Symbol | None:
+def _giver(
+    argument: BoundArgument, options: Mapping[str, ParameterSymbol], program: Program
+) -> Symbol | None:
     """The data that an argument is made of; None for a value that nobody else has."""
-    if given.caller_option is not None:
-        return options.get(given.caller_option.key)
-    value = None if given.value is None else bare(given.value)
-    if isinstance(value, tree.Reference | tree.Index | tree.Component):
+    if argument.caller_option is not None:
+        return options.get(argument.caller_option.key)
+    value = None if argument.value is None else bare(argument.value)
+    if isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess):
         return program.symbol_of[flat(value).reference]
     return None

@@ -16,8 +16,8 @@ With all its clauses:
             return _l.value
 
 The ERROR clause keeps its RAPID keyword as name: program names are folded to lower case, so none
-clashes. `Leave` is a RETURN in it. A clause that uses no local names is a separate function,
-created once and not per call; the routine then begins with `ERROR = _ERROR_weld`.
+clashes. `HandlerReturn` is a RETURN in it. A clause that uses no local names is a separate
+function, created once and not per call; the routine then begins with `ERROR = _ERROR_weld`.
 """
 
 from __future__ import annotations
@@ -38,24 +38,24 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.interpreter.codegen.ast_builder import At, Positions
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder, Positions
+from rapidsim.interpreter.codegen.call_ticks import Callees, callees, tick
 from rapidsim.interpreter.codegen.escape_analysis import lent_symbols
 from rapidsim.interpreter.codegen.expressions import ConstantValue, Expressions
 from rapidsim.interpreter.codegen.goto import Jumps, goto_targets
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import ArrayDimension, LocalNames, ModuleNames
-from rapidsim.interpreter.codegen.rounds import Callees, callees, tick
 from rapidsim.interpreter.codegen.statements import ANSWERED, Statements
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.references import position_of
 from rapidsim.language.controller import STUB
 from rapidsim.language.moves import Place
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TranslatedRoutine:
     """The Python functions of one routine."""
 
@@ -72,7 +72,7 @@ class TranslatedRoutine:
 """What is done instead of a routine of a stub module."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ModuleContext:
     """What the translations of all routines of a module share."""
 
@@ -214,7 +214,7 @@ class _RoutineTranslation:
             else:
                 yield at.set(name, at.item("_index_tables", _size(dimension, at)))
 
-    def _stub(self, at: At) -> ast.stmt:
+    def _stub(self, at: AstBuilder) -> ast.stmt:
         """Say that the routine stands for another one."""
         span = self._symbol.module.span(self._node.name)
         place = self._context.names.place(Place(span, self._symbol.name))
@@ -271,7 +271,7 @@ class _RoutineTranslation:
             statements.insert(0, at.outer(sorted(self._names.assigned)))
         return at.define(name, parameters, [], statements)
 
-    def _effects(self, call: tree.Node) -> Does:
+    def _effects(self, call: tree.Node) -> Trait:
         return does(self._context.program.symbol_of.get(call))
 
     def _may_fall_through(self, ends: Answers) -> bool:
@@ -281,14 +281,14 @@ class _RoutineTranslation:
     def _sees_locals(self, clause: ast.FunctionDef) -> bool:
         """Whether a clause names anything that the routine's function holds."""
         used = {node.id for node in ast.walk(clause) if isinstance(node, ast.Name)}
-        return not used.isdisjoint(self._names.held())
+        return not used.isdisjoint(self._names.data_variables())
 
     def _without_value(self) -> ast.stmt:
         """The end of a function that has returned no value, or of its ERROR clause."""
         end = self._context.positions.between(self._node.end - 1, self._node.end)
         return end.throw(end.call("_no_return", [end.constant(self._symbol.name)]))
 
-    def _fall_off(self, at: At, ends: Answers) -> ast.stmt:
+    def _fall_off(self, at: AstBuilder, ends: Answers) -> ast.stmt:
         """The end of an ERROR clause is the end of the routine; a function owes its value."""
         if self._symbol.result is not None:
             return self._without_value()
@@ -315,7 +315,7 @@ class _RoutineTranslation:
         return at.define(f"_numbers_{name}", [], [], [at.leave(at.tuple_of(nodes))])
 
 
-def _size(dimension: ArrayDimension, at: At) -> ast.expr:
+def _size(dimension: ArrayDimension, at: AstBuilder) -> ast.expr:
     rows: ast.expr = at.name(dimension.array)
     for _ in range(dimension.depth):
         rows = at.item(rows, at.constant(0))

@@ -15,8 +15,8 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Storage
-from rapidsim.interpreter.codegen.ast_builder import At
-from rapidsim.interpreter.codegen.data_access import Paths, by_reference
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.data_access import DataPathTranslator, by_reference
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.operands import Operands
@@ -27,22 +27,24 @@ from rapidsim.language.moves import Place
 from rapidsim.language.types import ArrayOf, Type, resolved
 from rapidsim.syntax import tree
 
-SpecialForm = Callable[[Operands, Paths, tree.FunctionCall, At], Code]
+SpecialForm = Callable[[Operands, DataPathTranslator, tree.FunctionCall, AstBuilder], Code]
 
 
 def _argument(expressions: Operands, call: tree.FunctionCall) -> tree.DataPath:
     """The first argument, which must be data."""
     first = call.arguments[0] if call.arguments else None
-    if isinstance(first, tree.Required):
+    if isinstance(first, tree.RequiredArgument):
         value = bare(first.value)
-        if isinstance(value, tree.Reference | tree.Index | tree.Component):
+        if isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess):
             return value
     raise NotExecutableError(
         f"`{call.name.text}` of something that is not data", expressions.span(call)
     )
 
 
-def _present(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _present(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     symbol = paths.symbol(_argument(expressions, call))
     name = expressions.names.get(symbol)
     if not isinstance(symbol, ParameterSymbol) or not symbol.optional or name is None:
@@ -52,10 +54,12 @@ def _present(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: A
     return Code(at.compare(at.name(name), (ast.IsNot(), at.name("_ABSENT"))))
 
 
-def _dim(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _dim(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     path = _argument(expressions, call)
     which = call.arguments[1]
-    assert isinstance(which, tree.Required)
+    assert isinstance(which, tree.RequiredArgument)
     code = expressions.value(which.value)
     size = paths.size(path, int(code.literal)) if code.literal is not None else None
     if size is not None:
@@ -64,16 +68,24 @@ def _dim(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -
     return Code(at.call("_dimension", [array.node, code.node]), may_raise=True)
 
 
-def _is_pers(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _is_pers(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     return _is_storage(expressions, paths, call, at, Storage.PERS)
 
 
-def _is_var(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _is_var(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     return _is_storage(expressions, paths, call, at, Storage.VAR)
 
 
 def _is_storage(
-    expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At, storage: Storage
+    expressions: Operands,
+    paths: DataPathTranslator,
+    call: tree.FunctionCall,
+    at: AstBuilder,
+    storage: Storage,
 ) -> Code:
     """Known from the declaration; of a by-reference parameter from what the caller gave."""
     path = _argument(expressions, call)
@@ -90,15 +102,19 @@ def _is_storage(
     return Code(code, may_raise=symbol.optional)
 
 
-def _str_len(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _str_len(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     argument = call.arguments[0]
-    assert isinstance(argument, tree.Required)
+    assert isinstance(argument, tree.RequiredArgument)
     text = expressions.value(argument.value)
     node = at.call("_len", [text.node])
-    return Code(node, text.owed, text.may_raise, text.calls, Interval(0, MAX_INTEGER))
+    return Code(node, text.deferred, text.may_raise, text.calls, Interval(0, MAX_INTEGER))
 
 
-def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _type(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     of = paths.type_of(_argument(expressions, call))
     element: Type = of.element if isinstance(of, ArrayOf) else of
     if len(call.arguments) > 1:  # \BaseName
@@ -106,7 +122,9 @@ def _type(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) 
     return Code(at.constant(element.name))
 
 
-def _arg_name(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: At) -> Code:
+def _arg_name(
+    expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
+) -> Code:
     """Of a parameter the name of what was given for it, found when asked for."""
     symbol = paths.symbol(_argument(expressions, call))
     if not isinstance(symbol, ParameterSymbol):
@@ -114,9 +132,9 @@ def _arg_name(expressions: Operands, paths: Paths, call: tree.FunctionCall, at: 
     place = expressions.names.module.place(Place(expressions.span(call), expressions.names.routine))
     arguments: list[ast.expr] = [at.name(place), at.constant(symbol.name)]
     for argument in call.arguments[1:]:  # \ErrorNumber
-        number = None if isinstance(argument, tree.Conditional) else argument.value
+        number = None if isinstance(argument, tree.ConditionalArgument) else argument.value
         path = None if number is None else bare(number)
-        if not isinstance(path, tree.Reference | tree.Index | tree.Component):
+        if not isinstance(path, tree.DataReference | tree.Index | tree.ComponentAccess):
             raise NotExecutableError(r"ArgName with such an \ErrorNumber", expressions.span(call))
         arguments.append(paths.reference(path).node)
     return Code(at.call("_argument_name", arguments), may_raise=True, calls=True)

@@ -20,11 +20,17 @@ from rapidsim.analysis.program import (
     Storage,
     does,
 )
-from rapidsim.interpreter.codegen.ast_builder import At
+from rapidsim.interpreter.codegen.ast_builder import AstBuilder
+from rapidsim.interpreter.codegen.call_ticks import tick
 from rapidsim.interpreter.codegen.counter_positions import position_once
 from rapidsim.interpreter.codegen.data_access import whole_number
 from rapidsim.interpreter.codegen.error_handling import protected
-from rapidsim.interpreter.codegen.expression_code import Code, comparable, finished, whole
+from rapidsim.interpreter.codegen.expression_code import (
+    Code,
+    comparable,
+    finished,
+    finished_integer,
+)
 from rapidsim.interpreter.codegen.expressions import Expressions
 from rapidsim.interpreter.codegen.goto import Jumps
 from rapidsim.interpreter.codegen.inlined_instructions import (
@@ -32,14 +38,13 @@ from rapidsim.interpreter.codegen.inlined_instructions import (
     is_start_move_retry,
     value_in_place,
 )
-from rapidsim.interpreter.codegen.intervals import Interval, counted, way
-from rapidsim.interpreter.codegen.rounds import tick
+from rapidsim.interpreter.codegen.intervals import Interval, counted, step_direction
 from rapidsim.interpreter.codegen.written_paths import declaration
 from rapidsim.interpreter.limits import MAX_BRANCHES, MAX_LOOPS, NotExecutableError
-from rapidsim.interpreter.runtime.executed_runs import ROW
-from rapidsim.language.initial import initial_value
+from rapidsim.interpreter.runtime.bulk_execution import ROW
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.types import ArrayOf, resolved
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 ANSWERED = "_answered"
@@ -77,7 +82,7 @@ class Statements:
             return [at.set(ANSWERED, at.constant(True)), *translated]
         return translated
 
-    def _translated(self, statement: tree.Statement, at: At) -> list[ast.stmt]:
+    def _translated(self, statement: tree.Statement, at: AstBuilder) -> list[ast.stmt]:
         match statement:
             case tree.Assignment():
                 return self._assignment(statement, at)
@@ -119,24 +124,27 @@ class Statements:
                 return self._data(statement, at)
             case tree.Placeholder():
                 return self._guard([at.do(at.call("_unfinished"))], at)
-            case tree.Broken():
+            case tree.InvalidStatement():
                 self._refuse("a part with syntax errors", statement)
             case _:
                 assert_never(statement)
 
     def _guard(
-        self, body: Sequence[ast.stmt], at: At, *, otherwise: Sequence[ast.stmt] = ()
+        self, body: Sequence[ast.stmt], at: AstBuilder, *, else_body: Sequence[ast.stmt] = ()
     ) -> list[ast.stmt]:
         """Protect statements that may raise, where there is an ERROR clause to protect them."""
-        return protected(body, at, otherwise=otherwise) if self.is_protected else list(body)
+        return protected(body, at, else_body=else_body) if self.is_protected else list(body)
 
-    def _assignment(self, statement: tree.Assignment, at: At) -> list[ast.stmt]:
+    def _assignment(self, statement: tree.Assignment, at: AstBuilder) -> list[ast.stmt]:
         if isinstance(statement.target, tree.Placeholder):
             return self._guard([at.do(at.call("_unfinished"))], at)
         # Whole arrays are copied element by element where they arrive.
         paths = self.expressions.paths
         value = self._value_for(statement.target, statement.value)
-        body = [*paths.write(statement.target, value, at), *self._told(statement.target, at)]
+        body = [
+            *paths.write(statement.target, value, at),
+            *self._serve_persistent_interrupts(statement.target, at),
+        ]
         is_array = isinstance(resolved(paths.type_of(statement.target)), ArrayOf)
         may_raise = value.may_raise or is_array or paths.may_raise(statement.target)
         return self._guard(body, at) if may_raise else body
@@ -148,9 +156,9 @@ class Statements:
             return self.expressions.copy(value, home)
         return self.expressions.value(value)
 
-    def _call(self, statement: tree.Call, at: At) -> list[ast.stmt]:
+    def _call(self, statement: tree.Call, at: AstBuilder) -> list[ast.stmt]:
         program = self.expressions.program
-        if Does.NEXT_TURN in does(program.symbol_of[statement]):
+        if Trait.NEXT_TURN in does(program.symbol_of[statement]):
             return self.jumps.next_turn(at)
         variable = assigned_in_place(statement, program)
         if variable is None:
@@ -163,15 +171,18 @@ class Statements:
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
         value = value_in_place(statement, variable, self.expressions, paths, at)
-        return self._guard([*paths.write(variable, value, at), *self._told(variable, at)], at)
+        return self._guard(
+            [*paths.write(variable, value, at), *self._serve_persistent_interrupts(variable, at)],
+            at,
+        )
 
-    def _run(self, run: tree.Run, at: At) -> list[ast.stmt]:
+    def _run(self, run: tree.BulkStatements, at: AstBuilder) -> list[ast.stmt]:
         """The moves of a run, one turn of a loop each."""
         rows, move = self.expressions.calls.row(run, at)
         turn = at.each(at.store(ROW), rows, self._guard(move, at))
         return [turn, at.set(ROW, at.constant(None))]
 
-    def _told(self, target: tree.DataPath, at: At) -> list[ast.stmt]:
+    def _serve_persistent_interrupts(self, target: tree.DataPath, at: AstBuilder) -> list[ast.stmt]:
         """Let the interrupts come that wait for a change of a persistent."""
         match self.expressions.paths.symbol(target):
             case DataSymbol(storage=Storage.PERS):
@@ -181,15 +192,17 @@ class Statements:
             case _:
                 return []
         watches = at.attribute("_clock", "watches")
-        return [at.when(watches, [at.do(at.call(at.attribute("_clock", "look_at_persistents")))])]
+        return [
+            at.when(watches, [at.do(at.call(at.attribute("_clock", "serve_persistent_changes")))])
+        ]
 
     def _if(
         self,
         statement: tree.Node,
         conditions: Sequence[tree.Expression],
         bodies: Sequence[tree.Body],
-        otherwise: tree.Body,
-        at: At,
+        else_body: tree.Body,
+        at: AstBuilder,
     ) -> list[ast.stmt]:
         if len(conditions) > MAX_BRANCHES:
             self._refuse(f"an IF with more than {MAX_BRANCHES} branches", statement)
@@ -198,19 +211,19 @@ class Statements:
         for place, condition in zip(places, conditions, strict=True):
             self.expressions.statement = place
             tests.append(self.expressions.condition(condition))
-        return self._choose(tests, places, bodies, otherwise, at)
+        return self._choose(tests, places, bodies, else_body, at)
 
-    def _line_of(self, condition: tree.Expression) -> At:
+    def _line_of(self, condition: tree.Expression) -> AstBuilder:
         """A branch's condition stands on the line of its ELSEIF."""
         return self.expressions.positions.at(condition)
 
     def _choose(
         self,
         tests: Sequence[Code],
-        places: Sequence[At],
+        places: Sequence[AstBuilder],
         bodies: Sequence[tree.Body],
-        otherwise: tree.Body,
-        at: At,
+        else_body: tree.Body,
+        at: AstBuilder,
         before: Sequence[ast.stmt] = (),
         *,
         may_raise: bool = False,
@@ -218,7 +231,7 @@ class Statements:
         """Branches by conditions; `before` evaluates what they share."""
         if not self.is_protected or not (may_raise or any(test.may_raise for test in tests)):
             nodes = [test.node for test in tests]
-            return [*before, *self._branches(nodes, places, bodies, otherwise)]
+            return [*before, *self._branches(nodes, places, bodies, else_body)]
         number: ast.expr = at.constant(0)
         for position in range(len(tests), 0, -1):
             place = places[position - 1]
@@ -227,36 +240,36 @@ class Statements:
         decide = self._guard(
             [*before, at.set("_branch", number)],
             at,
-            otherwise=[at.set("_branch", at.constant(-1))],
+            else_body=[at.set("_branch", at.constant(-1))],
         )
         nodes = [
             at.compare(at.name("_branch"), (ast.Eq(), at.constant(position)))
             for position in range(1, len(tests) + 1)
         ]
         chosen = [at] * len(tests)
-        if not otherwise:
+        if not else_body:
             return [*decide, *self._branches(nodes, chosen, bodies, ())]
         none_holds = at.compare(at.name("_branch"), (ast.Eq(), at.constant(0)))
         return [
             *decide,
-            *self._branches([*nodes, none_holds], [*chosen, at], [*bodies, otherwise], ()),
+            *self._branches([*nodes, none_holds], [*chosen, at], [*bodies, else_body], ()),
         ]
 
     def _branches(
         self,
         tests: Sequence[ast.expr],
-        places: Sequence[At],
+        places: Sequence[AstBuilder],
         bodies: Sequence[tree.Body],
-        otherwise: tree.Body,
+        else_body: tree.Body,
     ) -> list[ast.stmt]:
         """Python's `if`, `elif`, `else`; bodies in order of writing."""
         written = [self.body(body) for body in bodies]
-        chain = self.body(otherwise)
+        chain = self.body(else_body)
         for place, test, body in reversed(list(zip(places, tests, written, strict=True))):
             chain = [place.when(test, body, chain)]
         return chain
 
-    def _test(self, statement: tree.Test, at: At) -> list[ast.stmt]:
+    def _test(self, statement: tree.Test, at: AstBuilder) -> list[ast.stmt]:
         if len(statement.cases) > MAX_BRANCHES:
             self._refuse(f"a TEST with more than {MAX_BRANCHES} cases", statement)
         subject = self.expressions.value(statement.subject)
@@ -286,7 +299,7 @@ class Statements:
             may_raise=subject.may_raise,
         )
 
-    def _while(self, statement: tree.While, at: At) -> list[ast.stmt]:
+    def _while(self, statement: tree.While, at: AstBuilder) -> list[ast.stmt]:
         self._refuse_depth(statement)
         condition = self.expressions.condition(statement.condition)
         with self.jumps.loop() as loop:
@@ -297,12 +310,12 @@ class Statements:
         decide = self._guard(
             [at.set("_condition", condition.node)],
             at,
-            otherwise=[at.set("_condition", at.constant(False))],
+            else_body=[at.set("_condition", at.constant(False))],
         )
         done = at.when(at.unary(ast.Not(), at.name("_condition")), [at.stop()])
         return [at.forever([*turn, *decide, done, *body]), *self.jumps.after(loop, at)]
 
-    def _for(self, statement: tree.For, at: At) -> list[ast.stmt]:
+    def _for(self, statement: tree.For, at: AstBuilder) -> list[ast.stmt]:
         self._refuse_depth(statement)
         values, interval, may_raise = self._counter_values(statement, at)
         names, counters = self.expressions.names, self.expressions.counters
@@ -316,14 +329,14 @@ class Statements:
         before: list[ast.stmt] = []
         if may_raise and self.is_protected:
             before = self._guard(
-                [at.set("_values", values)], at, otherwise=[at.set("_values", at.tuple_of([]))]
+                [at.set("_values", values)], at, else_body=[at.set("_values", at.tuple_of([]))]
             )
             values = at.name("_values")
         turn = at.each(at.store(name), values, [*tick(at), *body])
         return [*before, turn, *self.jumps.after(loop, at)]
 
     def _counter_values(
-        self, statement: tree.For, at: At
+        self, statement: tree.For, at: AstBuilder
     ) -> tuple[ast.expr, Interval | None, bool]:
         """What a FOR runs over, the integers its counter can be, and whether that may raise."""
         parts = [statement.first, statement.last, statement.step]
@@ -334,9 +347,9 @@ class Statements:
         if first.integer is None or (statement.step is not None and step is None):
             return at.call("_steps", [finished(code, at).node for code in codes]), None, may_raise
         ends = last.integer if _exact(last) else None
-        direction = way(first.integer, ends) if step is None else step
+        direction = step_direction(first.integer, ends) if step is None else step
         interval = counted(first.integer, ends, direction)
-        nodes = [whole(first, at).node, *(at.constant(step) for _ in codes[2:])]
+        nodes = [finished_integer(first, at).node, *(at.constant(step) for _ in codes[2:])]
         if ends is None or not direction or not first.integer.exact:
             nodes.insert(1, comparable(last, at).node)
             return at.call("_count", nodes), interval, may_raise
@@ -371,7 +384,7 @@ class Statements:
         turn = at.forever([*tick(at), *guarded, starts[-1].stop()])
         return [*reset, turn, *self.jumps.after(machine, at)]
 
-    def _return(self, value: tree.Expression | None, at: At) -> list[ast.stmt]:
+    def _return(self, value: tree.Expression | None, at: AstBuilder) -> list[ast.stmt]:
         if self.in_handler:
             node = at.constant(None) if value is None else self._returned(value).node
             return [at.throw(at.call("_Leave", [node]))]
@@ -384,14 +397,14 @@ class Statements:
     def _returned(self, value: tree.Expression) -> Code:
         return self.expressions.copy(value, self.routine)
 
-    def _raise(self, number: tree.Expression | None, at: At) -> list[ast.stmt]:
+    def _raise(self, number: tree.Expression | None, at: AstBuilder) -> list[ast.stmt]:
         node = self.expressions.value(number).node if number is not None else at.constant(None)
         written = at.constant("" if number is None else self.expressions.span(number).text)
         if self.in_handler:
             return [at.throw(at.call("_propagate", [at.name("_e"), node, written]))]
         return self._guard([at.throw(at.call("_raised", [node, written]))], at)
 
-    def _connect(self, statement: tree.Connect, at: At) -> list[ast.stmt]:
+    def _connect(self, statement: tree.Connect, at: AstBuilder) -> list[ast.stmt]:
         if isinstance(statement.interrupt, tree.Placeholder):
             return self._guard([at.do(at.call("_unfinished"))], at)
         symbol = self.expressions.program.symbol_of.get(statement)
@@ -407,7 +420,7 @@ class Statements:
         value = Code(node, may_raise=True, calls=True)
         return self._guard(self.expressions.paths.write(statement.interrupt, value, at), at)
 
-    def _data(self, statement: tree.Data, at: At) -> list[ast.stmt]:
+    def _data(self, statement: tree.Data, at: AstBuilder) -> list[ast.stmt]:
         """A local variable gets its initial value at each call."""
         if statement.storage != "VAR":
             return []
@@ -435,8 +448,8 @@ class Statements:
         if self.jumps.depth >= MAX_LOOPS:
             self._refuse(f"a loop inside {MAX_LOOPS} others", statement)
 
-    def _refuse(self, what: str, node: tree.Node) -> NoReturn:
-        raise NotExecutableError(what, self.expressions.span(node))
+    def _refuse(self, subject: str, node: tree.Node) -> NoReturn:
+        raise NotExecutableError(subject, self.expressions.span(node))
 
 
 def _exact(code: Code) -> bool:

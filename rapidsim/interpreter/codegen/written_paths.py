@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from rapidsim.analysis.program import DataSymbol, ParameterSymbol, Program
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FlatPath:
     """A flattened path: a RAPID path is a name, then indices, then components."""
 
-    reference: tree.Reference
+    reference: tree.DataReference
     indices: tuple[tree.Expression, ...]
     names: tuple[str, ...]
 
@@ -20,8 +20,8 @@ def flat(path: tree.DataPath) -> FlatPath:
     """Flatten a path."""
     indices: tuple[tree.Expression, ...] = ()
     names: list[str] = []
-    while not isinstance(path, tree.Reference):
-        if isinstance(path, tree.Component):
+    while not isinstance(path, tree.DataReference):
+        if isinstance(path, tree.ComponentAccess):
             names.insert(0, path.name.key)
             path = path.record
         else:
@@ -40,5 +40,5 @@ def bare(expression: tree.Expression) -> tree.Expression:
 def declaration(path: tree.Expression, program: Program) -> tree.Node | None:
     """The declaration of a path that is a whole variable or parameter."""
     inner = bare(path)
-    symbol = program.symbol_of[inner] if isinstance(inner, tree.Reference) else None
+    symbol = program.symbol_of[inner] if isinstance(inner, tree.DataReference) else None
     return symbol.node if isinstance(symbol, DataSymbol | ParameterSymbol) else None

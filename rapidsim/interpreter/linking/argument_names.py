@@ -53,7 +53,7 @@ def argument_name(frame: FrameType, parameter: str) -> str | None:
             parameter = given.caller_option.key
         else:
             value = None if given.value is None else bare(given.value)
-            if not isinstance(value, tree.Reference | tree.Index | tree.Component):
+            if not isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess):
                 raise _no_name(parameter, "is an expression or a switch")
             origin: Origin = caller.f_globals[GENERATED]
             symbol = origin.program().symbol_of[flat(value).reference]
@@ -118,5 +118,5 @@ def _may_call(node: _Call, routine: RoutineSymbol, symbol_of: Mapping[tree.Node,
     return callee is None or isinstance(callee, UnknownSymbol)
 
 
-def _no_name(parameter: str, why: str) -> RapidError:
-    return rapid_error(ERR_ARGNAME, f"the argument `{parameter}` has no name: it {why}")
+def _no_name(parameter: str, reason: str) -> RapidError:
+    return rapid_error(ERR_ARGNAME, f"the argument `{parameter}` has no name: it {reason}")

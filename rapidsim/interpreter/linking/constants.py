@@ -12,13 +12,13 @@ from dataclasses import dataclass, field
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.interpreter.codegen.ast_builder import Positions
 from rapidsim.interpreter.codegen.expressions import Expressions
-from rapidsim.interpreter.codegen.names import Fixed, LocalNames, ModuleNames
+from rapidsim.interpreter.codegen.names import LocalNames, ModuleNames, TaskIndependent
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.namespace import FUNCTIONS
 from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED
 from rapidsim.interpreter.runtime.values import Value, literal
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 
 
 @dataclass(slots=True)
@@ -60,7 +60,9 @@ class Constants:
             ast.Expression(expressions.copy(node.value).node), module.source.file, "eval"
         )
         namespace = {
-            name: bound.value for name, bound in names.bindings.items() if isinstance(bound, Fixed)
+            name: bound.value
+            for name, bound in names.bindings.items()
+            if isinstance(bound, TaskIndependent)
         }
         if len(namespace) < len(names.bindings):
             raise NotExecutableError("a constant that depends on variables", module.span(node))

@@ -17,7 +17,7 @@ from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storag
 from rapidsim.analysis.tree_walk import data_of, descendants
 from rapidsim.diagnostics import Source
 from rapidsim.interpreter.codegen.intervals import Interval
-from rapidsim.interpreter.codegen.names import Fixed
+from rapidsim.interpreter.codegen.names import TaskIndependent
 from rapidsim.interpreter.linking.constants import Constants
 from rapidsim.interpreter.linking.namespace import FUNCTIONS, task_functions
 from rapidsim.interpreter.linking.translation import (
@@ -35,7 +35,7 @@ from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
 from rapidsim.interpreter.runtime.values import Value, copied
 from rapidsim.language.controller import Controller
 from rapidsim.syntax import tree
-from rapidsim.syntax.collection import uncollected
+from rapidsim.syntax.garbage_collection import gc_paused
 
 
 class LinkedProgram:
@@ -67,7 +67,7 @@ class LinkedProgram:
         self.link(program)
 
     # Until the translation is dropped, so that the collector never walks through it.
-    @uncollected()
+    @gc_paused()
     def link(self, program: Program) -> None:
         """Replace the program: prepare the modules that are new, drop those that are gone.
 
@@ -80,7 +80,7 @@ class LinkedProgram:
         added = [module for module in program.modules if module not in self._namespaces]
         gone = [module for module in self._namespaces if module not in program.modules]
         translation = translate(program, added, shares=self._shared is not None)
-        if self._namespaces and not self._goes_with(translation, added):
+        if self._namespaces and not self._is_compatible(translation, added):
             translation = translate(program, shares=self._shared is not None)
         codes = [_compiled(module) for module in translation.modules]
         before = self.program, self._constants
@@ -104,7 +104,7 @@ class LinkedProgram:
             self._drop(one)
         self._name_routines()
 
-    def _goes_with(self, translation: Translation, added: Sequence[tree.Module]) -> bool:
+    def _is_compatible(self, translation: Translation, added: Sequence[tree.Module]) -> bool:
         """Whether new modules give routines that stay what these were made for.
 
         Who asks about a program that has ended may call its functions with any number. Where
@@ -166,7 +166,7 @@ class LinkedProgram:
                     namespace[name] = self.memory.home(binding)
                 case RoutineSymbol():
                     namespace[name] = self.function(binding)
-                case Fixed(value=value):
+                case TaskIndependent(value=value):
                     namespace[name] = value
 
     def _drop(self, module: tree.Module) -> None:

@@ -16,7 +16,7 @@ from rapidsim.interpreter.linking.linker import LinkedProgram
 from rapidsim.interpreter.linking.symbols import TaskSymbols
 from rapidsim.interpreter.linking.task_modules import TaskModules
 from rapidsim.interpreter.runtime.arrays import assign_array
-from rapidsim.interpreter.runtime.call_stack import FatalError, Frame, rapid_stack
+from rapidsim.interpreter.runtime.call_stack import CallFrame, FatalError, rapid_stack
 from rapidsim.interpreter.runtime.error_recovery import Unrecoverable, as_rapid_error
 from rapidsim.interpreter.runtime.idle_state import idle_state
 from rapidsim.interpreter.runtime.memory import ChangedPersistent, module_data
@@ -26,15 +26,15 @@ from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
-__all__ = ["FatalError", "Frame", "Task", "load", "running"]
+__all__ = ["CallFrame", "FatalError", "Task", "load", "running"]
 
 ERR_STACK_OVERFLOW = 40222.0
 """Not catchable, so the number is the controller's event, which no program compares with."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Task:
     """A program with its memory. Variables keep their values from one run to the next."""
 
@@ -197,7 +197,7 @@ def _fatal_errors() -> Iterator[None]:
         raise FatalError(_stack_overflow(stack), stack) from None
 
 
-def _stack_overflow(stack: tuple[Frame, ...]) -> RapidError:
+def _stack_overflow(stack: tuple[CallFrame, ...]) -> RapidError:
     innermost = f" in {stack[-1].routine}" if stack else ""
     # In round figures: how deep Python comes depends a little on its version.
     depth = round(len(stack), -2)

@@ -17,7 +17,7 @@ from rapidsim.interpreter.linking.argument_names import argument_name
 from rapidsim.interpreter.runtime import arithmetic, arrays, error_recovery, references
 from rapidsim.interpreter.runtime.error_recovery import Recovery
 from rapidsim.interpreter.runtime.late_binding import (
-    LateArgument,
+    DeferredArgument,
     LateBinding,
     numbered_name,
     unresolved_data,
@@ -58,7 +58,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_ERRORS": error_recovery.ERRORS,
         "_Element": references.Element,
         "_FellThrough": error_recovery.FellThrough,
-        "_Leave": error_recovery.Leave,
+        "_Leave": error_recovery.HandlerReturn,
         "_Stopped": Stopped,
         "_add_positions": arithmetic.add_positions,
         "_assign_array": arrays.assign_array,
@@ -97,7 +97,7 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_subtract_positions": arithmetic.subtract_positions,
         "_too_long": arithmetic.too_long,
         "_turns_of": arithmetic.turns_of,
-        "_turns_taken": arithmetic.turns_taken,
+        "_turns_taken": arithmetic.iteration_count,
         "_unfinished": unfinished,
         "_unresolved_data": unresolved_data,
         "_unresolved_function": unresolved_function,
@@ -117,39 +117,39 @@ def task_functions(
     clock, interrupts = controller.clock, controller.interrupts
 
     def call_at(
-        place: Place, body: Callable[..., Any], asked: object, *values: object, **options: object
+        place: Place, body: Callable[..., Any], query: object, *values: object, **options: object
     ) -> Any:
         clock.place = place
-        return body(asked, *values, **options)
+        return body(query, *values, **options)
 
     def look_at(
-        place: Place, body: Callable[..., Any], asked: object, *values: object, **options: object
+        place: Place, body: Callable[..., Any], query: object, *values: object, **options: object
     ) -> Any:
         before, clock.place = clock.place, place
-        value = body(asked, *values, **options)
+        value = body(query, *values, **options)
         clock.place = before
         return value
 
     def set_at(
-        place: Place, body: Callable[..., Any], asked: object, *values: object, **options: object
+        place: Place, body: Callable[..., Any], query: object, *values: object, **options: object
     ) -> None:
         before, clock.place = clock.place, place
-        deeds = clock.deeds
-        body(asked, *values, **options)
-        if clock.deeds == deeds:
+        deeds = clock.effect_count
+        body(query, *values, **options)
+        if clock.effect_count == deeds:
             # The output had this value already: to a loop that is no more than a look.
             clock.place = before
 
-    def stand_in(place: Place, name: str, instead: str, value: object) -> object:
+    def stand_in(place: Place, name: str, replacement: str, value: object) -> object:
         clock.place = place
-        controller.honesty.not_simulated(name, instead, is_unknown=instead != STUB)
+        controller.fidelity.not_simulated(name, replacement, is_unknown=replacement != STUB)
         return value
 
     def skip(place: Place, name: str) -> None:
         stand_in(place, name, "skipped", None)
 
     def loaded(
-        place: Place, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+        place: Place, name: str, shapes: Sequence[DeferredArgument], values: Sequence[object]
     ) -> None:
         if late.declares(module, name):
             late.call(module, place, name, shapes, values)
@@ -159,14 +159,14 @@ def task_functions(
     def loaded_function(
         place: Place,
         name: str,
-        shapes: Sequence[LateArgument],
+        shapes: Sequence[DeferredArgument],
         values: Sequence[object],
         of: Type,
-        otherwise: Callable[[], object],
+        default: Callable[[], object],
     ) -> object:
         if late.declares(module, name):
             return late.value(module, name, shapes, values, of)
-        return otherwise()
+        return default()
 
     def name_of_argument(
         place: Place, parameter: str, number: Reference[float] | None = None
@@ -184,9 +184,9 @@ def task_functions(
         return name or parameter
 
     def served(left: int) -> int:
-        clock.left = left
+        clock.ticks_left = left
         clock.service()
-        return clock.left
+        return clock.ticks_left
 
     def connect(number: float, trap: Callable[[], object], name: str) -> float:
         if interrupts.is_connected(number):

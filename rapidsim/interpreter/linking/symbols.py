@@ -18,7 +18,7 @@ from rapidsim.language.error_numbers import (
     ERR_SYMBOL_TYPE,
     rapid_error,
 )
-from rapidsim.language.symbols import DataName, Search
+from rapidsim.language.symbols import DataName, DataSearch
 from rapidsim.language.types import ArrayOf, Type, same
 
 
@@ -30,15 +30,15 @@ class TaskSymbols:
         self._linked = linked
         self._found: deque[DataName] = deque()
 
-    def read(self, name: str, of: Type, where: DataName | None) -> object:
+    def read(self, name: str, of: Type, data_name: DataName | None) -> object:
         """A copy of a value."""
-        symbol = self._symbol(name, where)
+        symbol = self._symbol(name, data_name)
         _check_type(symbol, of)
         return self._linked.value_of(symbol)
 
-    def write(self, name: str, of: Type, where: DataName | None, value: object) -> None:
+    def write(self, name: str, of: Type, data_name: DataName | None, value: object) -> None:
         """Change a value."""
-        symbol = self._symbol(name, where)
+        symbol = self._symbol(name, data_name)
         _check_type(symbol, of)
         if symbol.storage is Storage.CONST:
             raise rapid_error(ERR_SYM_ACCESS, f"{symbol.name} is a constant")
@@ -48,13 +48,13 @@ class TaskSymbols:
             if _sizes(home) != _sizes(value):
                 raise rapid_error(
                     ERR_INVDIM,
-                    f"{symbol.name} has {_shown(home)} elements, the value {_shown(value)}",
+                    f"{symbol.name} has {_size_text(home)} elements, the value {_size_text(value)}",
                 )
             assign_array(home, value)
         else:
             home.value = value
 
-    def search(self, search: Search) -> tuple[DataName, ...]:
+    def search(self, search: DataSearch) -> tuple[DataName, ...]:
         """All data that match."""
         try:
             pattern = re.compile(search.pattern or ".*", re.IGNORECASE)
@@ -64,15 +64,15 @@ class TaskSymbols:
             ) from None
         return tuple(self._matching(search, pattern))
 
-    def begin_search(self, search: Search | None) -> None:
+    def begin_search(self, search: DataSearch | None) -> None:
         """Begin a search for data."""
         self._found = deque(() if search is None else self.search(search))
 
-    def next_found(self) -> DataName | None:
+    def next_match(self) -> DataName | None:
         """The next match of the search."""
         return self._found.popleft() if self._found else None
 
-    def _matching(self, search: Search, pattern: re.Pattern[str]) -> Iterator[DataName]:
+    def _matching(self, search: DataSearch, pattern: re.Pattern[str]) -> Iterator[DataName]:
         for symbol in module_data(self._linked.program):
             assert symbol.module is not None
             element = symbol.type.element if isinstance(symbol.type, ArrayOf) else symbol.type
@@ -87,15 +87,17 @@ class TaskSymbols:
             ):
                 yield DataName(symbol.name, symbol.module.name.text)
 
-    def _symbol(self, name: str, where: DataName | None) -> DataSymbol:
+    def _symbol(self, name: str, data_name: DataName | None) -> DataSymbol:
         """The data of a name: those that a search found, else global ones before local ones."""
         key = name.strip().lower()
         named = [one for one in module_data(self._linked.program) if one.name.lower() == key]
-        if where is not None:
-            named = [one for one in named if one.module and one.module.name.text == where.module]
+        if data_name is not None:
+            named = [
+                one for one in named if one.module and one.module.name.text == data_name.module
+            ]
         named.sort(key=lambda one: one.scope is Scope.LOCAL)
         if not named:
-            place = f" in module {where.module}" if where else ""
+            place = f" in module {data_name.module}" if data_name else ""
             raise rapid_error(ERR_SYM_ACCESS, f"no module has data named `{name}`{place}")
         return named[0]
 
@@ -123,5 +125,5 @@ def _sizes(array: Any) -> tuple[int, ...]:
     return tuple(sizes)
 
 
-def _shown(array: Any) -> str:
+def _size_text(array: Any) -> str:
     return " x ".join(map(str, _sizes(array)))

@@ -20,7 +20,7 @@ from rapidsim.analysis.names.name_violations import (
     UnknownRoutine,
     UnknownType,
 )
-from rapidsim.analysis.passes.checker import Checked, check
+from rapidsim.analysis.passes.checker import CheckOutcome, check
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.linker import LinkedProgram
@@ -37,7 +37,7 @@ from rapidsim.language.error_numbers import (
 from rapidsim.language.modules import SavedModule
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import Parsed, parse
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 PROGRAM_MEMORY = 50_000_000
 """Characters of all that a task may have loaded at one time."""
@@ -45,7 +45,7 @@ MOST_KNOWN = 16
 """How many files, and combinations of modules, are kept ready for the next time."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Entry:
     """A module in the program memory."""
 
@@ -78,7 +78,7 @@ class TaskModules:
         parsed = self._parse(source.file, source.text)
         errors = [one for one in parsed.diagnostics if one.severity is Severity.ERROR]
         if errors:
-            raise rapid_error(ERR_SYNTAX, _told(errors))
+            raise rapid_error(ERR_SYNTAX, _summary(errors))
         if not parsed.file.modules:
             raise rapid_error(ERR_SYNTAX, f"{path} holds no module")
         for module in parsed.file.modules:
@@ -140,12 +140,12 @@ class TaskModules:
         text = saved_text(entry.module, self._linked)
         return SavedModule(entry.name, text, text_of(entry.module), entry.path)
 
-    def _remove(self, gone: Sequence[_Entry], errno: float) -> None:
+    def _remove(self, removed: Sequence[_Entry], errno: float) -> None:
         executing = self._linked.executing()
-        for entry in gone:
+        for entry in removed:
             if entry.module in executing:
                 raise rapid_error(errno, f"module {entry.name} executes and cannot be removed")
-        self._become([entry for entry in self._entries if entry not in gone], errno)
+        self._become([entry for entry in self._entries if entry not in removed], errno)
 
     def _become(
         self, entries: list[_Entry], errno: float, *, check_references: bool = False
@@ -162,15 +162,17 @@ class TaskModules:
         for entry in entries:
             finding = waiting.get(entry.module)
             if finding is not None and (entry.path is None or entry.module in executing):
-                raise rapid_error(errno, f"without it, {_told([finding])} in module {entry.name}")
+                raise rapid_error(
+                    errno, f"without it, {_summary([finding])} in module {entry.name}"
+                )
         if checked.program is None:
-            raise rapid_error(errno, _told(_errors(checked)))
+            raise rapid_error(errno, _summary(_errors(checked)))
         if check_references:
             _require_references(checked, waiting, entries)
         self._linked.link(checked.program)
         self._entries = entries
         self._linked.late.waiting = {
-            routine.name.key: f"module {module.name.text} waits: {_told([finding])}"
+            routine.name.key: f"module {module.name.text} waits: {_summary([finding])}"
             for module, finding in waiting.items()
             for routine in module.routines
         }
@@ -186,7 +188,7 @@ def _parsed(file: str, text: str) -> Parsed:
 
 def _checked(
     modules: tuple[tree.Module, ...], cell: CellNames
-) -> tuple[Checked, Mapping[tree.Module, Diagnostic]]:
+) -> tuple[CheckOutcome, Mapping[tree.Module, Diagnostic]]:
     """Check modules together.
 
     Returns:
@@ -207,7 +209,7 @@ def _checked(
         linked = [one for one in linked if one not in blocked]
 
 
-def _undeclared(checked: Checked) -> list[Diagnostic]:
+def _undeclared(checked: CheckOutcome) -> list[Diagnostic]:
     """What another module could mend; none where there is an error of another kind."""
     errors = _errors(checked)
     if not errors:
@@ -217,12 +219,12 @@ def _undeclared(checked: Checked) -> list[Diagnostic]:
     return errors if all(isinstance(one.violation, _UNDECLARED) for one in errors) else []
 
 
-def _errors(checked: Checked) -> list[Diagnostic]:
+def _errors(checked: CheckOutcome) -> list[Diagnostic]:
     return [one for one in checked.diagnostics if one.severity is Severity.ERROR]
 
 
 def _require_references(
-    checked: Checked, waiting: Mapping[tree.Module, Diagnostic], entries: Iterable[_Entry]
+    checked: CheckOutcome, waiting: Mapping[tree.Module, Diagnostic], entries: Iterable[_Entry]
 ) -> None:
     """Refuse a program of which a loaded module uses something that nothing declares.
 
@@ -240,7 +242,7 @@ def _require_references(
         ),
     ]
     if missing:
-        raise rapid_error(ERR_LINKREF, _told(missing))
+        raise rapid_error(ERR_LINKREF, _summary(missing))
 
 
 def _holds(module: tree.Module, finding: Diagnostic) -> bool:
@@ -251,7 +253,7 @@ def _holds(module: tree.Module, finding: Diagnostic) -> bool:
     return module.start <= span.start <= module.end
 
 
-def _told(findings: Sequence[Diagnostic]) -> str:
+def _summary(findings: Sequence[Diagnostic]) -> str:
     """The first of some findings with its place, and how many more there are."""
     first = findings[0]
     place = f"{first.span.file}:{first.span.line}: " if first.span else ""
@@ -259,8 +261,8 @@ def _told(findings: Sequence[Diagnostic]) -> str:
     return f"{place}{first.violation.message}{more}"
 
 
-def _same_file(one: str | None, other: str) -> bool:
-    return one is not None and _folded(one) == _folded(other)
+def _same_file(path: str | None, other: str) -> bool:
+    return path is not None and _folded(path) == _folded(other)
 
 
 def _folded(path: str) -> str:

@@ -13,13 +13,13 @@ from collections.abc import Mapping, Sequence, Set
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.analysis.tree_walk import data_of
 from rapidsim.interpreter.codegen.ast_builder import Positions
+from rapidsim.interpreter.codegen.call_ticks import ticking
 from rapidsim.interpreter.codegen.expressions import Expressions
 from rapidsim.interpreter.codegen.integer_inference import integers_of
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.local_ticks import count_locally
 from rapidsim.interpreter.codegen.names import Binding, LocalNames, ModuleNames
 from rapidsim.interpreter.codegen.persistent_parameters import persistent_parameters
-from rapidsim.interpreter.codegen.rounds import ticking
 from rapidsim.interpreter.codegen.routines import (
     ModuleContext,
     TranslatedRoutine,
@@ -33,10 +33,10 @@ from rapidsim.interpreter.limits import (
 )
 from rapidsim.interpreter.linking.constants import Constants
 from rapidsim.interpreter.runtime.memory import initial_literal
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 INITIALISE = "_initialise"
 """The function that gives module variables the initial values that are more than literals."""
@@ -44,7 +44,7 @@ INITIALISE = "_initialise"
 _POINTER_BYTES = 8
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TranslatedModule:
     """The code of one module, and how to fill its namespace."""
 
@@ -62,7 +62,7 @@ class TranslatedModule:
     """Names of functions with a long-jump ERROR clause and of those that give its numbers."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Translation:
     """A translated program."""
 

@@ -24,7 +24,7 @@ from rapidsim.language.error_numbers import (
     ERR_STRTOOLNG,
     rapid_error,
 )
-from rapidsim.language.single import LARGEST_SINGLE, SPLIT, single
+from rapidsim.language.single_precision import LARGEST_SINGLE, SPLIT, single
 from rapidsim.library.poses import require_unit
 
 MAX_DOUBLE = 1.7976931348623157e308
@@ -195,7 +195,7 @@ def turns_of(values: Iterable[float]) -> float:
     return len(values) if isinstance(values, range) else math.inf
 
 
-def turns_taken(values: range, counter: str) -> int:
+def iteration_count(values: range, counter: str) -> int:
     """The number of FOR iterations up to and including the current one, by the counter's name."""
     now: int = sys._getframe(1).f_locals.get(counter, values.start - values.step)
     return values.index(now) + 1 if now in values else 0

@@ -13,7 +13,7 @@ from rapidsim.language.error_numbers import (
     ERR_OUTOFBND,
     rapid_error,
 )
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 
 
 def out_of_bounds(index: float, size: int) -> NoReturn:

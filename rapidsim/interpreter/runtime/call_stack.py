@@ -12,15 +12,15 @@ from types import CodeType, MappingProxyType, TracebackType
 
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
 from rapidsim.diagnostics import Source, Span
+from rapidsim.interpreter.runtime.bulk_execution import ROW
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
-from rapidsim.interpreter.runtime.executed_runs import ROW
 from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.errors import RapidError
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Origin:
     """Where the code of a namespace comes from."""
 
@@ -42,8 +42,8 @@ CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
 """The clauses of a routine that are functions inside its own, by the name of the function."""
 
 
-@dataclass(frozen=True, slots=True)
-class Frame:
+@value_class(frozen=True, slots=True)
+class CallFrame:
     """A routine on the stack, and the position it had reached."""
 
     routine: str
@@ -79,7 +79,7 @@ class Frame:
 class FatalError(Exception):
     """An error that no ERROR clause handled; it ends the program."""
 
-    def __init__(self, error: RapidError, stack: tuple[Frame, ...]) -> None:
+    def __init__(self, error: RapidError, stack: tuple[CallFrame, ...]) -> None:
         """Name the error and where it happened.
 
         Args:
@@ -91,7 +91,7 @@ class FatalError(Exception):
         self.stack = stack
 
 
-def rapid_stack(exception: BaseException) -> tuple[Frame, ...]:
+def rapid_stack(exception: BaseException) -> tuple[CallFrame, ...]:
     """The RAPID routines in a traceback, outermost first.
 
     An error in an ERROR clause or a trap occurs below the statement that led there; its own
@@ -118,7 +118,7 @@ def _entries(traceback: TracebackType | None) -> Iterator[TracebackType]:
         traceback = traceback.tb_next
 
 
-def frame_of(traceback: TracebackType) -> Frame:
+def frame_of(traceback: TracebackType) -> CallFrame:
     """The routine of an entry of a traceback, which is generated code, and its position."""
     code = traceback.tb_frame.f_code
     origin: Origin = traceback.tb_frame.f_globals[GENERATED]
@@ -129,7 +129,7 @@ def frame_of(traceback: TracebackType) -> Frame:
         # The code is that of the statement which the moves of the run are like.
         start, end = row.written.moved(start), row.written.moved(end)
     clause = CLAUSES.get(code.co_name, "")
-    return Frame(routine.name if routine else "", clause, origin.source, start, end)
+    return CallFrame(routine.name if routine else "", clause, origin.source, start, end)
 
 
 def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:

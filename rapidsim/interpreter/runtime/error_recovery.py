@@ -1,8 +1,8 @@
 """Errors at run time: ERROR clauses, long jumps, UNDO, traps, and uncatchable errors.
 
 A routine's ERROR clause is a function inside its Python function. It returns 1 for RETRY, 0 for
-TRYNEXT, raises `Leave` for RETURN and `Propagated` for RAISE. A statement that may fail is wrapped
-in a small loop that asks `recover` what to do.
+TRYNEXT, raises `HandlerReturn` for RETURN and `ErrorPropagation` for RAISE. A statement that may
+fail is wrapped in a small loop that asks `recover` what to do.
 
 Source: Technical reference manual RAPID Overview, "Error recovery" and "UNDO".
 """
@@ -32,8 +32,8 @@ from rapidsim.language.error_numbers import (
     NUMBERS,
     rapid_error,
 )
-from rapidsim.language.errors import CutOff, RaisedError, RaisedToUser, RapidError, Stopped
-from rapidsim.values import dataclass
+from rapidsim.language.errors import RaisedError, RaisedToUser, RapidError, RunLimitReached, Stopped
+from rapidsim.values import value_class
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """What a program can catch. Python divides by zero on its own; any other exception is a defect."""
@@ -58,7 +58,7 @@ class Trace(Protocol):
         ...
 
 
-class Leave(Exception):  # noqa: N818 - it is no error
+class HandlerReturn(Exception):  # noqa: N818 - it is no error
     """RETURN in an ERROR clause: the routine returns a value."""
 
     def __init__(self, value: object) -> None:
@@ -67,11 +67,11 @@ class Leave(Exception):  # noqa: N818 - it is no error
         self.value = value
 
 
-class FellThrough(Leave):
+class FellThrough(HandlerReturn):
     """The end of an ERROR clause that has nothing for the error."""
 
 
-class Propagated(Exception):  # noqa: N818 - it carries one
+class ErrorPropagation(Exception):  # noqa: N818 - it carries one
     """RAISE in an ERROR clause: the error propagates to the caller."""
 
     def __init__(self, error: RapidError) -> None:
@@ -99,7 +99,7 @@ class Unrecoverable(BaseException):
         self.error = error
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Recovery:
     """The error handling of one task."""
 
@@ -132,14 +132,14 @@ class Recovery:
         try:
             retry = handler(rapid)
             outcome = ErrorOutcome.RETRIED if retry else ErrorOutcome.NEXT
-        except Leave as leave:
+        except HandlerReturn as leave:
             dropped = isinstance(leave, FellThrough)
             outcome = ErrorOutcome.FELL_THROUGH if dropped else ErrorOutcome.RETURNED
             raise
         except RaisedToUser:
             outcome = ErrorOutcome.RAISED
             raise
-        except Propagated as propagated:
+        except ErrorPropagation as propagated:
             outcome = ErrorOutcome.RAISED
             error = propagated.error
             if error.__traceback__ is None:
@@ -176,7 +176,7 @@ class Recovery:
         finally:
             self.numbers.handler = around
 
-    def propagate(self, error: RapidError, number: float | None, written: str) -> Propagated:
+    def propagate(self, error: RapidError, number: float | None, written: str) -> ErrorPropagation:
         """RAISE in an ERROR clause, with an explicit number, as written, or the current one."""
         if number is not None:
             error = raised(number, written)
@@ -187,7 +187,7 @@ class Recovery:
         while frame is not None and (not is_generated(frame) or frame.f_code.co_name == "ERROR"):
             frame = frame.f_back
         target = self._long_jump_target(error.errno, frame.f_back if frame is not None else None)
-        return Propagated(error if target is None else LongJump(error, target))
+        return ErrorPropagation(error if target is None else LongJump(error, target))
 
     def _long_jump_target(self, errno: float, frame: FrameType | None) -> FrameType | None:
         """The nearest routine from a frame up whose ERROR clause lists the number."""
@@ -256,7 +256,7 @@ def unwinds(exception: BaseException) -> bool:
     """Whether an exception leaves a routine in a way that runs its UNDO clause."""
     if isinstance(exception, LongJump):
         return exception.target is not sys._getframe(1)
-    return isinstance(exception, Stopped) and not isinstance(exception, CutOff)
+    return isinstance(exception, Stopped) and not isinstance(exception, RunLimitReached)
 
 
 def as_rapid_error(error: Exception) -> RapidError:

@@ -9,9 +9,9 @@ from __future__ import annotations
 from types import CodeType, FunctionType, TracebackType
 from typing import cast
 
+from rapidsim.interpreter.runtime.bulk_execution import ROW
 from rapidsim.interpreter.runtime.call_stack import Origin, frame_of
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, Handler, LongJump, is_generated
-from rapidsim.interpreter.runtime.executed_runs import ROW
 from rapidsim.language.error_answers import AnsweredError, ErrorOutcome, ErrorReports
 from rapidsim.language.error_numbers import name_of
 from rapidsim.language.errors import RapidError

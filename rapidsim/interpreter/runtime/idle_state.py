@@ -25,7 +25,7 @@ class _TooMuchError(Exception):
 
 
 def idle_state(
-    module_data: Callable[[], Iterable[Any]], beside: Callable[[], object]
+    module_data: Callable[[], Iterable[Any]], other_state: Callable[[], object]
 ) -> Iterator[object]:
     """The position of the program, and the values of its variables.
 
@@ -34,36 +34,36 @@ def idle_state(
 
     Args:
         module_data: The cells and lists of all variables outside routines.
-        beside: What else counts, such as ERRNO.
+        other_state: What else counts, such as ERRNO.
     """
     left = [MOST_VALUES]
     try:
         yield from _frames(sys._getframe(1), left)
         for home in module_data():
             yield _frozen(home, left)
-        yield beside()
+        yield other_state()
     except _TooMuchError:
         yield None
 
 
-def _frames(frame: FrameType | None, left: list[int]) -> Iterator[object]:
+def _frames(frame: FrameType | None, remaining: list[int]) -> Iterator[object]:
     """The routines that run, each with its place and what it holds."""
     while frame is not None:
         if is_generated(frame):
             # How many ticks are left is no business of the program.
             data = (one for name, one in frame.f_locals.items() if name not in (LEFT, TURNS))
-            values = tuple(_frozen(one, left) for one in data)
+            values = tuple(_frozen(one, remaining) for one in data)
             yield id(frame), frame.f_lasti, values
         frame = frame.f_back
 
 
-def _frozen(value: Any, left: list[int]) -> object:
+def _frozen(value: Any, remaining: list[int]) -> object:
     """A value that stays as it is; what is neither data nor a variable counts as itself."""
-    left[0] -= 1
-    if left[0] < 0:
+    remaining[0] -= 1
+    if remaining[0] < 0:
         raise _TooMuchError
     if isinstance(value, Box):
-        return id(value), _frozen(value.value, left)
+        return id(value), _frozen(value.value, remaining)
     if isinstance(value, list):
-        return id(value), tuple(_frozen(one, left) for one in value)
+        return id(value), tuple(_frozen(one, remaining) for one in value)
     return value

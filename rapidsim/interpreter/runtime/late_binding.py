@@ -16,7 +16,7 @@ from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
 from rapidsim.interpreter.runtime.arrays import copy_array
 from rapidsim.interpreter.runtime.references import ABSENT
 from rapidsim.interpreter.runtime.values import is_signal
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import (
     ERR_ARGVALERR,
@@ -33,13 +33,13 @@ from rapidsim.language.reference import Box
 from rapidsim.language.types import ANYTYPE, ArrayOf, Type, resolved
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.table import LibraryRoutine, Parameter
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class LateArgument:
+@value_class(frozen=True, slots=True)
+class DeferredArgument:
     """What is known of an argument before its parameter is."""
 
     key: str | None
@@ -50,7 +50,7 @@ class LateArgument:
     """None for a switch."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class UserRoutine:
     """A user routine that late binding can find."""
 
@@ -58,7 +58,7 @@ class UserRoutine:
     function: Callable[..., object]
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class LateBinding:
     """Finds and calls procedures by name for one task."""
 
@@ -75,7 +75,7 @@ class LateBinding:
         module: str,
         place: Place,
         name: str,
-        shapes: Sequence[LateArgument],
+        shapes: Sequence[DeferredArgument],
         values: Sequence[object],
     ) -> None:
         """Call a procedure from a place in a module, given by its folded name.
@@ -98,7 +98,7 @@ class LateBinding:
         self,
         module: str,
         name: str,
-        shapes: Sequence[LateArgument],
+        shapes: Sequence[DeferredArgument],
         values: Sequence[object],
         of: Type,
     ) -> object:
@@ -154,7 +154,7 @@ class LateBinding:
             raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
         if installed.signature.result is not None:
             raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
-        if Does.CALL_BY_NAME in installed.does:  # It is translated where it is written.
+        if Trait.CALL_BY_NAME in installed.traits:  # It is translated where it is written.
             raise rapid_error(ERR_CALLPROC, f"{installed.name} by late binding is not simulated")
         return installed
 
@@ -163,14 +163,14 @@ class LateBinding:
         routine: LibraryRoutine,
         place: Place,
         name: str,
-        shapes: Sequence[LateArgument],
+        shapes: Sequence[DeferredArgument],
         values: Sequence[object],
     ) -> None:
         signature = routine.signature
         given = _bound(name, signature.parameters, shapes, values)
         positional: list[object] = []
         if signature.takes_controller:
-            positional.append(signature.asked_of(self.controller))
+            positional.append(signature.concern_of(self.controller))
         options: dict[str, Any] = {}
         for parameter in signature.parameters:
             if parameter.name.lower() not in given:
@@ -179,9 +179,9 @@ class LateBinding:
                 raise rapid_error(ERR_CALLPROC, f"{routine.name} by late binding is not simulated")
             shape, value = given[parameter.name.lower()]
             wants_signal = any(is_signal(of) for of in parameter.types)
-            if parameter.mode is Mode.IN and shape.is_reference and not wants_signal:
+            if parameter.mode is ParameterMode.IN and shape.is_reference and not wants_signal:
                 value = value.value if value is not ABSENT else None
-            elif parameter.mode is not Mode.IN and not shape.is_reference:
+            elif parameter.mode is not ParameterMode.IN and not shape.is_reference:
                 value = value if isinstance(value, list) else Box(value)
             if parameter.by_keyword:
                 options[parameter.python] = None if value is ABSENT else value
@@ -207,11 +207,11 @@ def numbered_name(name: str, number: float) -> str:
 
 
 def _called(
-    found: UserRoutine, name: str, shapes: Sequence[LateArgument], values: Sequence[object]
+    routine: UserRoutine, name: str, shapes: Sequence[DeferredArgument], values: Sequence[object]
 ) -> object:
-    parameters = found.symbol.parameters
+    parameters = routine.symbol.parameters
     given = _bound(name, parameters, shapes, values)
-    return found.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
+    return routine.function(*(_user_value(p, given.get(p.name.lower())) for p in parameters))
 
 
 def key_of(name: str, parameters: Sequence[ParameterSymbol | Parameter]) -> str:
@@ -225,20 +225,20 @@ def key_of(name: str, parameters: Sequence[ParameterSymbol | Parameter]) -> str:
 def _bound(
     name: str,
     parameters: Sequence[ParameterSymbol] | Sequence[Parameter],
-    shapes: Sequence[LateArgument],
+    shapes: Sequence[DeferredArgument],
     values: Sequence[object],
-) -> dict[str, tuple[LateArgument, Any]]:
+) -> dict[str, tuple[DeferredArgument, Any]]:
     """Arguments by folded parameter name, refused where they do not fit."""
     by_key = {parameter.name.lower(): parameter for parameter in parameters}
     required = [parameter.name.lower() for parameter in parameters if not parameter.optional]
     waiting = iter(required)
-    given: dict[str, tuple[LateArgument, Any]] = {}
+    given: dict[str, tuple[DeferredArgument, Any]] = {}
     for shape, value in zip(shapes, values, strict=True):
         key = next(waiting, None) if shape.key is None else key_of(shape.key, parameters)
         parameter = by_key.get(key) if key is not None else None
         if key is None or parameter is None:
             raise _mismatch(name, "it takes fewer arguments")
-        types, words = _taken(parameter)
+        types, words = _accepted_types(parameter)
         if shape.type is not None and not any(_fits(shape.type, of) for of in types):
             raise _mismatch(name, f"{parameter.name} takes {words}, not {shape.type.name}")
         given[key] = (shape, value)
@@ -248,7 +248,7 @@ def _bound(
     return given
 
 
-def _taken(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], str]:
+def _accepted_types(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], str]:
     """The types that a parameter takes, and how messages call them."""
     if not isinstance(parameter, Parameter):
         return (parameter.type,), parameter.type.name
@@ -257,21 +257,23 @@ def _taken(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], st
     return parameter.types, parameter.types[0].name
 
 
-def _fits(given: Type, wanted: Type) -> bool:
-    given, wanted = resolved(given), resolved(wanted)
-    if isinstance(given, ArrayOf) and isinstance(wanted, ArrayOf):
-        same_element = _fits(given.element, wanted.element)
-        return same_element and len(given.dimensions) == len(wanted.dimensions)
-    return wanted == ANYTYPE or given.name.lower() == wanted.name.lower()
+def _fits(actual: Type, wanted: Type) -> bool:
+    actual, wanted = resolved(actual), resolved(wanted)
+    if isinstance(actual, ArrayOf) and isinstance(wanted, ArrayOf):
+        same_element = _fits(actual.element, wanted.element)
+        return same_element and len(actual.dimensions) == len(wanted.dimensions)
+    return wanted == ANYTYPE or actual.name.lower() == wanted.name.lower()
 
 
-def _user_value(parameter: ParameterSymbol, given: tuple[LateArgument, Any] | None) -> object:
-    if given is None:
+def _user_value(
+    parameter: ParameterSymbol, argument: tuple[DeferredArgument, Any] | None
+) -> object:
+    if argument is None:
         return False if parameter.is_switch else ABSENT
-    shape, value = given
+    shape, value = argument
     if is_signal(parameter.type):
         return value
-    if parameter.mode is not Mode.IN:
+    if parameter.mode is not ParameterMode.IN:
         return value if shape.is_reference or isinstance(value, list) else Box(value)
     if shape.is_reference and value is not ABSENT:
         return value.value
@@ -300,13 +302,13 @@ def unresolved_function(name: str) -> NoReturn:
     raise rapid_error(ERR_REFUNKFUN, f"no function is named `{name}`")
 
 
-def unresolved_data(name: str, why: str | None) -> NoReturn:
+def unresolved_data(name: str, reason: str | None) -> NoReturn:
     """Stop where a program uses undeclared data.
 
     Raises:
         RapidError: ERR_REFUNKDAT in such a task.
-        NotDeclared: In another, whose controller has them; `why` says what is missing.
+        NotDeclared: In another, whose controller has them; `reason` says what is missing.
     """
-    if why is not None:
-        raise NotDeclared(why)
+    if reason is not None:
+        raise NotDeclared(reason)
     raise rapid_error(ERR_REFUNKDAT, f"no data are named `{name}`")

@@ -15,16 +15,16 @@ def may_be_loaded(node: tree.Node, program: Program) -> TypeGuard[tree.Call | tr
         program.loads_modules
         and isinstance(node, tree.Call | tree.FunctionCall)
         and isinstance(program.symbol_of[node], UnknownSymbol)
-        and all(_is_known(argument, program) for argument in node.arguments)
+        and all(_has_value(argument, program) for argument in node.arguments)
     )
 
 
-def _is_known(argument: tree.Argument, program: Program) -> bool:
+def _has_value(argument: tree.Argument, program: Program) -> bool:
     """Whether an argument has a value without its parameter: aggregates take their type from it."""
-    if isinstance(argument, tree.Conditional) or argument.value is None:
+    if isinstance(argument, tree.ConditionalArgument) or argument.value is None:
         return True
     return all(
         part in program.type_of
         for part in descendants(argument.value)
-        if isinstance(part, tree.Reference | tree.Aggregate | tree.LiteralAggregate)
+        if isinstance(part, tree.DataReference | tree.Aggregate | tree.LiteralAggregate)
     )

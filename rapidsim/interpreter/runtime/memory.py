@@ -13,10 +13,10 @@ from typing import Any
 from rapidsim.analysis.program import DataSymbol, Program, Storage
 from rapidsim.interpreter.runtime.arrays import copy_array
 from rapidsim.interpreter.runtime.values import Value, copied, literal
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class PersistentBox(Box[Any]):
@@ -29,7 +29,7 @@ class PersistentArray(list[Any]):
     """A PERS array."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ChangedPersistent:
     """A PERS whose value differs from that in the program text."""
 
@@ -40,7 +40,7 @@ class ChangedPersistent:
     new: Value
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class Memory:
     """All module variables of a task, and the predefined data that it uses."""
 

@@ -2,7 +2,7 @@
 
 A PERS that is neither LOCAL nor TASK and has the same name in several tasks is one variable. Its
 initial value is that of the first task that gives one. Before reading or writing it, a task must
-let the others come up to its time; a `Board` sees to that.
+let the others come up to its time; a `SharedAccessObserver` sees to that.
 
 Source: RAPID Overview, "Declarations", persistent declarations.
 """
@@ -22,24 +22,24 @@ from rapidsim.interpreter.runtime.memory import (
 )
 from rapidsim.interpreter.runtime.values import copied
 from rapidsim.language.error_numbers import ERR_LINKREF, rapid_error
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.language.types import same
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _CONTENT = Box.__dict__["value"]
 """Where a cell keeps its value; `SharedBox` hides it behind a property."""
 
 
-class Board(Protocol):
+class SharedAccessObserver(Protocol):
     """Notified when shared data are read and changed."""
 
-    def look(self) -> None:
+    def synchronise(self) -> None:
         """Let every other task come up to the time of the current statement."""
         ...
 
-    def tell(self) -> None:
+    def notify(self) -> None:
         """Notify that shared data have changed."""
         ...
 
@@ -49,7 +49,7 @@ class SharedBox(PersistentBox):
 
     __slots__ = ("_board",)
 
-    def __init__(self, value: Any, board: Board) -> None:
+    def __init__(self, value: Any, board: SharedAccessObserver) -> None:
         """Start with a value."""
         self._board = board
         _CONTENT.__set__(self, value)
@@ -57,14 +57,14 @@ class SharedBox(PersistentBox):
     @property
     def value(self) -> Any:
         """The current value."""
-        self._board.look()
+        self._board.synchronise()
         return _CONTENT.__get__(self)
 
     @value.setter
     def value(self, value: Any) -> None:
-        self._board.look()
+        self._board.synchronise()
         _CONTENT.__set__(self, value)
-        self._board.tell()
+        self._board.notify()
 
 
 class SharedArray(PersistentArray):
@@ -72,7 +72,7 @@ class SharedArray(PersistentArray):
 
     __slots__ = ("_board",)
 
-    def __init__(self, values: Sequence[Any], board: Board) -> None:
+    def __init__(self, values: Sequence[Any], board: SharedAccessObserver) -> None:
         """Start with values; rows are shared too."""
         super().__init__(
             SharedArray(one, board) if isinstance(one, list) else one for one in values
@@ -81,29 +81,29 @@ class SharedArray(PersistentArray):
 
     def __getitem__(self, index: SupportsIndex | slice) -> Any:
         """Elements now."""
-        self._board.look()
+        self._board.synchronise()
         return super().__getitem__(index)
 
     def __setitem__(self, index: SupportsIndex | slice, value: Any) -> None:
         """Change elements."""
-        self._board.look()
+        self._board.synchronise()
         super().__setitem__(index, value)
-        self._board.tell()
+        self._board.notify()
 
 
-@dataclass(frozen=True, slots=True)
-class Disagreement:
+@value_class(frozen=True, slots=True)
+class TypeConflict:
     """A PERS that two tasks declare with different types."""
 
     first: DataSymbol
-    other: DataSymbol
+    symbol: DataSymbol
 
 
-@dataclass(slots=True)
+@value_class(slots=True)
 class SharedPersistents:
     """The persistents shared by some tasks, by folded name."""
 
-    board: Board
+    board: SharedAccessObserver
     declared: dict[str, DataSymbol]
     """The declaration that gives each its initial value."""
     changing: frozenset[str]
@@ -151,7 +151,9 @@ class SharedPersistents:
 
 
 def shared_persistents(
-    programs: Sequence[Program], board: Board, written: Sequence[frozenset[str] | None]
+    programs: Sequence[Program],
+    board: SharedAccessObserver,
+    written: Sequence[frozenset[str] | None],
 ) -> SharedPersistents:
     """What the programs of several tasks share.
 
@@ -171,10 +173,10 @@ def shared_persistents(
     return SharedPersistents(board, declared, changing, may_grow)
 
 
-def disagreements(programs: Sequence[Program]) -> tuple[Disagreement, ...]:
+def disagreements(programs: Sequence[Program]) -> tuple[TypeConflict, ...]:
     """The persistents that tasks would share if they agreed on their type."""
     return tuple(
-        Disagreement(symbols[0], other)
+        TypeConflict(symbols[0], other)
         for _, symbols in _by_name(programs)
         for other in symbols[1:]
         if not same(symbols[0].type, other.type)

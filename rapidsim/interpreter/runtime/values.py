@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, TypeAlias
 
 from rapidsim.interpreter.runtime.arrays import copy_array
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.syntax import tree
 
@@ -17,7 +17,11 @@ def literal(expression: tree.Expression, of: Type) -> Value | None:
     """The value of a literal expression; None for any other."""
     target = resolved(of)
     match expression:
-        case tree.Number(value=value) | tree.String(value=value) | tree.Bool(value=value):
+        case (
+            tree.NumberLiteral(value=value)
+            | tree.StringLiteral(value=value)
+            | tree.BoolLiteral(value=value)
+        ):
             return from_literal(value, target)
         case tree.LiteralAggregate(value=values):
             return from_literal(values, target)

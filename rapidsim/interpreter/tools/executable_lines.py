@@ -14,10 +14,10 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Source, Span
 from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RoutineLines:
     """The lines of one routine."""
 
@@ -111,7 +111,7 @@ def _in_statement(statement: tree.Statement) -> Iterator[int]:
         case tree.Data(storage=storage):
             if storage == "VAR":
                 yield statement.start
-        case tree.Label() | tree.Broken():
+        case tree.Label() | tree.InvalidStatement():
             pass
         case (
             tree.Assignment()

@@ -68,7 +68,7 @@ def place_of(frame: FrameType) -> str:
     return f"the {clause} clause of {name}" if clause else name
 
 
-def shown(path: str, frame: FrameType) -> str:
+def rapid_text(path: str, frame: FrameType) -> str:
     """The value of data in RAPID syntax.
 
     Args:
@@ -145,7 +145,7 @@ def _data(name: str, frame: FrameType) -> tuple[Value, Type]:
             symbol = symbols[-1]
             if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
                 return origin.value_of(symbol), symbol.type
-            value = _held(symbol.name, len(symbols), _locals(frame))
+            value = _local_value(symbol.name, len(symbols), _locals(frame))
             return value, NUM if isinstance(symbol, CounterSymbol) else symbol.type
     named = [symbol for symbol in module_data(program) if symbol.name.lower() == key]
     own = [symbol for symbol in named if symbol.module is origin.module]
@@ -188,7 +188,7 @@ def _locals(frame: FrameType) -> dict[str, Any]:
     return variables
 
 
-def _held(name: str, depth: int, variables: dict[str, Any]) -> Value:
+def _local_value(name: str, depth: int, variables: dict[str, Any]) -> Value:
     """The value of a local variable; `depth` counts it and those of its name that it hides.
 
     `names.LocalNames` numbers those, and counts from 2 where the name stands for data of a module.

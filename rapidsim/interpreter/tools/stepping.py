@@ -21,7 +21,7 @@ from rapidsim.language.moves import Place
 from rapidsim.syntax import tree
 
 
-class Reach(Enum):
+class StepGranularity(Enum):
     """Before which statement a step ends."""
 
     ANY = auto()
@@ -33,7 +33,7 @@ class Reach(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class _Stand:
+class _StepPosition:
     """How far a program has come."""
 
     frame: FrameType
@@ -47,7 +47,7 @@ class _Stand:
     cycle: FrameType
     """The first routine."""
 
-    def has_left(self, before: _Stand) -> bool:
+    def has_moved(self, before: _StepPosition) -> bool:
         """Whether another statement runs than before, or the same anew."""
         line, instruction = self.reached[self.frame]
         line_before, instruction_before = before.reached.get(self.frame, (0, 0))
@@ -60,13 +60,13 @@ class Stepper:
 
     halt: Callable[[Place], None]
     """Called before the statement that ends a step; it may take time, and begin the next step."""
-    _reach: Reach = Reach.ANY
+    _reach: StepGranularity = StepGranularity.ANY
     _is_enough: Callable[[], bool] | None = None
-    _from: _Stand | None = None
+    _from: _StepPosition | None = None
     """Where the step began; None before the first statement."""
     _places: dict[tree.Module, dict[int, Place]] = field(default_factory=dict)
 
-    def begin(self, reach: Reach, is_enough: Callable[[], bool] | None = None) -> None:
+    def begin(self, reach: StepGranularity, is_enough: Callable[[], bool] | None = None) -> None:
         """Follow the routines that have called this.
 
         Args:
@@ -75,7 +75,7 @@ class Stepper:
         """
         self._reach, self._is_enough = reach, is_enough
         frames = [one for one in _callers(sys._getframe()) if is_rapid(one)]
-        self._from = self._stand_of(frames[0]) if frames else None
+        self._from = self._position_of(frames[0]) if frames else None
         for frame in frames:
             frame.f_trace = self._passed
         sys.settrace(self._entered)
@@ -93,7 +93,7 @@ class Stepper:
         del argument
         place = self._places_in(frame).get(frame.f_lineno) if event == "line" else None
         if place is not None:
-            now = self._stand_of(frame)
+            now = self._position_of(frame)
             if self._from is None:
                 self._from = now
             elif self._ends_before(now):
@@ -103,28 +103,28 @@ class Stepper:
                 sys.call_tracing(self.halt, (place,))
         return self._passed
 
-    def _ends_before(self, now: _Stand) -> bool:
+    def _ends_before(self, now: _StepPosition) -> bool:
         """Whether the step ends before the statement that the program has come to."""
         begun = self._from
         assert begun is not None
-        if now.traps > begun.traps or not now.has_left(begun):
+        if now.traps > begun.traps or not now.has_moved(begun):
             return False
         if self._is_enough is not None:
             return self._is_enough()
         match self._reach:
-            case Reach.ANY:
+            case StepGranularity.ANY:
                 return True
-            case Reach.SAME_ROUTINE:
+            case StepGranularity.SAME_ROUTINE:
                 return now.depth <= begun.depth
-            case Reach.CALLER:
+            case StepGranularity.CALLER:
                 return now.depth < begun.depth or now.cycle is not begun.cycle
 
-    def _stand_of(self, frame: FrameType) -> _Stand:
+    def _position_of(self, frame: FrameType) -> _StepPosition:
         called = [one for one in _callers(frame) if is_rapid(one)]
         routines = [one for one in called if one.f_code.co_name not in CLAUSES]
         traps = sum(_is_trap(one) for one in routines)
         reached = {one: (self._line_of(one), one.f_lasti) for one in called}
-        return _Stand(frame, reached, len(routines), traps, called[-1])
+        return _StepPosition(frame, reached, len(routines), traps, called[-1])
 
     def _line_of(self, frame: FrameType) -> int:
         """The line on which the statement begins that runs."""

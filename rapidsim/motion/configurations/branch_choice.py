@@ -16,12 +16,12 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.reachability import limit_excess, turns_within_limits
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _BATCH = 1024
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class LeastMotion:
     """Joints along a sequence of poses."""
 

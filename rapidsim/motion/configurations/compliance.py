@@ -23,7 +23,7 @@ from rapidsim.motion.configurations.reachability import pose_excess, pose_tolera
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.motion.kinematics.unwrapping import TURN
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 TOLERATED_QUARTERS = 1
 """Quarter turns by which each of cf1, cf4 and cf6 may differ."""
@@ -46,7 +46,7 @@ class Match(IntEnum):
         return self is Match.EXACT or (self is Match.COMPLIANT and not exact)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class HeldConfigurations:
     """The joints that hold best to the configurations stored for a sequence of poses."""
 

@@ -30,7 +30,7 @@ from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.unwrapping import TURN
 from rapidsim.motion.kinematics.unwrapping import whole_turns as nearest_turns
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Integers = npt.NDArray[np.int64]
 
@@ -47,7 +47,7 @@ SAME = 1e-9
 """Joint vectors that differ by less [rad] are one, met by two branches."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Configuration:
     """One way to reach a pose."""
 
@@ -57,8 +57,8 @@ class Configuration:
     """cf1, cf4, cf6, cfx."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Selected:
+@value_class(frozen=True, slots=True, eq=False)
+class SelectedConfigurations:
     """What confdata selects for a sequence of poses."""
 
     joints: Array
@@ -69,7 +69,7 @@ class Selected:
     """Shape (k, 3): how many quarter turns axes 1, 4 and 6 are from what confdata says."""
 
 
-def told_apart(kinematics: Kinematics) -> bool:
+def has_branches(kinematics: Kinematics) -> bool:
     """Whether confdata distinguishes an arm's solutions, as it does if they have branches."""
     return not isinstance(kinematics, Numerical)
 
@@ -91,7 +91,7 @@ def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
 
 def select(
     robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
-) -> Selected:
+) -> SelectedConfigurations:
     """Joint vectors of poses with confdata.
 
     Args:
@@ -126,11 +126,13 @@ def select(
             joints[:, axis] += TURN * turns[:, column]
     if robot.kinematics.spherical_wrist:
         undetermined = exists & (np.abs(joints[:, 4]) < UNDETERMINED_WRIST)
-        joints[undetermined] = _share_out(
+        joints[undetermined] = _distribute(
             joints[undetermined], wanted[undetermined], held[undetermined]
         )
     joints[~exists] = 0.0
-    return Selected(joints, exists, counted_quarters(robot.kinematics, joints) - wanted[:, :3])
+    return SelectedConfigurations(
+        joints, exists, counted_quarters(robot.kinematics, joints) - wanted[:, :3]
+    )
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
@@ -264,7 +266,7 @@ def _turns_of_each(
         yield tuple(value + turn * number for number in range(first, last + 1))
 
 
-def _share_out(joints: Array, wanted: Integers, near: Array) -> Array:
+def _distribute(joints: Array, wanted: Integers, near: Array) -> Array:
     """Share out the sum of axes 4 and 6 (axis 5 is 0) so that each comes into its quarter turn.
 
     Args:

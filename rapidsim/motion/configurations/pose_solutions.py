@@ -20,13 +20,13 @@ from rapidsim.motion.configurations.reachability import (
     limit_excess,
     over_limit,
     turns_within_limits,
-    why_unreachable,
+    unreachable_reason,
 )
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PoseSolution:
     """Joints that bring the flange to a pose."""
 
@@ -41,12 +41,12 @@ class PoseSolution:
     """Turn [rad] from the pose."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PoseSolutions:
     """The solutions of an arm for a pose."""
 
     solutions: tuple[PoseSolution, ...]
-    why: str | None
+    reason: str | None
     """Why none of them is within the limits; None if one is."""
 
 
@@ -71,7 +71,7 @@ def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -
             found += [] if turns else [turns_within_limits(robot, joints)]
         elif turns:
             found.append(np.array(min(turns, key=lambda turned: sum(map(abs, turned)))))
-    why = why_unreachable(robot, base_from_flange)
+    why = unreachable_reason(robot, base_from_flange)
     solutions = tuple(solution(robot, base_from_flange, joints) for joints in found)
     return PoseSolutions(solutions, why.message if why else None)
 
@@ -88,7 +88,7 @@ def solve_pose_as(
         last = robot.kinematics.branch_count - 1
         return PoseSolutions((), f"cfx {cfx} is not a branch; this arm has 0 to {last}")
     if not selected.exists[0]:
-        why = why_unreachable(robot, base_from_flange)
+        why = unreachable_reason(robot, base_from_flange)
         if why is None or why.joint is not None:
             why = Unreachable(float(robot.inverse(base_from_flange).shortfall))
         return PoseSolutions((), f"branch cfx {cfx} does not reach the pose: {why.message}")

@@ -7,13 +7,13 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.singularities import Differential
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOVES = 0.2
 """Share [m/rad] of a direction that is velocity, above which it is shown as one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Posture:
     """One posture."""
 
@@ -23,7 +23,7 @@ class Posture:
     within_limits: bool = True
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Postures:
     """An arm in one or more postures."""
 

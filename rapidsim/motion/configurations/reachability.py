@@ -11,7 +11,7 @@ from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.unwrapping import whole_turns
 from rapidsim.motion.robot.external_axes import ROUNDED_AWAY, ROUNDED_POSE
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 LIMIT_TOLERANCE = 1e-9
 """A joint that turns counts as within its limits up to this [rad], for rounding."""
@@ -22,7 +22,7 @@ SLIDING_TOLERANCE = radians(ROUNDED_AWAY)
 with as many digits as the way of the flange."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Unreachable:
     """What keeps an arm from a pose: its geometry, or the joint limit with the smallest excess."""
 
@@ -109,7 +109,7 @@ def programmed_excess(robot: Robot, joints: Array) -> Array:
     return np.where(np.abs(excess) > robot.axes.tolerances[: joints.shape[-1]], excess, 0.0)
 
 
-def why_unreachable(
+def unreachable_reason(
     robot: Robot, base_from_flange: Transform, branch: int | None = None
 ) -> Unreachable | None:
     """Why one pose cannot be reached; None if it can.

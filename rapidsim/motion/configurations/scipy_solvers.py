@@ -17,7 +17,7 @@ from rapidsim.motion.configurations.reachability import limit_excess, turns_with
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.numerical.seeds import spread_starts
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 METRES_PER_RADIAN = 0.3
 """What a turn weighs against a way, so that both count alike at the size of an arm."""
@@ -27,8 +27,8 @@ MOST_STARTS = 12
 MOST_EVALUATIONS = 400
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Search:
+@value_class(frozen=True, slots=True, eq=False)
+class SolverHistory:
     """The course of a search."""
 
     joints: Array
@@ -46,7 +46,7 @@ class Search:
 
 def search(
     robot: Robot, base_from_flange: Transform, method: str, start: Array | None = None
-) -> Search:
+) -> SolverHistory:
     """Search for the joints of one pose from several starts until a solution is within the limits.
 
     Args:
@@ -58,7 +58,7 @@ def search(
     """
     run = METHODS[method]
     target = _Target(robot.kinematics, base_from_flange)
-    best: Search | None = None
+    best: SolverHistory | None = None
     iterations = 0
     starts = spread_starts(robot.lower, robot.upper, MOST_STARTS)
     if start is not None:
@@ -67,19 +67,19 @@ def search(
         found, steps = run(target, start, robot.lower, robot.upper)
         iterations += steps
         joints = turns_within_limits(robot, found)
-        distance, angle = target.left(joints)
+        distance, angle = target.pose_error(joints)
         reached = distance <= TOLERANCE and angle <= TOLERANCE
         solved = reached and not limit_excess(robot, joints).any()
-        ended = Search(joints, solved, distance, angle, number, iterations)
+        ended = SolverHistory(joints, solved, distance, angle, number, iterations)
         if solved:
             return ended
         if best is None or distance + angle < best.distance + best.angle:
             best = ended
     assert best is not None
-    return Search(best.joints, False, best.distance, best.angle, len(starts), iterations)
+    return SolverHistory(best.joints, False, best.distance, best.angle, len(starts), iterations)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Target:
     """What is to become zero: twelve numbers, smooth everywhere, with their exact derivatives."""
 
@@ -99,7 +99,7 @@ class _Target:
         turned = turning.reshape(len(turning), 9).T * (METRES_PER_RADIAN / np.sqrt(2.0))
         return np.concatenate([jacobian[:3], turned])
 
-    def left(self, joints: Array) -> tuple[float, float]:
+    def pose_error(self, joints: Array) -> tuple[float, float]:
         """Distance [m] and angle [rad] from the pose."""
         flange = self.kinematics.forward(joints)
         turn = vector_from_rotation(self.pose.rotation @ flange.rotation.T)

@@ -14,13 +14,13 @@ from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics
 from rapidsim.motion.kinematics.singularity import Singularity
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 SMALL_SINGULAR_VALUE = 1e-10
 """Share of the largest singular value below which one counts as 0."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Differential:
     """What follows from the Jacobian at one joint vector."""
 

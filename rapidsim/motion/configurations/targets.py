@@ -40,14 +40,14 @@ from rapidsim.language.data import (
     ToolData,
     WobjData,
 )
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.motion.configurations import scalar_inverse
-from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.segments import Carrier, Leader, Waypoint
+from rapidsim.motion.geometry.joint_mapping import JointMapper
+from rapidsim.motion.geometry.segments import Carrier, CarrierRobot, Waypoint
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.robot.external_axes import ExternalAxis, screws_of
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MM = 1e-3
 """Metres in a millimetre."""
@@ -61,31 +61,31 @@ REFUSED_NORM_ERROR = 1e-2
 _ROW = np.zeros(1, dtype=np.int64)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class NotSimulatedFrame:
     """A frame set-up that is not supported, and why."""
 
     reason: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Lead:
+@value_class(frozen=True, slots=True, eq=False)
+class CarrierMotion:
     """A robot that carries a work object along, and its way on one move of the team."""
 
-    leader: Leader
+    leader: CarrierRobot
     start: Array
     """Its joints and external axes (l,) [rad, m] at the start of the move."""
     end: Array
 
 
-def lead_of(
+def carrier_motion(
     number: int,
     robot: Robot,
     base_from_world: Transform,
     world_from_leader: Transform,
-    way: tuple[Waypoint, Waypoint],
+    endpoints: tuple[Waypoint, Waypoint],
     own_external: int,
-) -> Lead:
+) -> CarrierMotion:
     """The lead of a robot.
 
     Args:
@@ -93,7 +93,7 @@ def lead_of(
         robot: The leader.
         base_from_world: Of the robot that is led, with all external axes at zero.
         world_from_leader: The base of the leader, likewise.
-        way: Where the leader's move starts and ends.
+        endpoints: Where the leader's move starts and ends.
         own_external: How many external axes the robot has that is led.
     """
     frame = (base_from_world.rotation, base_from_world.translation)
@@ -104,12 +104,12 @@ def lead_of(
         for screw in screws_of(robot.external, on_track, frame)
     )
     base_from_leader = base_from_world @ world_from_leader
-    leader = Leader(number, robot.kinematics, base_from_leader, tuple(screws), own_external)
-    start, end = (np.concatenate([at.joints, at.external]) for at in way)
-    return Lead(leader, start, end)
+    leader = CarrierRobot(number, robot.kinematics, base_from_leader, tuple(screws), own_external)
+    start, end = (np.concatenate([at.joints, at.external]) for at in endpoints)
+    return CarrierMotion(leader, start, end)
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class Placement:
     """How a pair of tool and work object places targets, with all external axes at zero."""
 
@@ -119,7 +119,7 @@ class Placement:
     """For a stationary tool object_from_flange."""
     carrier: Carrier | None = None
     """None for the plain set-up: tool in the hand, robot and work object standing still."""
-    led: tuple[Array, Array] | None = None
+    carrier_axes: tuple[Array, Array] | None = None
     """The axes (l,) [rad, m] of the robot that carries the work object along, at the start and at
     the end of the move; None where none does."""
 
@@ -161,12 +161,12 @@ class Placement:
         return self._arms(kinematics).base_from_tcp(wide, _ROW)[0]
 
     def _wide(self, joints: Array, external: Array, *, at_start: bool = False) -> Array:
-        led = () if self.led is None else (self.led[0 if at_start else 1],)
+        led = () if self.carrier_axes is None else (self.carrier_axes[0 if at_start else 1],)
         wide: Array = np.concatenate([joints, external, *led])[None]
         return wide
 
-    def _arms(self, kinematics: Kinematics) -> Arms:
-        return Arms(kinematics, _ROW, self.tcp_from_flange[None], (self.carrier,))
+    def _arms(self, kinematics: Kinematics) -> JointMapper:
+        return JointMapper(kinematics, _ROW, self.tcp_from_flange[None], (self.carrier,))
 
 
 def placement(
@@ -176,7 +176,7 @@ def placement(
     external: Sequence[ExternalAxis] = (),
     *,
     world_from_user: Transform | None = None,
-    lead: Lead | None = None,
+    lead: CarrierMotion | None = None,
 ) -> Placement | NotSimulatedFrame:
     """The placement of targets for a tool and a work object.
 
@@ -204,7 +204,7 @@ def placement(
         carrier = Carrier(base_from_tool=base_from_tool, base_screws=base_screws)
         return Placement(Transform.identity(), flange_from_object.inverse(), carrier)
     if lead is not None:
-        carrier = Carrier(base_screws=base_screws, leader=lead.leader)
+        carrier = Carrier(base_screws=base_screws, robot=lead.leader)
         object_frame = transform(wobj.oframe)
         return Placement(object_frame, tcp_from_flange(tool), carrier, (lead.start, lead.end))
     unit = unit_of(wobj, external)
@@ -232,7 +232,7 @@ def standing_at(
     joints, external = ([getattr(at, part) for at in standing] for part in ("joints", "external"))
     carriers = tuple(one.carrier for one in placements)
     rows = np.arange(len(placements))
-    arms = Arms(kinematics, rows, tcp_from_flange, carriers)
+    arms = JointMapper(kinematics, rows, tcp_from_flange, carriers)
     found = arms.curve_from_tcp(np.concatenate([joints, external], axis=1), rows)
     return [found[row] for row in range(len(placements))]
 
@@ -316,7 +316,7 @@ def joints(target: JointTarget, kinematics: Kinematics) -> Array:
 
     The additional joint of seven-axis arms is `eax_a`; if that is not given, the joint is 0.
     """
-    axes = np.array([*target.robax, _given(target.extax.eax_a)], dtype=np.float64)
+    axes = np.array([*target.robax, _programmed(target.extax.eax_a)], dtype=np.float64)
     radians: Array = np.radians(axes[list(kinematics.rapid_axes)])
     return radians
 
@@ -352,6 +352,6 @@ def ext_joint(values: Array, external: Sequence[ExternalAxis]) -> ExtJoint:
     return NO_EXTERNAL_AXES._replace(**given)
 
 
-def _given(external_axis: float) -> float:
+def _programmed(external_axis: float) -> float:
     """An external axis, 0 where it is 9E9: not programmed."""
     return 0.0 if external_axis >= UNUSED_AXIS else external_axis

@@ -20,11 +20,11 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import Curves, Index
-from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.joint_mapping import JointMapper, arms_of
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.model import MotionModel
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SMALLEST_RADIUS = 1e-6
 _SMALLEST_SHARE = 1e-4
@@ -44,7 +44,7 @@ class Limit(IntEnum):
     NO_LENGTH = 5
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Corner:
     """The corner at the end of a segment, as planned."""
 
@@ -59,7 +59,7 @@ class Corner:
     """Why the zone was reduced or the arm stops; empty where the zone is as programmed."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Corners:
     """Corners between curves; row c is between curves c and c + 1, shapes (m - 1,)."""
 
@@ -73,7 +73,7 @@ class Corners:
 
 
 def corners_of(
-    segments: Sequence[Segment], curves: Curves, arms: Arms, model: MotionModel
+    segments: Sequence[Segment], curves: Curves, arms: JointMapper, model: MotionModel
 ) -> Corners:
     """Find the corner between each two consecutive curves.
 

@@ -25,7 +25,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import arms_of
 from rapidsim.motion.geometry.segments import TURNS_WITH_PATH, CircleMode, Geometry, Segment
 from rapidsim.motion.kinematics.arm import Kinematics
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
@@ -44,7 +44,7 @@ _ONE_WAY_ONLY = math.radians(90.0)
 """Below this nobody means the long way round, which would be three quarters of a turn."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Curves:
     """Curves of segments, one per row; shapes (m,), (m, 3) and (m, 3, 3)."""
 
@@ -356,7 +356,7 @@ def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Arr
     if len(points[0].external):
         joints = np.concatenate([joints, [point.external for point in points]], axis=1)
     first, last = joints[starts], joints[ends]
-    led = [segment.led for segment in segments if segment.led is not None]
+    led = [segment.carrier_axes for segment in segments if segment.carrier_axes is not None]
     if led:
         first = np.concatenate([first, [start for start, _ in led]], axis=1)
         last = np.concatenate([last, [end for _, end in led]], axis=1)

@@ -11,7 +11,7 @@ axes are interpolated instead, and the first three axes keep the TCP on its curv
 \Wrist45 and the like, two wrist axes lead the tool along an arc (`wrist_pair`).
 
 Joint vectors here are wide: the n joints of the arm, then e external axes. The axes of robots that
-carry a work object (`Leader`) count as external axes.
+carry a work object (`CarrierRobot`) count as external axes.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ import numpy.typing as npt
 from rapidsim.frames.moving_frames import ExternalCourse, Twists, carried
 from rapidsim.frames.rotation_vectors import cross, rotate
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.geometry.segments import Carrier, Geometry, Leader, Segment
+from rapidsim.motion.geometry.segments import Carrier, CarrierRobot, Geometry, Segment
 from rapidsim.motion.geometry.wrist_pair import WristPairs, wrist_pairs_of
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
 
@@ -41,7 +41,7 @@ _BY_MAIN_AXES, _BY_PAIR = -1, -2
 
 
 @dataclass(frozen=True, eq=False)
-class Arms:
+class JointMapper:
     """The relation of TCP poses on curves to flange poses, one row per curve."""
 
     kinematics: Kinematics
@@ -260,7 +260,7 @@ class Arms:
 
 def arms_of(
     segments: Sequence[Segment], kinematics: Kinematics, joint_travel: Array, length: Array
-) -> Arms:
+) -> JointMapper:
     """The relation of curves to flange poses for segments.
 
     Args:
@@ -275,7 +275,7 @@ def arms_of(
     )
     n = kinematics.joint_count
     wrist_rate = joint_travel[:, _MAIN_AXES:n] / np.maximum(length, 1e-9)[:, None]
-    return Arms(
+    return JointMapper(
         kinematics,
         np.array([segment.branch for segment in segments]),
         Transform(
@@ -294,12 +294,12 @@ def _base_from_curve(carrier: Carrier, course: ExternalCourse) -> Twists:
     frame = carried(carrier.base_screws, course).inverse()
     if carrier.base_from_tool is not None:
         return frame.before(carrier.base_from_tool)
-    if carrier.leader is not None:
-        return frame @ _base_from_flange_of(carrier.leader, course)
+    if carrier.robot is not None:
+        return frame @ _base_from_flange_of(carrier.robot, course)
     return frame @ carried(carrier.object_screws, course)
 
 
-def _base_from_flange_of(leader: Leader, course: ExternalCourse) -> Twists:
+def _base_from_flange_of(leader: CarrierRobot, course: ExternalCourse) -> Twists:
     """The flange of a robot that carries a work object, along a course (k, e) with its axes."""
     own = ExternalCourse(*(values[:, leader.column :] for values in course))
     kinematics = leader.kinematics
@@ -319,7 +319,7 @@ def _base_from_flange_of(leader: Leader, course: ExternalCourse) -> Twists:
         change[:, :3],
         change[:, 3:],
     )
-    return carried(leader.base_screws, own).before(leader.base_from_leader) @ moved
+    return carried(leader.base_screws, own).before(leader.base_from_carrier) @ moved
 
 
 def _drift(kinematics: Kinematics, joints: Array, jacobian: Array, first: Array) -> Array:

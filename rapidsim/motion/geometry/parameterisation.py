@@ -19,7 +19,7 @@ from rapidsim.motion.geometry.blends import Corners
 from rapidsim.motion.geometry.curves import Curves, Index
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import BlendShape
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SLIVER = 1e-12
 _STRAIGHT = 1e-3
@@ -37,7 +37,7 @@ class Sides(NamedTuple):
     after: tuple[Array, Array, Array]
 
 
-class Led(Protocol):
+class CarrierAxes(Protocol):
     """The axes of robots that carry work objects, along the path of a robot that works on them."""
 
     def course(self, s: Array, inside: Array) -> ExternalCourse:
@@ -45,8 +45,8 @@ class Led(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Layout:
+@value_class(frozen=True, slots=True, eq=False)
+class PathParameterisation:
     """Pieces of a path of m curves; -1 means no corner."""
 
     curves: Curves
@@ -61,7 +61,7 @@ class Layout:
     position_corner: Index
     orientation_corner: Index
     joint_corner: Index
-    led: Led | None = None
+    carrier_axes: CarrierAxes | None = None
     """The last of the external axes; None where no other robot carries a work object."""
 
     @property
@@ -133,10 +133,10 @@ class Layout:
             nothing = np.zeros((len(s), 0))
             return ExternalCourse(nothing, nothing, nothing)
         course = self._own_course(s, piece, row, count)
-        self.put_led(s, piece, *course)
+        self.fill_carrier_axes(s, piece, *course)
         return course
 
-    def put_led(self, s: Array, piece: Index, *columns: Array) -> None:
+    def fill_carrier_axes(self, s: Array, piece: Index, *columns: Array) -> None:
         """Put the axes of leaders, and their derivatives, in the last columns of arrays (k, ...).
 
         Args:
@@ -144,9 +144,9 @@ class Layout:
             piece: Their pieces (k,).
             columns: Joints, and their first and second derivative, or the first of these alone.
         """
-        if self.led is not None:
+        if self.carrier_axes is not None:
             inside = 0.5 * (self.bounds[piece] + self.bounds[piece + 1])
-            for values, led in zip(columns, self.led.course(s, inside), strict=False):
+            for values, led in zip(columns, self.carrier_axes.course(s, inside), strict=False):
                 values[:, values.shape[1] - led.shape[1] :] = led
 
     def _own_course(self, s: Array, piece: Index, row: Index, count: int) -> ExternalCourse:
@@ -220,16 +220,16 @@ def layout_of(
     curves: Curves,
     corners: Corners,
     corner_shape: BlendShape,
-    led: Led | None = None,
+    carrier_axes: CarrierAxes | None = None,
     further: Array | None = None,
-) -> Layout:
+) -> PathParameterisation:
     """Divide a sequence of curves and their corners into pieces.
 
     Args:
         curves: The curves.
         corners: Their corners.
         corner_shape: See `MotionModel`.
-        led: The axes of robots that carry work objects.
+        carrier_axes: The axes of robots that carry work objects.
         further: More s [m] at which pieces end.
     """
     count = len(curves.length)
@@ -273,7 +273,7 @@ def layout_of(
         return corner
 
     cartesian = ~corners.in_joints
-    return Layout(
+    return PathParameterisation(
         curves=curves,
         corners=corners,
         corner_shape=corner_shape,
@@ -283,5 +283,5 @@ def layout_of(
         position_corner=within(corners.radius, cartesian),
         orientation_corner=within(corners.orientation_radius, cartesian),
         joint_corner=within(corners.radius, corners.in_joints),
-        led=led,
+        carrier_axes=carrier_axes,
     )

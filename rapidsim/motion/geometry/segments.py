@@ -15,7 +15,7 @@ import numpy as np
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Kinematics
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Geometry(Enum):
@@ -58,7 +58,7 @@ def _no_axes() -> Array:
     return np.zeros(0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Waypoint:
     """A joint vector and the TCP pose it gives."""
 
@@ -73,8 +73,8 @@ class Waypoint:
     which the z axis of the tool passes; the TCP is a little beside."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Leader:
+@value_class(frozen=True, slots=True, eq=False)
+class CarrierRobot:
     """Another robot of the team, which carries the work object on its flange.
 
     Its axes follow the external axes in joint vectors: those of the arm, then its external axes.
@@ -83,7 +83,7 @@ class Leader:
     number: int
     """Of the robot in the team."""
     kinematics: Kinematics
-    base_from_leader: Transform
+    base_from_carrier: Transform
     """Its base in the base of the robot, with all external axes at zero."""
     base_screws: tuple[Screw, ...] = ()
     """The axes that carry it, in the base of the robot; they count its axes."""
@@ -91,7 +91,7 @@ class Leader:
     """Where its axes begin in joint vectors, counted from the first external axis."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Carrier:
     """Anything besides the arm that moves or holds tool or work object.
 
@@ -106,11 +106,11 @@ class Carrier:
     """The axes that carry the work object."""
     base_screws: tuple[Screw, ...] = ()
     """The axes that carry the robot."""
-    leader: Leader | None = None
+    robot: CarrierRobot | None = None
     """The robot that carries the work object; curves are then given in its flange."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Zone:
     """The zone around a segment's end within which the corner path may run."""
 
@@ -126,7 +126,7 @@ class Zone:
     """Turn [rad] of rotating external axes, where only they move."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Speed:
     """Programmed speeds; the one that takes longest counts."""
 
@@ -136,7 +136,7 @@ class Speed:
     """[rad/s]"""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Segment:
     """One move from the end of the previous one to its own end."""
 
@@ -181,7 +181,7 @@ class Segment:
     """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
     load: float = 0.0
     """What hangs on the wrist and adds to the arm's inertia, in shares of the rated payload."""
-    led: tuple[Array, Array] | None = None
+    carrier_axes: tuple[Array, Array] | None = None
     """Start and end (l,) [rad, m] of the axes of leaders, which follow the external axes in joint
     vectors; None where nobody leads."""
 
@@ -191,12 +191,12 @@ class Segment:
         return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None
 
 
-def led_segment(segment: Segment, start: Array, end: Array) -> Segment:
+def with_carrier_axes(segment: Segment, start: Array, end: Array) -> Segment:
     """A segment with the axes (l,) [rad, m] of the robots that carry work objects."""
     own, more = len(segment.start.external), len(start)
     return replace(
         segment,
-        led=(start, end),
+        carrier_axes=(start, end),
         external_linear=(*segment.external_linear[:own], *(False,) * more),
         external_speeds=(*segment.external_speeds[:own], *(_LED_SPEED,) * more),
     )

@@ -29,7 +29,7 @@ from rapidsim.frames.rotation_vectors import cross, rotate, rotation_from_vector
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
@@ -61,7 +61,7 @@ class PairTurns(NamedTuple):
     """Sine (k,) of the angle between the z axis and the cut plane."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class WristPairs:
     """The pairs that lead some of m curves, one row per curve; rows of other curves are empty."""
 
@@ -179,7 +179,7 @@ def wrist_pairs_of(segments: Sequence[Segment], kinematics: Kinematics) -> Wrist
         assert segment.via is not None
         axes[row], start[row] = segment.wrist_pair, segment.start.joints
         direction, through = _axes_of(kinematics, segment.start.joints)
-        centre, _ = _meeting(direction, through)
+        centre, _ = _wrist_centre(direction, through)
         pose = segment.start.base_from_tcp
         to_via = segment.via.translation - pose.translation
         normal = np.cross(to_via, segment.end.base_from_tcp.translation - pose.translation)
@@ -197,7 +197,7 @@ def wrist_meets(kinematics: Kinematics, joints: Array) -> bool:
     """Whether an arm has six axes, the last three of which intersect in one point."""
     if kinematics.joint_count != _SIX_AXES:
         return False
-    return _meeting(*_axes_of(kinematics, joints))[1] < _MEET
+    return _wrist_centre(*_axes_of(kinematics, joints))[1] < _MEET
 
 
 def _axes_of(kinematics: Kinematics, joints: Array) -> tuple[Array, Array]:
@@ -207,7 +207,7 @@ def _axes_of(kinematics: Kinematics, joints: Array) -> tuple[Array, Array]:
     return direction, kinematics.forward(joints).translation + cross(direction, moving.T)
 
 
-def _meeting(direction: Array, through: Array) -> tuple[Array, float]:
+def _wrist_centre(direction: Array, through: Array) -> tuple[Array, float]:
     """The point (3,) [m] nearest to the axes of the wrist, and how far it is from them [m]."""
     direction, through = direction[_WRIST], through[_WRIST]
     across = np.eye(3) - direction[:, :, None] * direction[:, None, :]

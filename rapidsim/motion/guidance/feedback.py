@@ -8,10 +8,10 @@ from enum import Enum, auto
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.guidance.guided_run import Ended, GuidedRun
+from rapidsim.motion.guidance.guided_execution import EndReason, GuidedExecution
 from rapidsim.motion.guidance.sensor import in_degrees, in_millimetres
 from rapidsim.motion.kinematics.arm import Kinematics
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Guided(Enum):
@@ -23,7 +23,7 @@ class Guided(Enum):
     FAILED = auto()
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Feedback:
     """The state of the robot at a time."""
 
@@ -45,32 +45,32 @@ class Feedback:
     motors_on: bool = True
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Frames:
     """The frame in which the TCP is reported."""
 
     kinematics: Kinematics
     tcp_from_flange: Transform
-    told_from_base: Transform
+    report_from_base: Transform
 
     def pose(self, joints: Array) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """Position [mm] and q1..q4 of joints (n,) [rad]."""
         flange = self.kinematics.forward(joints)
-        return in_millimetres(self.told_from_base @ flange @ self.tcp_from_flange.inverse())
+        return in_millimetres(self.report_from_base @ flange @ self.tcp_from_flange.inverse())
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class GuidedFeedback:
     """Feedback while the robot is guided."""
 
     frames: Frames
     external: tuple[float, ...]
 
-    def __call__(self, run: GuidedRun, time_s: float) -> Feedback:
+    def __call__(self, run: GuidedExecution, time_s: float) -> Feedback:
         """At a time [s]."""
         motion = run.motion
         share = np.max(np.abs(motion.speed) / motion.axes.max_speed, initial=0.0)
-        told = _told(run.ended, is_over=run.is_over)
+        told = _guided_state(run.ended, is_over=run.is_over)
         there = standing_feedback(
             self.frames, time_s, motion.joints, self.external, told, float(100.0 * share)
         )
@@ -99,7 +99,7 @@ def standing_feedback(
     )
 
 
-def _told(ended: Ended | None, *, is_over: bool) -> Guided:
+def _guided_state(ended: EndReason | None, *, is_over: bool) -> Guided:
     if ended is not None and ended.is_failure:
         return Guided.FAILED
     return Guided.STOPPED if is_over else Guided.RUNNING

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 CYCLE_S: Final = 0.004
 """The controller's cycle [s]."""
@@ -22,7 +22,7 @@ BRAKING_SHARE: Final = 0.9
 """Of its acceleration an axis counts on so much when it brakes for a goal or an end."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class GuidedAxes:
     """Limits of the axes (n,) [rad, s]."""
 
@@ -32,7 +32,7 @@ class GuidedAxes:
     max_acceleration: Array
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Tuning:
     """How strongly the axes follow their goal."""
 
@@ -42,7 +42,7 @@ class Tuning:
     """No axis is faster [rad/s]."""
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class LowPass:
     """Low-pass filters of first order in series, initially at rest."""
 
@@ -70,7 +70,7 @@ def _share(hertz: float) -> float:
     return 1.0 - math.exp(-2.0 * math.pi * hertz * CYCLE_S) if hertz > 0.0 else 1.0
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class JointMotion:
     """Axes that move in steps of one cycle, with constant acceleration within each."""
 
@@ -110,17 +110,17 @@ class JointMotion:
         self.joints, self.speed = kept, np.where(kept == joints, speed, 0.0)
 
     @property
-    def stands(self) -> bool:
+    def is_at_rest(self) -> bool:
         """Whether all axes are at rest."""
         return not self.speed.any()
 
-    def _approach(self, left: Array, gain: float) -> Array:
+    def _approach(self, remaining: Array, gain: float) -> Array:
         """The speed (n,) [rad/s] that is proportional near the goal and can be braked further off.
 
         The two meet where they are equally fast and equally steep.
         """
         brakes = BRAKING_SHARE * self.axes.max_acceleration
         gain = min(gain, 0.5 / CYCLE_S)
-        far = np.sqrt(2.0 * brakes * np.maximum(np.abs(left) - brakes / (2.0 * gain**2), 0.0))
-        near = np.abs(left) <= brakes / gain**2
-        return np.sign(left) * np.where(near, gain * np.abs(left), far)
+        far = np.sqrt(2.0 * brakes * np.maximum(np.abs(remaining) - brakes / (2.0 * gain**2), 0.0))
+        near = np.abs(remaining) <= brakes / gain**2
+        return np.sign(remaining) * np.where(near, gain * np.abs(remaining), far)

@@ -18,7 +18,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.joint_law import CYCLE_S, GuidedAxes, JointMotion, LowPass, Tuning
 from rapidsim.motion.guidance.sensor import MM, SensorAnswer
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _FASTEST: Final = 0.25
 _HARDEST: Final = 2.5
@@ -27,19 +27,19 @@ _LEAST_SINE: Final = 1e-6
 """A tool that points along its path does not say which way y is."""
 
 
-@dataclass(slots=True, eq=False)
+@value_class(slots=True, eq=False)
 class PathCorrection:
     """The offset of a TCP from its path over time; `follow` advances it."""
 
     gain: float
     """Speed [m/s] per m that is left: Kp."""
     filters_hz: tuple[float, ...]
-    has_heard: bool = False
+    has_answer: bool = False
     """Whether the sensor has said anything."""
     _wanted: Array = field(init=False)
     """In path coordinates [m]."""
     _filter: LowPass = field(init=False)
-    _way: JointMotion = field(init=False)
+    _motion: JointMotion = field(init=False)
     _axes: Array = field(init=False)
     """base_from_path (3, 3), where the path led last."""
     _goal: Array = field(init=False)
@@ -50,15 +50,15 @@ class PathCorrection:
         limits = GuidedAxes(-free, free, np.full(3, _FASTEST), np.full(3, _HARDEST))
         self._wanted = self._goal = np.zeros(3)
         self._filter = LowPass(self.filters_hz, np.zeros(3))
-        self._way = JointMotion(limits, np.zeros(3), np.zeros(3))
+        self._motion = JointMotion(limits, np.zeros(3), np.zeros(3))
         self._axes = np.zeros((3, 3))
 
-    def hear(self, answer: SensorAnswer) -> bool:
+    def accept(self, answer: SensorAnswer) -> bool:
         """Take an answer of the sensor; whether it was a correction."""
         if len(answer.correction) != 3:
             return False
         _, y, z = answer.correction
-        self._wanted, self.has_heard = MM * np.array([0.0, y, z]), True
+        self._wanted, self.has_answer = MM * np.array([0.0, y, z]), True
         return True
 
     def follow(self, directions: Array, tool_z: Array, counts: Array) -> list[Array]:
@@ -74,16 +74,16 @@ class PathCorrection:
             self._turn(x, z)
             wanted = self._filter.follow(self._wanted if corrected else np.zeros(3))
             before, self._goal = self._goal, self._axes @ wanted
-            self._way.towards(self._goal, tuning, (self._goal - before) / CYCLE_S)
-            ways.append(self._way.joints)
+            self._motion.towards(self._goal, tuning, (self._goal - before) / CYCLE_S)
+            ways.append(self._motion.joints)
         return ways
 
     def rest(self) -> list[Array]:
         """Bring the offset to rest at its current value; the offset at the end of each cycle."""
         ways = []
-        while not self._way.stands:
-            self._way.at_speed(np.zeros(3))
-            ways.append(self._way.joints)
+        while not self._motion.is_at_rest:
+            self._motion.at_speed(np.zeros(3))
+            ways.append(self._motion.joints)
         return ways
 
     def _turn(self, x: Array, tool_z: Array) -> None:

@@ -8,13 +8,13 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 MM = 1e-3
 _LEAST_NORM = 1e-6
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SensorAnswer:
     """The last message of a sensor; missing parts are empty."""
 

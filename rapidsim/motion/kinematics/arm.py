@@ -23,7 +23,7 @@ from rapidsim.frames.rigid import Rigid
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.singularity import Singularity, by_idle_motion
 from rapidsim.motion.kinematics.unwrapping import ENDLESS, TURN
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Mask = npt.NDArray[np.bool_]
 
@@ -34,7 +34,7 @@ _RAPID_AXES = {4: (0, 1, 2, 5), 7: (0, 1, 6, 2, 3, 4, 5)}
 """See `Kinematics.rapid_axes`, by the number of joints, where it is not one by one."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Branches:
     """Every joint vector that reaches a pose, before limits, ordered by branch.
 
@@ -55,7 +55,7 @@ class Branches:
     and `shortfall` and `tilt` say how near the search came to the pose."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class BranchJoints:
     """Joint vectors along a sequence of poses on one branch."""
 
@@ -65,7 +65,7 @@ class BranchJoints:
     """Shape (k,): False where the branch does not reach the pose."""
 
 
-class Single(Protocol):
+class ScalarKinematics(Protocol):
     """The same queries for one pose or joint vector, in plain floats."""
 
     def forward(self, joints: Sequence[float]) -> Rigid:
@@ -127,9 +127,9 @@ class Kinematics(Protocol):
         return _RAPID_AXES.get(self.joint_count) or tuple(range(self.joint_count))
 
     @property
-    def single(self) -> Single:
+    def single(self) -> ScalarKinematics:
         """The same queries for one pose."""
-        return BatchOfOne(self)
+        return ScalarFromBatch(self)
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
         """The singularities of the arm and how far joints (n,) [rad] are from each."""
@@ -189,9 +189,9 @@ class Kinematics(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
-class BatchOfOne:
-    """`Single` for arms without formulas of their own for one pose."""
+@value_class(frozen=True, slots=True)
+class ScalarFromBatch:
+    """`ScalarKinematics` for arms without formulas of their own for one pose."""
 
     kinematics: Kinematics
 
@@ -202,7 +202,7 @@ class BatchOfOne:
     def inverse_on_branch(
         self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
     ) -> list[float] | None:
-        """See `Single.inverse_on_branch`."""
+        """See `ScalarKinematics.inverse_on_branch`."""
         if near is None:
             return None
         poses = rigid.to_transform(base_from_flange)[None]

@@ -14,13 +14,13 @@ import numpy as np
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import METRES_PER_UNIT, Kinematics, Mask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TOLERANCE = 1e-9
 _TRIALS = 5
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Screws:
     """base_from_flange = exp(S1 q1) ... exp(Sn qn) M.
 
@@ -61,7 +61,7 @@ class Screws:
         return moved @ self.base_from_flange
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class DhTable:
     """Each row rotates by theta about z, moves d along z and a along x, rotates by alpha about x.
 

@@ -12,10 +12,10 @@ import numpy as np
 
 from rapidsim.frames.rotation_vectors import cross, cross_matrix
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class AxesAtZero:
     """Axes of rotation with all joints at 0, in base, from base to flange."""
 
@@ -28,7 +28,7 @@ class AxesAtZero:
     base_from_flange: Transform
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class SerialChain:
     """A chain of axes, each of which carries the next.
 

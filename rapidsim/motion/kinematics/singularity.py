@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 NEAR = 0.05
 """A singularity is near below this: 2.9 deg of an axis, 5 % of the reach."""
@@ -15,7 +15,7 @@ TAKES_PART = 0.2
 """Share of a joint in the motion that moves nothing from which it takes part in it."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Singularity:
     """A singularity and the arm's distance from it."""
 

@@ -17,14 +17,14 @@ ENDLESS = 1e300
 way, so that always none of them is nearest."""
 
 
-def whole_turns(way: Array, turn: float | Array = TURN) -> Array:
+def whole_turns(arc_length: Array, turn: float | Array = TURN) -> Array:
     """The multiples of a whole turn [rad] closest to joint displacements (..., n) [rad].
 
     Args:
-        way: Displacement between two values of a joint.
+        arc_length: Displacement between two values of a joint.
         turn: Of all joints, or of each (n,): see `Kinematics.turns`.
     """
-    return turn * np.round(way / turn)
+    return turn * np.round(arc_length / turn)
 
 
 def turning(steps: Array, turn: Array) -> Array:

@@ -14,7 +14,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import principal, turning
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 Solve = Callable[[Array, Index], tuple[Array, Mask]]
@@ -29,7 +29,7 @@ _LARGEST_STEP = 0.15
 _JUMP = 0.5
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Nodes:
     """Joints along curves, rows in the order of curves and positions."""
 

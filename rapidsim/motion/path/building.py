@@ -11,8 +11,8 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.blends import Corners, corners_of, without_skipped
 from rapidsim.motion.geometry.curves import Curves, Index, circle_fault, curves_of, unsupported
-from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
-from rapidsim.motion.geometry.parameterisation import Led, layout_of
+from rapidsim.motion.geometry.joint_mapping import JointMapper, arms_of
+from rapidsim.motion.geometry.parameterisation import CarrierAxes, layout_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
@@ -26,7 +26,10 @@ _CORNER_CHECKS = 8
 
 
 def build_path(
-    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+    robot: Robot,
+    segments: Sequence[Segment],
+    model: MotionModel,
+    check_deadline: Look = undisturbed,
 ) -> Path | PathFault:
     """Join segments to a path.
 
@@ -35,13 +38,13 @@ def build_path(
         segments: At least one; each starts with the joints at the end of the previous one, and has
             speeds above zero.
         model: Shape of corners.
-        look: Called now and then.
+        check_deadline: Called now and then.
 
     Returns:
         The path, or the first point where the arm cannot follow it.
     """
-    outline = outline_of(robot, segments, model, look)
-    return outline if isinstance(outline, PathFault) else path_along(outline, look)
+    outline = outline_of(robot, segments, model, check_deadline)
+    return outline if isinstance(outline, PathFault) else path_along(outline, check_deadline)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +57,7 @@ class Outline:
     active: Index
     """Shape (m,): as `Path.active`."""
     curves: Curves
-    arms: Arms
+    arms: JointMapper
     corners: Corners
 
     @property
@@ -66,7 +69,10 @@ class Outline:
 
 
 def outline_of(
-    robot: Robot, segments: Sequence[Segment], model: MotionModel, look: Look = undisturbed
+    robot: Robot,
+    segments: Sequence[Segment],
+    model: MotionModel,
+    check_deadline: Look = undisturbed,
 ) -> Outline | PathFault:
     """The curves and corners of segments; see `build_path`."""
     kinematics = robot.kinematics
@@ -84,7 +90,7 @@ def outline_of(
     moving = [segments[int(i)] for i in active]
     if len(active) < len(segments):
         curves = curves_of(moving, kinematics)
-    look()
+    check_deadline()
     arms = arms_of(moving, kinematics, curves.joint_travel, curves.length)
     corners = without_skipped(corners_of(moving, curves, arms, model), active)
     return Outline(robot, tuple(segments), model, active, curves, arms, corners)
@@ -92,21 +98,21 @@ def outline_of(
 
 def path_along(
     outline: Outline,
-    look: Look = undisturbed,
-    led: Led | None = None,
+    check_deadline: Look = undisturbed,
+    carrier_axes: CarrierAxes | None = None,
     further: Array | None = None,
 ) -> Path | PathFault:
     """Let the arm follow an outline; see `build_path` and `layout_of`."""
     segments, active, arms, model = outline.segments, outline.active, outline.arms, outline.model
     kinematics, axes = outline.robot.kinematics, outline.robot.axes
     moving = [segments[int(i)] for i in active]
-    layout = layout_of(outline.curves, outline.corners, model.corner, led, further)
+    layout = layout_of(outline.curves, outline.corners, model.corner, carrier_axes, further)
     lines = lines_of(layout, arms)
-    nodes = follow(layout, arms, lines, moving, axes, look)
+    nodes = follow(layout, arms, lines, moving, axes, check_deadline)
     if isinstance(nodes, PathFault):
         return dataclasses.replace(nodes, segment=int(active[nodes.segment]))
     path = Path(segments, kinematics, layout, arms, active, nodes, model, lines)
-    look()
+    check_deadline()
     fault = _joint_space_fault(path, axes)
     if fault is not None:
         return dataclasses.replace(fault, segment=int(active[fault.segment]))

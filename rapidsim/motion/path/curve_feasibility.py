@@ -14,15 +14,15 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
-from rapidsim.motion.configurations.confdata import told_apart
+from rapidsim.motion.configurations.confdata import has_branches
 from rapidsim.motion.configurations.reachability import pose_excess
 from rapidsim.motion.geometry.curves import Curves, curves_of
-from rapidsim.motion.geometry.joint_mapping import Arms, arms_of
+from rapidsim.motion.geometry.joint_mapping import JointMapper, arms_of
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
@@ -35,8 +35,8 @@ _NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "s
 """`Singularity.distance` from which an axis may be held up by a singularity."""
 
 
-@dataclass(frozen=True, slots=True)
-class HoldUp:
+@value_class(frozen=True, slots=True)
+class SpeedBottleneck:
     """Where an axis limits the programmed speed most."""
 
     axis: int
@@ -49,8 +49,8 @@ class HoldUp:
     """Which singularity is near there."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class SurveyedWay:
+@value_class(frozen=True, slots=True, eq=False)
+class SurveyedCurve:
     """Survey result for one line or arc."""
 
     travel: float
@@ -61,13 +61,13 @@ class SurveyedWay:
     """Joints (n,) [rad] at the end, whole turns followed; None where the branch ends before."""
     broken: bool
     """The branch ends, jumps, or passes a joint limit on the way."""
-    hold_up: HoldUp | None
+    hold_up: SpeedBottleneck | None
     """None where the axes allow the programmed speed all along."""
 
 
-def survey_ways(
+def survey_curves(
     robot: Robot, segments: Sequence[Segment], max_speed: Array | None
-) -> tuple[SurveyedWay, ...]:
+) -> tuple[SurveyedCurve, ...]:
     """Survey lines and arcs that have passed `circle_fault`, each by itself.
 
     Args:
@@ -75,7 +75,7 @@ def survey_ways(
         segments: The paths to survey; the joints at their ends do not count.
         max_speed: Axis speeds (n,) [rad/s]; None if they are not known.
     """
-    found: list[SurveyedWay] = []
+    found: list[SurveyedCurve] = []
     for first in range(0, len(segments), _BATCH):
         found += _survey(robot, segments[first : first + _BATCH], max_speed)
     return tuple(found)
@@ -83,7 +83,7 @@ def survey_ways(
 
 def _survey(
     robot: Robot, segments: Sequence[Segment], max_speed: Array | None
-) -> list[SurveyedWay]:
+) -> list[SurveyedCurve]:
     curves = curves_of(segments, robot.kinematics)
     arms = arms_of(segments, robot.kinematics, curves.joint_travel, curves.length)
     nodes = _nodes(curves, arms)
@@ -98,7 +98,7 @@ def _survey(
     )
     arrivals, exists = joints[last], nodes.exists[last]
     return [
-        SurveyedWay(
+        SurveyedCurve(
             travel=travel,
             turned=turned,
             arrival=arrivals[i] if exists[i] else None,
@@ -111,7 +111,7 @@ def _survey(
     ]
 
 
-def _nodes(curves: Curves, arms: Arms) -> Nodes:
+def _nodes(curves: Curves, arms: JointMapper) -> Nodes:
     """Places, as shares of their ways, on the branch of each."""
     turn = np.linalg.norm(curves.tool_turn, axis=-1) + np.linalg.norm(curves.frame_turn, axis=-1)
     cells = np.ceil(np.maximum(curves.travel / LONGEST_CELL, turn / WIDEST_CELL))
@@ -131,10 +131,10 @@ def _hold_ups(
     robot: Robot,
     segments: Sequence[Segment],
     curves: Curves,
-    arms: Arms,
+    arms: JointMapper,
     nodes: Nodes,
     max_speed: Array,
-) -> dict[int, HoldUp]:
+) -> dict[int, SpeedBottleneck]:
     """By way, where an axis would have to turn fastest beyond what it can."""
     joints, all_rows = nodes.joints, nodes.curve
     row = all_rows[1:]
@@ -150,12 +150,12 @@ def _hold_ups(
     counts = (row == all_rows[:-1]) & (time > 0.0) & ~timed
     usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]
     worst = usage.max(axis=-1)
-    found: dict[int, HoldUp] = {}
+    found: dict[int, SpeedBottleneck] = {}
     # From small to large, so that the largest of each way stays.
     for k in np.argsort(worst, kind="stable")[np.searchsorted(np.sort(worst), 1.0, side="right") :]:
         at, axis = int(k), int(usage[k].argmax())
         middle = 0.5 * (joints[at] + joints[at + 1])
-        found[int(row[at])] = HoldUp(
+        found[int(row[at])] = SpeedBottleneck(
             axis + 1,
             1.0 / float(worst[at]),
             0.5 * float(nodes.place[at] + nodes.place[at + 1]),
@@ -166,7 +166,7 @@ def _hold_ups(
 
 def near_singularity(robot: Robot, joints: Array) -> str | None:
     """The singularity that joints (n,) [rad] are near; None if none, or if solved by search."""
-    if not told_apart(robot.kinematics):
+    if not has_branches(robot.kinematics):
         return None
     found = robot.kinematics.singularities(joints)
     return next((one.name for one in found if one.distance < _NEAR[one.name]), None)

@@ -10,17 +10,17 @@ from enum import Enum
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.joint_mapping import Arms, Index
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.joint_mapping import Index, JointMapper
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import turning
 from rapidsim.motion.path.along_curves import LONGEST_CELL, WIDEST_CELL, Nodes, nodes_along, spread
 from rapidsim.motion.path.line_derivatives import Lines
-from rapidsim.motion.path.wrist_circle import why_not_led
+from rapidsim.motion.path.wrist_circle import wrist_circle_refusal
 from rapidsim.motion.robot.external_axes import Axes
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SHORT_PIECE = 0.005
 """Up to here [m] both ends of a piece of a path are looked at and not its middle."""
@@ -49,7 +49,7 @@ class FaultKind(Enum):
     """Paths of such an arm are not simulated."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PathFault:
     """Where a path cannot be driven, and why."""
 
@@ -69,12 +69,12 @@ class PathFault:
 
 
 def follow(
-    layout: Layout,
-    arms: Arms,
+    layout: PathParameterisation,
+    arms: JointMapper,
     lines: Lines | None,
     segments: Sequence[Segment],
     axes: Axes,
-    look: Look = undisturbed,
+    check_deadline: Look = undisturbed,
 ) -> Nodes | PathFault:
     """Follow every Cartesian curve of a path.
 
@@ -84,7 +84,7 @@ def follow(
         lines: The lines with closed-form derivatives.
         segments: The segment of each curve.
         axes: Limits of the arm's joints and of the external axes.
-        look: Called now and then.
+        check_deadline: Called now and then.
 
     Returns:
         The joints, or the first point where the branch ends, jumps, does not match the joints at a
@@ -94,7 +94,7 @@ def follow(
     shortest = np.minimum(_SHORTEST_CELL, _SHORTEST_SHARE * layout.curves.length)
 
     def solve(place: Array, piece: Index) -> tuple[Array, Mask]:
-        look()
+        check_deadline()
         return _raw_joints(layout, arms, lines, place, piece)
 
     nodes = nodes_along(place, piece, layout.row, shortest, solve, arms.kinematics.turns)
@@ -116,7 +116,7 @@ def follow(
 
 
 def limit_fault(
-    layout: Layout, s: Array, row: Index, joints: Array, axes: Axes
+    layout: PathParameterisation, s: Array, row: Index, joints: Array, axes: Axes
 ) -> PathFault | None:
     """The first of some points (k,) whose joints (k, n + e) are outside the limits."""
     lower, upper = axes.lower, axes.upper
@@ -143,7 +143,7 @@ def limit_fault(
     return _fault(layout, int(row[first]), place, reason)
 
 
-def _first_nodes(layout: Layout) -> tuple[Array, Index]:
+def _first_nodes(layout: PathParameterisation) -> tuple[Array, Index]:
     """Places and pieces along all Cartesian curves, each curve with both ends."""
     pieces = np.flatnonzero(~layout.curves.in_joints[layout.row])
     row = layout.row[pieces]
@@ -159,7 +159,7 @@ def _first_nodes(layout: Layout) -> tuple[Array, Index]:
 
 
 def _raw_joints(
-    layout: Layout, arms: Arms, lines: Lines | None, s: Array, piece: Index
+    layout: PathParameterisation, arms: JointMapper, lines: Lines | None, s: Array, piece: Index
 ) -> tuple[Array, Mask]:
     """Joints near the straight way in joint space; whole turns may be off in between."""
     if lines is None:
@@ -171,7 +171,9 @@ def _raw_joints(
     return joints, exists
 
 
-def _joints_in_general(layout: Layout, arms: Arms, s: Array, piece: Index) -> tuple[Array, Mask]:
+def _joints_in_general(
+    layout: PathParameterisation, arms: JointMapper, s: Array, piece: Index
+) -> tuple[Array, Mask]:
     """The same for whatever arm and curve."""
     row = layout.row[piece]
     near = layout.curves.joints_at(row, s - layout.places[row])
@@ -179,7 +181,7 @@ def _joints_in_general(layout: Layout, arms: Arms, s: Array, piece: Index) -> tu
     return arms.joints(layout.motion(s, piece), row, near)
 
 
-def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
+def _unreached(layout: PathParameterisation, arms: JointMapper, nodes: Nodes) -> PathFault | None:
     missing = np.flatnonzero(~nodes.exists)
     if not len(missing):
         return None
@@ -197,7 +199,7 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
                 place = middle
     same = missing[row[missing] == row[first]]
     if arms.pair_rows[row[first]]:
-        refusal = why_not_led(
+        refusal = wrist_circle_refusal(
             arms, layout.motion(nodes.place[same], nodes.part[same]).position, row[same]
         )
         return replace(_fault(layout, int(row[first]), place, refusal.reason), cure=refusal.cure)
@@ -212,7 +214,7 @@ def _unreached(layout: Layout, arms: Arms, nodes: Nodes) -> PathFault | None:
     return _fault(layout, int(row[first]), place, reason)
 
 
-def _jump(layout: Layout, nodes: Nodes, turns: Array) -> PathFault | None:
+def _jump(layout: PathParameterisation, nodes: Nodes, turns: Array) -> PathFault | None:
     at = np.flatnonzero(nodes.jumps(turns))
     if not len(at):
         return None
@@ -230,7 +232,7 @@ def _jump(layout: Layout, nodes: Nodes, turns: Array) -> PathFault | None:
 
 
 def _missed_waypoint(
-    layout: Layout, nodes: Nodes, segments: Sequence[Segment], axes: Axes
+    layout: PathParameterisation, nodes: Nodes, segments: Sequence[Segment], axes: Axes
 ) -> PathFault | None:
     """Where the branch does not lead from a segment's start joints to its end joints."""
     row = nodes.curve
@@ -238,7 +240,7 @@ def _missed_waypoint(
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
     cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
-    if layout.led is not None:
+    if layout.carrier_axes is not None:
         # There the programmed point is where it is when the leader is at its own.
         cut = cut | (layout.joint_corner >= 0)
     start = layout.curves.start_joints[rows]
@@ -263,7 +265,7 @@ def _missed_waypoint(
     return min(faults, key=lambda fault: fault.place, default=None)
 
 
-def _fault(layout: Layout, row: int, place: float, reason: str) -> PathFault:
+def _fault(layout: PathParameterisation, row: int, place: float, reason: str) -> PathFault:
     length = float(layout.curves.length[row])
     fraction = (place - float(layout.places[row])) / length if length > 0.0 else 0.0
     fraction = min(max(fraction, 0.0), 1.0)

@@ -14,11 +14,11 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.blends import Corners, Limit
-from rapidsim.motion.geometry.joint_mapping import Arms, Index
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.joint_mapping import Index, JointMapper
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.geometry.wrist_pair import WristPairs
 from rapidsim.motion.path.path import Path
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Rows = TypeVar("Rows")
 
@@ -28,7 +28,7 @@ _MOST_CURVES = 512
 _NO_CORNER = -1
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class JoinedPaths:
     """Some paths (k,) of one arm, the short ones joined end to end."""
 
@@ -97,7 +97,7 @@ def _joined(paths: Sequence[Path], starts: Array) -> Path:
     )
 
 
-def _layout(layouts: Sequence[Layout], starts: Array) -> Layout:
+def _layout(layouts: Sequence[PathParameterisation], starts: Array) -> PathParameterisation:
     last = layouts[-1]
     rows = [len(layout.curves.length) for layout in layouts]
     before = np.cumsum(rows) - rows
@@ -118,7 +118,7 @@ def _layout(layouts: Sequence[Layout], starts: Array) -> Layout:
         return pieces(moved, [_NO_CORNER] * len(layouts))
 
     own_rows = [layout.row + n for layout, n in zip(layouts, before, strict=True)]
-    return Layout(
+    return PathParameterisation(
         curves=_end_to_end([layout.curves for layout in layouts]),
         corners=_corners([layout.corners for layout in layouts]),
         corner_shape=last.corner_shape,
@@ -138,11 +138,11 @@ def _corners(found: Sequence[Corners]) -> Corners:
     return _end_to_end([part for corners in found for part in (stop, corners)][1:])
 
 
-def _arms(arms: Sequence[Arms]) -> Arms:
+def _arms(arms: Sequence[JointMapper]) -> JointMapper:
     carriers = [one.carriers or (None,) * len(one.branch) for one in arms]
     turned = any(one.wrist_rate is not None for one in arms)
     led = next((one.pairs for one in arms if one.pairs is not None), None)
-    return Arms(
+    return JointMapper(
         arms[0].kinematics,
         np.concatenate([one.branch for one in arms]),
         _end_to_end([one.tcp_from_flange for one in arms]),
@@ -153,13 +153,13 @@ def _arms(arms: Sequence[Arms]) -> Arms:
     )
 
 
-def _wrist_rate(arms: Arms) -> Array:
+def _wrist_rate(arms: JointMapper) -> Array:
     if arms.wrist_rate is not None:
         return arms.wrist_rate
     return np.zeros((len(arms.branch), arms.kinematics.joint_count - 3))
 
 
-def _pairs(arms: Arms, like: WristPairs) -> WristPairs:
+def _pairs(arms: JointMapper, like: WristPairs) -> WristPairs:
     """The pairs of curves; where there are none, rows that say so."""
     if arms.pairs is not None:
         return arms.pairs

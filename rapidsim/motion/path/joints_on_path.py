@@ -12,28 +12,28 @@ import numpy as np
 from rapidsim.frames.moving_frames import Twists
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.joint_mapping import JointMapper
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class InJointSpace:
+@value_class(frozen=True, slots=True)
+class JointSpacePoints:
     """Points (k,) on joint moves, and in corners made in joint space, mapped to their curves.
 
     In a corner the joints are the sum of both curves that it joins, minus those where they meet.
     All are evaluated at once, because few points cost as much as many.
     """
 
-    whole: Index
+    all_rows: Index
     """Which of the places are on joint moves."""
     cut: Index
     """Which are in corners."""
     corner: Index
     """Of each of those, the curve before its corner."""
     row: Index
-    """Curves to be asked: those of `whole`, those before the corners, those behind them."""
+    """Curves to be asked: those of `all_rows`, those before the corners, those behind them."""
     x: Array
     """Where [m] on each."""
     rates: tuple[tuple[Array, Array], tuple[Array, Array]]
@@ -41,16 +41,16 @@ class InJointSpace:
 
     def split(self, values: Array) -> list[Array]:
         """Split values on curves into those on joint moves, before corners, after them."""
-        return np.split(values, np.cumsum([len(self.whole), len(self.cut)]))
+        return np.split(values, np.cumsum([len(self.all_rows), len(self.cut)]))
 
 
-def in_joint_space(layout: Layout, s: Array, piece: Index) -> InJointSpace:
+def in_joint_space(layout: PathParameterisation, s: Array, piece: Index) -> JointSpacePoints:
     """The curves on which points (k,) of joint moves, and of corners in joint space, depend."""
     corner, row = layout.joint_corner[piece], layout.row[piece]
     whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
     at = corner[cut]
     before, after = layout.sides(at, layout.corners.radius[at], s[cut], layout.shape)
-    return InJointSpace(
+    return JointSpacePoints(
         whole,
         cut,
         at,
@@ -60,8 +60,8 @@ def in_joint_space(layout: Layout, s: Array, piece: Index) -> InJointSpace:
     )
 
 
-def meetings(
-    layout: Layout, corner: Index, s: Array, on_curve: Callable[[Index, Array], Array]
+def joints_at_corners(
+    layout: PathParameterisation, corner: Index, s: Array, on_curve: Callable[[Index, Array], Array]
 ) -> tuple[Array, Array | float, Array | float]:
     """Joints where both curves meet of corners (k,) in joint space, and derivatives, at s (k,).
 
@@ -74,7 +74,7 @@ def meetings(
         s: Places in them [m].
         on_curve: Joints at places of curves.
     """
-    if layout.led is None:
+    if layout.carrier_axes is None:
         return layout.curves.start_joints[corner + 1], 0.0, 0.0
     own, at = np.unique(corner, return_inverse=True)
     rows = np.concatenate([own, own + 1])
@@ -88,12 +88,12 @@ def meetings(
     return begin[at] + way * passed[:, None], way * rate[:, None], way * bend[:, None]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class JointsOnPath:
     """The inverse kinematics of a path."""
 
-    layout: Layout
-    arms: Arms
+    layout: PathParameterisation
+    arms: JointMapper
     nodes: Nodes
 
     def spaces(self, piece: Index) -> tuple[Index, Index]:
@@ -137,8 +137,8 @@ class JointsOnPath:
         places = in_joint_space(self.layout, s, piece)
         own, into, out = places.split(self._on_curve(places.row, places.x))
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
-        joints[places.whole] = own
-        meet, _, _ = meetings(self.layout, places.corner, s[places.cut], self._on_curve)
+        joints[places.all_rows] = own
+        meet, _, _ = joints_at_corners(self.layout, places.corner, s[places.cut], self._on_curve)
         joints[places.cut] = into + out - meet
         return joints
 
@@ -152,7 +152,7 @@ class JointsOnPath:
             row, x = row[line], x[line]
             s = self.layout.places[row] + x
             external = joints[line, self.arms.kinematics.joint_count :]
-            self.layout.put_led(s, self.layout.piece_at(s), external)
+            self.layout.fill_carrier_axes(s, self.layout.piece_at(s), external)
             near = self.near(s, external)
             joints[line] = self.arms.joints(curves.at(row, x), row, near)[0]
         return joints

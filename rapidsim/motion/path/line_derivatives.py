@@ -1,7 +1,8 @@
 """Closed-form derivatives on lines of ortho-parallel arms, much faster than the general method.
 
 Programs of many moves consist of lines. Anything but a line of a stationary arm holding its tool is
-left to the general method (`Arms.rates`), and so are points where the arm is close to singular.
+left to the general method (`JointMapper.rates`), and so are points where the arm is close to
+singular.
 """
 
 from __future__ import annotations
@@ -14,12 +15,12 @@ import numpy as np
 
 from rapidsim.frames.rotation_vectors import rotate
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import compiled
 from rapidsim.motion.geometry.curves import STANDSTILL, Index
-from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.joint_mapping import JointMapper
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
+from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.path import line_formulas, line_loops
 from rapidsim.motion.path.path_derivatives import PathRates
 
@@ -33,7 +34,7 @@ class Lines:
     """The lines of a path, in the frame of the arm's formulas."""
 
     arm: OrthoParallel
-    layout: Layout
+    layout: PathParameterisation
     table: Array
     """Shape (m, 24): a row a curve; its columns are named above."""
     pieces: Mask
@@ -71,7 +72,7 @@ class Lines:
             rates.put(line, found)
             return rates, in_line
         count, regular = len(s), in_line
-        kernel = compiled(line_loops, "rates_one_by_one", count)
+        kernel = jit_function(line_loops, "rates_one_by_one", count)
         if kernel is not None:
             kernel(
                 *(self._lengths, self._signs, self._coupling, self._shapes, self._course),
@@ -103,7 +104,7 @@ class Lines:
             return joints, in_line
         count, regular = len(s), in_line
         curves, offsets = self.layout.curves, self.arm.geometry.offsets
-        kernel = compiled(line_loops, "joints_one_by_one", count)
+        kernel = jit_function(line_loops, "joints_one_by_one", count)
         if kernel is not None:
             kernel(
                 *(self._lengths, self._signs, offsets, self._coupling, self._shapes),
@@ -194,7 +195,7 @@ class Lines:
         return into, out, sides
 
 
-def lines_of(layout: Layout, arms: Arms) -> Lines | None:
+def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
     """The lines of a path; None if it has none of an arm with closed forms."""
     arm, curves = arms.kinematics, layout.curves
     if not isinstance(arm, OrthoParallel) or curves.start_joints.shape[1] != arm.joint_count:

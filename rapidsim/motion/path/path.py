@@ -22,17 +22,17 @@ from rapidsim.motion.geometry.blends import (
     describe_stop,
 )
 from rapidsim.motion.geometry.curves import STANDSTILL, Index
-from rapidsim.motion.geometry.joint_mapping import Arms
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.joint_mapping import JointMapper
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Kinematics
 from rapidsim.motion.kinematics.unwrapping import in_turn_of
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
-from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, meetings
+from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, joints_at_corners
 from rapidsim.motion.path.line_derivatives import Lines
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
-from rapidsim.motion.path.segment_columns import Programmed, programmed_of, widths_of
+from rapidsim.motion.path.segment_columns import SegmentLimits, programmed_of, widths_of
 
 _KINK = 1e-6
 _WHILE_WIDENING = 0.9
@@ -47,8 +47,8 @@ class Path:
 
     segments: tuple[Segment, ...]
     kinematics: Kinematics
-    layout: Layout
-    arms: Arms
+    layout: PathParameterisation
+    arms: JointMapper
     active: Index
     """Shape (m,): position in `segments` of each curve; segments without length have none."""
     nodes: Nodes
@@ -65,7 +65,7 @@ class Path:
     @property
     def own_axis_count(self) -> int:
         """The same without the axes of robots that carry work objects."""
-        led = self.segments[0].led
+        led = self.segments[0].carrier_axes
         return self.axis_count - (0 if led is None else len(led[0]))
 
     @property
@@ -74,7 +74,7 @@ class Path:
         return float(self.layout.places[-1])
 
     @cached_property
-    def programmed(self) -> Programmed:
+    def programmed(self) -> SegmentLimits:
         """The limits requested by each segment."""
         return programmed_of(self.segments)
 
@@ -112,7 +112,7 @@ class Path:
             (corners.limit[sharp] != Limit.STOP_POINT)
             & (corners.limit[sharp] != Limit.TURN_ONLY)
             # How far others are is worked out before anybody knows whether the arm could pass.
-            & (self.layout.led is None)
+            & (self.layout.carrier_axes is None)
         )
         if len(may_pass):
             place = places[sharp[may_pass]]
@@ -254,7 +254,7 @@ class Path:
         pose = Transform(rotation, position)
         return PathPoints(arm, external, pose, self.active[row], tcp_rate)
 
-    def beside(
+    def nearby_state(
         self, s: Array, joints: Array, rates: Array, speed: Array
     ) -> tuple[Transform, Index, Array]:
         """The arm with joints and rates (k, n + e) close to, but not equal to, those at s (k,).
@@ -369,12 +369,12 @@ class Path:
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
         """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
         places = in_joint_space(self.layout, s, piece)
-        whole, cut = places.whole, places.cut
+        whole, cut = places.all_rows, places.cut
         on_curves = self._on_curve(places.row, places.x)
         own, into, out = zip(*(places.split(part) for part in on_curves), strict=True)
         joints, first, second = np.empty((3, len(s), self.axis_count))
         joints[whole], first[whole], second[whole] = own
-        meet, passing, bending = meetings(
+        meet, passing, bending = joints_at_corners(
             self.layout, places.corner, s[cut], lambda row, x: self._on_curve(row, x)[0]
         )
         joints[cut] = into[0] + out[0] - meet
@@ -384,7 +384,7 @@ class Path:
         first[cut] = into[1] * before + out[1] * after - passing
         second[cut] = into[2] * before**2 + into[1] * before2 + out[2] * after**2 + out[1] * after2
         second[cut] -= bending
-        self.layout.put_led(s, piece, joints, first, second)
+        self.layout.fill_carrier_axes(s, piece, joints, first, second)
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
@@ -399,7 +399,7 @@ class Path:
             n = self.kinematics.joint_count
             course = ExternalCourse(joints[line, n:], first[line, n:], second[line, n:])
             s = self.layout.places[row[line]] + x[line]
-            self.layout.put_led(s, self.layout.piece_at(s), *course)
+            self.layout.fill_carrier_axes(s, self.layout.piece_at(s), *course)
             joints[line], first[line], second[line] = self._on_tcp_curve(row[line], x[line], course)
         return joints, first, second
 

@@ -6,10 +6,10 @@ import numpy as np
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.joint_mapping import Index
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PathPoints:
     """The arm at points of a path."""
 
@@ -25,7 +25,7 @@ class PathPoints:
     """Shape (k,): TCP travel against the work object per unit of s; below 1 in corners."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class PathRates:
     """Derivatives with respect to s at points of a path."""
 

@@ -8,14 +8,14 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.segments import Segment
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _WIDTHS = 4
 """So many widths of the smoothing stand for those while it widens."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Programmed:
+@value_class(frozen=True, slots=True, eq=False)
+class SegmentLimits:
     """Limits of segments (m,); infinite where there is none."""
 
     tcp: Array
@@ -34,7 +34,7 @@ class Programmed:
     """Shape (m,): what hangs on the wrist, in shares of the rated payload."""
 
 
-def programmed_of(segments: Sequence[Segment]) -> Programmed:
+def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
     """The limits of some segments, at least one."""
     columns = np.array(
         [
@@ -51,7 +51,7 @@ def programmed_of(segments: Sequence[Segment]) -> Programmed:
     )
     tcp, reorientation, share, along, world, load = np.ascontiguousarray(columns.T)
     external = np.array([segment.external_speeds for segment in segments], dtype=np.float64)
-    return Programmed(tcp, reorientation, external, share, along, world, load)
+    return SegmentLimits(tcp, reorientation, external, share, along, world, load)
 
 
 def widths_of(segments: Sequence[Segment], filter_time: float) -> tuple[float, ...]:

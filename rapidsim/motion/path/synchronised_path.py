@@ -16,22 +16,22 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
-from rapidsim.motion.path.team_progress import Progress, TeamProgress, team_progress
-from rapidsim.values import dataclass
+from rapidsim.motion.path.team_progress import MemberProgress, TeamProgress, team_progress
+from rapidsim.values import value_class
 
 _SLIVER = 1e-9
 """Breakpoints so near [m] count as one."""
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class MemberPath:
     """The path of one robot, and how far it is on it."""
 
     path: Path
-    progress: Progress
+    progress: MemberProgress
 
     @cached_property
     def piece(self) -> Index:
@@ -61,7 +61,7 @@ class MemberPath:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class SharedPath(Path):
     """The common parameter and its pieces, shared by the path of one robot and that of all."""
 
@@ -83,7 +83,7 @@ class SharedPath(Path):
         return s, self.layout.piece_at(s)
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class PartPath(SharedPath):
     """The path of one robot of a team, over the common parameter."""
 
@@ -127,10 +127,10 @@ class PartPath(SharedPath):
             tcp_rate=points.tcp_rate * self.course.rate(s, piece),
         )
 
-    def beside(
+    def nearby_state(
         self, s: Array, joints: Array, rates: Array, speed: Array
     ) -> tuple[Transform, Index, Array]:
-        """The arm with other joints; see `Path.beside`."""
+        """The arm with other joints; see `Path.nearby_state`."""
         s, piece = self._pieces(s)
         path, place = self.course.path, self.course.place(s, piece)
         own_speed = self.course.rate(s, piece) * speed
@@ -138,10 +138,10 @@ class PartPath(SharedPath):
         if more:
             # Leaders are where their command has them: next to where they are, as this robot is.
             led, first = np.zeros((2, len(s), more))
-            path.layout.put_led(place, self.course.piece[piece], led, first)
+            path.layout.fill_carrier_axes(place, self.course.piece[piece], led, first)
             joints = np.concatenate([joints, led], axis=1)
             rates = np.concatenate([rates, first * own_speed[:, None]], axis=1)
-        pose, _, tcp_speed = path.beside(place, joints, rates, own_speed)
+        pose, _, tcp_speed = path.nearby_state(place, joints, rates, own_speed)
         return pose, self.segment_of(piece), tcp_speed
 
     def rates(self, s: Array, piece: Index) -> PathRates:
@@ -160,7 +160,7 @@ class PartPath(SharedPath):
         return self.course.path.travelled(self.course.place(*self._pieces(s)))
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class TeamPath(SharedPath):
     """The paths of all robots of a team as one, as timing sees it."""
 
@@ -291,7 +291,7 @@ def joined(paths: Sequence[Path], team: TeamProgress) -> TeamPath:
     )
 
 
-def _breakpoints(path: Path, progress: Progress) -> Array:
+def _breakpoints(path: Path, progress: MemberProgress) -> Array:
     """The common parameter at the breakpoints of a robot's own path."""
     found, piece = progress.at_own(path.breakpoints[1:-1])
     return found[(progress.rate(found, piece) > 0.0) | (progress.slope[piece] > 0.0)]
@@ -315,7 +315,9 @@ def _corner(course: MemberPath) -> Index:
     return corner
 
 
-def _layout(of: Layout, bounds: Array, row: Index, corner: Index) -> Layout:
+def _layout(
+    of: PathParameterisation, bounds: Array, row: Index, corner: Index
+) -> PathParameterisation:
     """A layout that says where the pieces are, and nothing of the curves on them."""
     none = np.full(len(row), -1, dtype=np.int64)
     return replace(

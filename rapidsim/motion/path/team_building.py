@@ -1,6 +1,7 @@
 """From the segments of several robots to their path as one, also where one carries another's work.
 
-The path of a robot whose work object another carries (`Leader`) depends on where that one is, which
+The path of a robot whose work object another carries (`CarrierRobot`) depends on where that one
+is, which
 is known from its path. Paths are therefore built in that order; how far each robot is at a value of
 the common parameter follows from lengths and stops alone, and is known before.
 """
@@ -14,7 +15,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import ExternalCourse
 from rapidsim.frames.transform import Array
-from rapidsim.motion.geometry.segments import Segment, led_segment
+from rapidsim.motion.geometry.segments import Segment, with_carrier_axes
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import MotionModel
@@ -22,12 +23,12 @@ from rapidsim.motion.path.building import Outline, build_path, outline_of, path_
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.synchronised_path import TeamPath, joined, team_path
-from rapidsim.motion.path.team_progress import Progress, team_progress
+from rapidsim.motion.path.team_progress import MemberProgress, team_progress
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TeamFault:
     """Where the path of a team cannot be driven."""
 
@@ -36,13 +37,13 @@ class TeamFault:
     fault: PathFault
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class LedAxes:
-    """Implements `parameterisation.Led`: the axes of leaders, from their paths."""
+@value_class(frozen=True, slots=True, eq=False)
+class CarrierPathAxes:
+    """Implements `parameterisation.CarrierAxes`: the axes of leaders, from their paths."""
 
-    own: Progress
+    own: MemberProgress
     """Of the robot that is led."""
-    leaders: tuple[tuple[Path, Progress], ...]
+    leaders: tuple[tuple[Path, MemberProgress], ...]
 
     def course(self, s: Array, inside: Array) -> ExternalCourse:
         """The axes of all leaders (k, l) and their derivatives by the led robot's s (k,)."""
@@ -81,15 +82,15 @@ def build_team(
     robots: Sequence[Robot],
     rows: Sequence[Sequence[Segment]],
     model: MotionModel,
-    look: Look = undisturbed,
+    check_deadline: Look = undisturbed,
 ) -> TeamPath | TeamFault:
     """Join the segments of several robots, equally many each, to a path.
 
     Args:
         robots: The arms.
-        rows: The segments of each; `Leader.number` counts these.
+        rows: The segments of each; `CarrierRobot.number` counts these.
         model: Shape of corners.
-        look: Called now and then.
+        check_deadline: Called now and then.
 
     Returns:
         The path, or the first point where one of the arms cannot follow it.
@@ -98,7 +99,7 @@ def build_team(
     order = _order(leaders)
     if isinstance(order, TeamFault):
         return order
-    stopping = _stopping(robots, rows, leaders, model, look) if order else rows
+    stopping = _stopping(robots, rows, leaders, model, check_deadline) if order else rows
     if isinstance(stopping, TeamFault):
         return stopping
     rows = stopping
@@ -107,9 +108,9 @@ def build_team(
     for number, (robot, row) in enumerate(zip(robots, rows, strict=True)):
         found: Path | Outline | PathFault
         if leaders[number]:
-            found = outline_of(robot, _wide(row, leaders[number], rows), model, look)
+            found = outline_of(robot, _wide(row, leaders[number], rows), model, check_deadline)
         else:
-            found = build_path(robot, row, model, look)
+            found = build_path(robot, row, model, check_deadline)
         if isinstance(found, PathFault):
             return TeamFault(number, found)
         if isinstance(found, Path):
@@ -127,8 +128,8 @@ def build_team(
     )
     for number in order:
         pairs = ((paths[leader], team.members[leader]) for leader in leaders[number])
-        led = LedAxes(team.members[number], tuple(pairs))
-        path = path_along(outlines[number], look, led, led.breakpoints)
+        led = CarrierPathAxes(team.members[number], tuple(pairs))
+        path = path_along(outlines[number], check_deadline, led, led.breakpoints)
         if isinstance(path, PathFault):
             return TeamFault(number, path)
         paths[number] = path
@@ -138,7 +139,7 @@ def build_team(
 def _leaders(row: Sequence[Segment]) -> tuple[int, ...]:
     """The robots that carry work objects of some segments."""
     carriers = (segment.carrier for segment in row if segment.carrier is not None)
-    return tuple(sorted({one.leader.number for one in carriers if one.leader is not None}))
+    return tuple(sorted({one.robot.number for one in carriers if one.robot is not None}))
 
 
 def _order(leaders: Sequence[Sequence[int]]) -> list[int] | TeamFault:
@@ -181,11 +182,11 @@ def _wide(
             )
         )
         carrier = segment.carrier
-        if carrier is not None and carrier.leader is not None:
-            leader = replace(carrier.leader, column=columns[carrier.leader.number])
-            segment = replace(segment, carrier=replace(carrier, leader=leader))
+        if carrier is not None and carrier.robot is not None:
+            leader = replace(carrier.robot, column=columns[carrier.robot.number])
+            segment = replace(segment, carrier=replace(carrier, robot=leader))
         start, end = ends
-        wide.append(led_segment(segment, start, end))
+        wide.append(with_carrier_axes(segment, start, end))
     return wide
 
 
@@ -194,7 +195,7 @@ def _stopping(
     rows: Sequence[Sequence[Segment]],
     leaders: Sequence[Sequence[int]],
     model: MotionModel,
-    look: Look,
+    check_deadline: Look,
 ) -> Sequence[Sequence[Segment]] | TeamFault:
     """The segments, with a stop point of all others where a robot that is led has to stop.
 
@@ -203,7 +204,9 @@ def _stopping(
     own = np.zeros((len(rows), len(rows[0]) - 1), dtype=bool)
     for number, row in enumerate(rows):
         if leaders[number]:
-            found = outline_of(robots[number], _wide(row, leaders[number], rows), model, look)
+            found = outline_of(
+                robots[number], _wide(row, leaders[number], rows), model, check_deadline
+            )
             if isinstance(found, PathFault):
                 return TeamFault(number, found)
             own[number] = _led_stops(found)

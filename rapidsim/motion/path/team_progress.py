@@ -17,11 +17,11 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.segments import Segment, Speed, Zone
 from rapidsim.motion.kinematics.arm import Mask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Progress:
+@value_class(frozen=True, slots=True, eq=False)
+class MemberProgress:
     """The position of one robot on its own path as a function of the common parameter.
 
     On each common piece it is `start + slope u + bend u2 / 2`, with u counted from the piece's
@@ -85,17 +85,17 @@ class Progress:
         found = self.bounds[piece] + np.where(rate > 0.0, 2.0 * way / np.maximum(rate, 1e-300), 0.0)
         return np.clip(found, 0.0, self.bounds[-1])
 
-    def refined(self, bounds: Array) -> Progress:
+    def refined(self, bounds: Array) -> MemberProgress:
         """The same on more pieces."""
         index = np.searchsorted(self.bounds, 0.5 * (bounds[1:] + bounds[:-1]), side="right") - 1
         index = np.clip(index, 0, len(self.start) - 1)
         u = bounds[:-1] - self.bounds[index]
         slope, bend = self.slope[index], self.bend[index]
         start = self.start[index] + u * (slope + 0.5 * u * bend)
-        return Progress(bounds, start, slope + u * bend, bend, self.length)
+        return MemberProgress(bounds, start, slope + u * bend, bend, self.length)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class TeamProgress:
     """The segments of a team, and how far each robot is."""
 
@@ -103,7 +103,7 @@ class TeamProgress:
     """What timing and the path queue must know of each."""
     ends: Array
     """Shape (segments + 1,): the common parameter [m] at their ends."""
-    members: tuple[Progress, ...]
+    members: tuple[MemberProgress, ...]
 
 
 def team_progress(
@@ -155,7 +155,7 @@ def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Passages:
     """How the rates of the robots pass over at each inner end of a segment.
 
@@ -181,7 +181,7 @@ def _passages(segments: Sequence[Segment], longest: Array, slopes: Array, stops:
     return _Passages(before, 2.0 * before * largest / (largest + 2.0), largest)
 
 
-def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> Progress:
+def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> MemberProgress:
     """One robot's place: straight pieces, and between them two parabolas around each end."""
     before, half = passages.before, passages.half
     into, out = slope[:-1], slope[1:]
@@ -210,4 +210,4 @@ def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> Pro
     # Where nobody moves at all there is one piece without length.
     kept[0] |= not kept.any()
     bounds = np.append(bounds[:-1][kept], bounds[-1])
-    return Progress(bounds, start[kept], rate[kept], bend[kept], float(own[-1]))
+    return MemberProgress(bounds, start[kept], rate[kept], bend[kept], float(own[-1]))

@@ -16,11 +16,11 @@ from rapidsim.findings.wrist_circles import WristCircleDeviates, WristCircleTilt
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import curves_of
-from rapidsim.motion.geometry.joint_mapping import Arms, Index, arms_of
+from rapidsim.motion.geometry.joint_mapping import Index, JointMapper, arms_of
 from rapidsim.motion.geometry.segments import Segment, Waypoint
 from rapidsim.motion.geometry.wrist_pair import FLATTEST, PairTurns
 from rapidsim.motion.kinematics.arm import Kinematics, Mask
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _UPRIGHT = np.radians(10.0)
 """How far [rad] the tool may stand from perpendicular to the circle without a word."""
@@ -34,8 +34,8 @@ _SINGULAR_ONLY = np.radians(0.05)
 _BY_ALL_AXES = r"use all axes, with CirPathMode \PathFrame"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Led:
+@value_class(frozen=True, slots=True, eq=False)
+class WristCircleError:
     """Side effects of an arc led by two wrist axes, besides following the circle."""
 
     arrival: Array
@@ -51,8 +51,8 @@ class Led:
     """How far [m] from the programmed end the TCP stands at last."""
 
 
-@dataclass(frozen=True, slots=True)
-class Refusal:
+@value_class(frozen=True, slots=True)
+class WristCircleRefusal:
     """Why two wrist axes cannot lead a circle, and a possible remedy."""
 
     reason: str
@@ -80,7 +80,7 @@ def end_of_circle(end: Waypoint) -> Waypoint:
     return replace(end, aim=end.base_from_tcp.translation)
 
 
-def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
+def wrist_circle_error(kinematics: Kinematics, segment: Segment) -> WristCircleError | None:
     """The side effects of an arc led by two wrist axes; None if they fail on it."""
     curves = curves_of((segment,), kinematics)
     arms = arms_of((segment,), kinematics, curves.joint_travel, curves.length)
@@ -98,7 +98,7 @@ def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
     upright = 1.0 if goes_on else min(1.0, abs(float(arms.pairs.tool_z[0] @ normal)))
     turn = vector_from_rotation(taken.rotation @ np.swapaxes(motion.rotation, -1, -2))
     end = taken.translation[-1] - segment.end.base_from_tcp.translation
-    return Led(
+    return WristCircleError(
         arrival=np.unwrap(joints, axis=0)[-1],
         tilt=float(np.arccos(upright)),
         off_plane=float(np.abs((taken.translation - motion.position) @ normal).max()),
@@ -107,21 +107,23 @@ def led_by_pair(kinematics: Kinematics, segment: Segment) -> Led | None:
     )
 
 
-def findings_on_pair(led: Led, segment: Segment, target: str) -> tuple[Violation, ...]:
+def findings_on_pair(
+    error: WristCircleError, segment: Segment, target: str
+) -> tuple[Violation, ...]:
     """Findings about an arc that two wrist axes lead to a target."""
     pair = segment.circle_mode.value
     found: list[Violation] = []
-    if led.tilt > _UPRIGHT:
-        found.append(WristCircleTilted(target, np.degrees(led.tilt), pair))
-    if led.turned > _TOLD_TURN:
-        off_plane_mm, off_end_mm = _MM * led.off_plane, _MM * led.off_end
+    if error.tilt > _UPRIGHT:
+        found.append(WristCircleTilted(target, np.degrees(error.tilt), pair))
+    if error.turned > _TOLD_TURN:
+        off_plane_mm, off_end_mm = _MM * error.off_plane, _MM * error.off_end
         found.append(
-            WristCircleDeviates(target, pair, off_plane_mm, np.degrees(led.turned), off_end_mm)
+            WristCircleDeviates(target, pair, off_plane_mm, np.degrees(error.turned), off_end_mm)
         )
     return tuple(found)
 
 
-def why_not_led(arms: Arms, place: Array, row: Index) -> Refusal:
+def wrist_circle_refusal(arms: JointMapper, place: Array, row: Index) -> WristCircleRefusal:
     """Why the pair of one arc cannot take the z axis to some points (k, 3) of it.
 
     The first determines the reason, all of them its extent.
@@ -134,40 +136,40 @@ def why_not_led(arms: Arms, place: Array, row: Index) -> Refusal:
     names, other = f"axes {low} and {high}", f"take another pair of wrist axes, or {_BY_ALL_AXES}"
     if _in_line(first, second):
         angle = np.degrees(pairs.start[here[0], 4])
-        return Refusal(
+        return WristCircleRefusal(
             f"{names} are in one line, with axis 5 at {angle:.1f} deg", f"bend axis 5, {other}"
         )
     for axis, direction in ((low, first), (high, second)):
         if _in_line(direction, spoke):
-            return Refusal(
+            return WristCircleRefusal(
                 f"the tool's z axis lies along axis {axis}, which cannot move it",
                 f"bend wrist or tool so that it leans away from axis {axis}, {other}",
             )
     aim, start = pairs.aimed(place, row), pairs.aimed((centre + spoke)[None], here)
     flattest = np.degrees(np.arcsin(aim.steepness[0] if start.exists[0] else start.steepness[0]))
     if flattest < np.degrees(FLATTEST) and (not start.exists[0] or _within(aim)[0]):
-        return Refusal(
+        return WristCircleRefusal(
             f"the tool's z axis hardly crosses the plane of the circle, at {flattest:.1f} deg",
             f"start with the tool perpendicular to the circle, or {_BY_ALL_AXES}",
         )
     if aim.grazes[0] > 0.0:
         closest = int(aim.grazes.argmax())
         beside = aim.grazes[closest] + float(np.linalg.norm(place[closest] - centre))
-        return Refusal(
+        return WristCircleRefusal(
             f"the tool's z axis passes {_MM * beside:.1f} mm beside the wrist, and the circle "
             f"comes up to {_MM * aim.grazes[closest]:.1f} mm nearer to it",
             f"use a tool whose z axis points away from the wrist, or {_BY_ALL_AXES}",
         )
     if not start.exists[0] or _within(aim)[0]:
         where = "on the way" if start.exists[0] else "where the circle starts"
-        return Refusal(
+        return WristCircleRefusal(
             f"{names} both move the tool's z axis the same way {where}: they are singular",
             f"start the circle in another posture, {other}",
         )
     farthest = int(aim.beyond.argmax())
     beyond = float(aim.beyond[farthest])
     miss = _MM * beyond * float(np.linalg.norm(place[farthest] - centre))
-    return Refusal(
+    return WristCircleRefusal(
         f"the circle goes up to {miss:.1f} mm ({np.degrees(beyond):.1f} deg) beyond where {names} "
         "take the tool's z axis",
         f"make the circle smaller, {other}",

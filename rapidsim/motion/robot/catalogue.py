@@ -30,7 +30,7 @@ from rapidsim.motion.kinematics.numerical.revolute_chain import AxisRowGeometry,
 from rapidsim.motion.robot.dynamics import Dynamics, Torques, prior
 from rapidsim.motion.robot.structures import Geometry, geometry_from_table
 from rapidsim.shipped import shipped
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _PARTS = re.compile(r"(\d+)")
 NEAR_NAMES = 5
@@ -45,7 +45,7 @@ class RobotError(InputError):
         super().__init__(message, similar=similar)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CatalogueEntry:
     """What is known about one arm."""
 

@@ -28,7 +28,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _POINT_OF_RATED_LOAD = 1.3
 """The effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""
@@ -36,7 +36,7 @@ PRIOR_FACTOR = 1.5
 """The accelerations of an arm that was not measured are right within this factor."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Torques:
     """The constants of the law above for one arm, in s2/rad; `rod` and `point` per m2."""
 
@@ -84,7 +84,7 @@ class _Inertia(NamedTuple):
     h: Array
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Dynamics:
     """The dynamics of an ortho-parallel arm in terms of its torques."""
 

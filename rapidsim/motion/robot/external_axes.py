@@ -14,7 +14,7 @@ import numpy as np
 
 from rapidsim.frames.moving_frames import Screw
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Carried = Literal["robot", "wobj"]
 LETTERS = "abcdef"
@@ -25,7 +25,7 @@ ROUNDED_POSE = 0.1
 hundredths of a millimetre."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ExternalAxis:
     """One axis of a mechanical unit besides the robot."""
 
@@ -68,7 +68,7 @@ class ExternalAxis:
         return "mm" if self.linear else "deg"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Axes:
     """All axes of a robot and its external axes: names and ranges, shape (n + e,)."""
 

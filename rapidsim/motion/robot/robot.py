@@ -25,12 +25,12 @@ from rapidsim.motion.robot.catalogue import (
 )
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.external_axes import Axes, ExternalAxis
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Joint:
     """One axis."""
 
@@ -61,7 +61,7 @@ class Joint:
         return METRES_PER_UNIT if self.slides else 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LinkMeshes:
     """Files with the shapes of an arm's links, the base first."""
 
@@ -78,7 +78,7 @@ LARGEST_EXCESS: Final = (0.18, 0.07)
 links, and of those from the third on."""
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@value_class(frozen=True, eq=False, repr=False)
 class Robot:
     """An arm."""
 

@@ -29,7 +29,7 @@ from rapidsim.motion.kinematics.numerical.solver import Numerical
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.robot.catalogue import RobotError
 from rapidsim.motion.robot.urdf_text import plain_urdf
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FLANGE_NAMES = ("tool0", "flange")
 """Links that are the flange, the first that the file has; else the link of the last axis."""
@@ -41,7 +41,7 @@ _LONGEST_LINK_M = 20.0
 """Arms that one can buy have links of 2 m; what is longer was meant in mm."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class RobotParts:
     """The content of a description."""
 

@@ -5,18 +5,18 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import compiled
 from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.motion.timing.constraints import Limiter, Quantity
 from rapidsim.motion.timing.problem import Problem
 from rapidsim.motion.timing.stages import Stages, in_the_middle, rows_along, weights_of
-from rapidsim.motion.timing.time_optimal import Drive
+from rapidsim.motion.timing.time_optimal import StageMotion
 
 _REACHED = 0.99
 
 
-def limiters_of(problem: Problem, motion: Drive) -> tuple[Limiter, ...]:
+def limiters_of(problem: Problem, motion: StageMotion) -> tuple[Limiter, ...]:
     """Find the active constraint of each segment of a path."""
     path, cells = problem.path, problem.cells
     kind = _most_used(problem, motion.stages, motion.x)
@@ -32,7 +32,7 @@ def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
     """The limit (m,) that is used most in the middle of each stage; speeds are counted first."""
     cells, speeds, accelerations = problem.cells, problem.speeds, problem.accelerations
     middle, u, square = in_the_middle(stages, x)
-    kernel = compiled(two_pass_loops, "held_back_by", len(u))
+    kernel = jit_function(two_pass_loops, "held_back_by", len(u))
     if kernel is not None:
         kinds = np.empty(len(u), dtype=np.int64)
         rows = (cells.at, speeds.rate, accelerations.slope, accelerations.bend)

@@ -12,10 +12,10 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.robot.dynamics import Dynamics
 from rapidsim.motion.robot.robot import Robot, RobotError
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class ArmTorques:
     """The torques of one of the moving arms."""
 
@@ -52,7 +52,7 @@ class ArmTorques:
         return shares
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Limits:
     """Limits of each axis, the same in both directions: of the arm's, then of external ones."""
 
@@ -118,7 +118,7 @@ def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
     return (ArmTorques(robot.dynamics, np.array(model.torque)),)
 
 
-def limits_together(limits: Sequence[Limits]) -> Limits:
+def combined_limits(limits: Sequence[Limits]) -> Limits:
     """The limits of several robots that move as one."""
     arms, axis = [], 0
     for number, one in enumerate(limits):

@@ -17,7 +17,7 @@ from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import problem_of
 from rapidsim.motion.timing.stages import Stages
 from rapidsim.motion.timing.time_optimal import fastest_drive
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 
 PATH_STOP_S = 0.7
 r"""How long the arm brakes [s] where it has time: \PStop."""
@@ -33,7 +33,9 @@ _AFTER_S = 4.0
 on for hours."""
 
 
-def stop_at(path: Path, limits: Limits, timing: Timing, time_s: float, in_s: float = 0.0) -> Timing:
+def stop_at(
+    path: Path, limits: Limits, timing: TimeScaling, time_s: float, in_s: float = 0.0
+) -> TimeScaling:
     """Brake on a path, evenly in a given time or as fast as the axes can.
 
     Args:
@@ -49,7 +51,7 @@ def stop_at(path: Path, limits: Limits, timing: Timing, time_s: float, in_s: flo
     s, speed = timing.s_at(time_s), timing.speed_at(time_s)
     nothing = (Limiter(Quantity.NOTHING),) * len(path.segments)
     if speed <= _STANDSTILL or s >= path.length:
-        return Timing(np.full(2, s), np.zeros(2), 0.0, nothing)
+        return TimeScaling(np.full(2, s), np.zeros(2), 0.0, nothing)
     hardest = speed / in_s if in_s > 0.0 else np.inf
     after_s = time_s + _AFTER_S
     nodes, x = _braked(
@@ -58,7 +60,7 @@ def stop_at(path: Path, limits: Limits, timing: Timing, time_s: float, in_s: flo
     # Near its end the part itself has the arm brake.
     if nodes[-1] > timing.s_at(time_s + 0.5 * _AFTER_S) and after_s < timing.duration:
         nodes, x = _braked(path, limits, s, speed, hardest, (0.0, path.length))
-    return Timing(nodes, np.sqrt(x), 0.0, nothing)
+    return TimeScaling(nodes, np.sqrt(x), 0.0, nothing)
 
 
 def _braked(

@@ -17,8 +17,8 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.motion.timing.discretisation import Places
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.discretisation import GridPoints
+from rapidsim.values import value_class
 
 Paces = Mapping[int, float]
 """Path speeds [m/s] that give segments their programmed times, by the position of the segment."""
@@ -47,7 +47,7 @@ class Quantity(Enum):
     """The segment has no length, or lies before the start of the timing."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Limiter:
     """A limit that was reached."""
 
@@ -68,7 +68,7 @@ class Limiter:
                 return str(self.quantity.value)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class SpeedRows:
     """Some limits of the path speed."""
 
@@ -89,7 +89,7 @@ class SpeedRows:
         return largest
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class AccelerationRows:
     """Some limits of the path acceleration."""
 
@@ -110,7 +110,7 @@ class AccelerationRows:
         return largest
 
 
-def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> SpeedRows:
+def speed_rows(path: Path, places: GridPoints, limits: Limits, paces: Paces) -> SpeedRows:
     """All limits of the path speed.
 
     Args:
@@ -129,7 +129,7 @@ def speed_rows(path: Path, places: Places, limits: Limits, paces: Paces) -> Spee
     )
 
 
-def acceleration_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+def acceleration_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows:
     """All limits of the path acceleration."""
     found = [rows for kind in _ACCELERATIONS if (rows := kind(path, places, limits)) is not None]
     return AccelerationRows(
@@ -139,13 +139,13 @@ def acceleration_rows(path: Path, places: Places, limits: Limits) -> Acceleratio
     )
 
 
-def _axis_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows:
+def _axis_speeds(path: Path, places: GridPoints, limits: Limits) -> SpeedRows:
     del path
     rate = np.abs(places.rates.first) / limits.max_speed
     return SpeedRows(_of_axes(Quantity.AXIS_SPEED, rate), rate)
 
 
-def _programmed_speeds(path: Path, places: Places, paces: Paces) -> SpeedRows:
+def _programmed_speeds(path: Path, places: GridPoints, paces: Paces) -> SpeedRows:
     """The four programmed speeds, or the pace that gives a segment its programmed time."""
     segment = path.segment_of(places.piece)
     paced, timed = np.zeros(len(path.segments), dtype=np.bool_), np.zeros(len(path.segments))
@@ -167,7 +167,7 @@ def _programmed_speeds(path: Path, places: Places, paces: Paces) -> SpeedRows:
     return SpeedRows(limiters, np.concatenate([rate, external], axis=-1))
 
 
-def _zone_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows | None:
+def _zone_speeds(path: Path, places: GridPoints, limits: Limits) -> SpeedRows | None:
     """The command takes at least one interpolation cycle through a zone."""
     del limits
     if np.isinf(path.zone_speed).all():
@@ -176,7 +176,7 @@ def _zone_speeds(path: Path, places: Places, limits: Limits) -> SpeedRows | None
     return SpeedRows((Limiter(Quantity.CYCLE),), rate, of_command=1)
 
 
-def axis_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
+def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows:
     """The limits of axis accelerations, or of torques where these are known.
 
     A load may raise the limits in some directions, because it also adds to the coupling of axes 2
@@ -206,7 +206,7 @@ def axis_rows(path: Path, places: Places, limits: Limits) -> AccelerationRows:
 
 
 def _in_zones(
-    path: Path, places: Places, limits: Limits, slope: Array, bend: Array
+    path: Path, places: GridPoints, limits: Limits, slope: Array, bend: Array
 ) -> tuple[Array, Array]:
     """Slopes and bends (k, rows) with what is not used of the limits in zones."""
     taken = _more_in_zones(path, places, bend, 1.0, path.model.zone_cycles)[:, None]
@@ -219,7 +219,9 @@ def _in_zones(
     return slopes, bends
 
 
-def _more_in_zones(path: Path, places: Places, bend: Array, part: float, cycles: float) -> Array:
+def _more_in_zones(
+    path: Path, places: GridPoints, bend: Array, part: float, cycles: float
+) -> Array:
     """Factors (k,) on what is taken of the limits in zones, where not all of them is used.
 
     A zone of radius r that is passed at u counts as one of r + n u T, T the interpolation cycle and
@@ -246,7 +248,7 @@ def _more_in_zones(path: Path, places: Places, bend: Array, part: float, cycles:
     return factors
 
 
-def _path_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+def _path_accelerations(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows | None:
     """PathAccLim. The solver brakes as it accelerates, so the smaller of both limits counts."""
     del limits
     allowed = path.programmed.tcp_acceleration
@@ -258,7 +260,7 @@ def _path_accelerations(path: Path, places: Places, limits: Limits) -> Accelerat
     return AccelerationRows(limiters, (along * share)[:, None], (straight * share)[:, None])
 
 
-def _world_accelerations(path: Path, places: Places, limits: Limits) -> AccelerationRows | None:
+def _world_accelerations(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows | None:
     """WorldAccLim: an octagon within the circle of all accelerations along and across the path."""
     del limits
     allowed = path.programmed.world_acceleration
@@ -274,7 +276,7 @@ def _world_accelerations(path: Path, places: Places, limits: Limits) -> Accelera
     return AccelerationRows(limiters, np.stack(slope, axis=-1), np.stack(bend, axis=-1))
 
 
-def _tcp_bends(path: Path, places: Places) -> tuple[Array, Array, Array]:
+def _tcp_bends(path: Path, places: GridPoints) -> tuple[Array, Array, Array]:
     """|p'|, and p'' along and across the path, (k,) each."""
     first, second = path.tcp_derivatives(places.s, places.piece)
     along = np.linalg.norm(first, axis=-1)
@@ -292,13 +294,13 @@ _PROGRAMMED = (
     Limiter(Quantity.REORIENTATION_SPEED),
     Limiter(Quantity.DURATION),
 )
-_SPEEDS: tuple[Callable[[Path, Places, Limits], SpeedRows | None], ...] = (
+_SPEEDS: tuple[Callable[[Path, GridPoints, Limits], SpeedRows | None], ...] = (
     _axis_speeds,
     _zone_speeds,
 )
 """What limits speed beside what is programmed; None where a path has no such limit at all. What
 holds for the command alone comes last."""
-_ACCELERATIONS: tuple[Callable[[Path, Places, Limits], AccelerationRows | None], ...] = (
+_ACCELERATIONS: tuple[Callable[[Path, GridPoints, Limits], AccelerationRows | None], ...] = (
     axis_rows,
     _path_accelerations,
     _world_accelerations,

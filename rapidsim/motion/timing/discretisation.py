@@ -13,13 +13,13 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.geometry.parameterisation import Layout
+from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathRates
 from rapidsim.motion.timing.axis_limits import Limits
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _LONGEST_CELL = 0.025
 _TCP_CELLS = 8
@@ -36,8 +36,8 @@ _SHORTEST_DENT = 1e-4
 _ROUNDS = 24
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Places:
+@value_class(frozen=True, slots=True, eq=False)
+class GridPoints:
     """Points (k,) of a path with their derivatives, in no particular order."""
 
     s: Array
@@ -45,11 +45,11 @@ class Places:
     rates: PathRates
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Cells:
+@value_class(frozen=True, slots=True, eq=False)
+class GridCells:
     """Cells (c,) in the order of s."""
 
-    places: Places
+    places: GridPoints
     at: Index
     """Shape (c, 3): which of the places are the start, the middle and the end of each cell."""
     driven: int
@@ -78,22 +78,22 @@ def cells_of(
     path: Path,
     limits: Limits,
     start: float,
-    look: Look = undisturbed,
+    check_deadline: Look = undisturbed,
     within: tuple[float, float] = (-np.inf, np.inf),
-) -> Cells:
+) -> GridCells:
     """Cells of a path, fine enough for its derivatives.
 
     Args:
         path: The geometry.
         limits: Of the axes.
         start: Where [m] on the path the motion starts.
-        look: Called now and then.
+        check_deadline: Called now and then.
         within: The range [m] of interest, around the start; only pieces that overlap it get cells.
     """
     cells = _evaluate(path, *_first_cells(path, start, within))
     rough = np.arange(len(cells.at))
     for _ in range(_ROUNDS):
-        look()
+        check_deadline()
         rough = rough[_rough(cells, rough, limits, path.length)]
         if not len(rough):
             break
@@ -105,7 +105,7 @@ def cells_of(
     return replace(cells, driven=driven)
 
 
-def _halved(path: Path, cells: Cells, index: Index) -> Cells:
+def _halved(path: Path, cells: GridCells, index: Index) -> GridCells:
     """Cut some cells (k,), in increasing order, in the middle."""
     places, cut = cells.places, cells.at[index]
     start, middle, end = places.s[cut].T
@@ -117,12 +117,12 @@ def _halved(path: Path, cells: Cells, index: Index) -> Cells:
     first = index + np.arange(k)
     rows[first] = np.stack([cut[:, 0], number, cut[:, 1]], axis=1)
     rows[first + 1] = np.stack([cut[:, 1], number + k, cut[:, 2]], axis=1)
-    more = Places(
+    more = GridPoints(
         np.concatenate([places.s, s]),
         np.concatenate([places.piece, pieces]),
         places.rates.and_then(path.rates(s, pieces)),
     )
-    return Cells(more, rows, cells.driven)
+    return GridCells(more, rows, cells.driven)
 
 
 def _first_cells(
@@ -154,7 +154,7 @@ def _first_cells(
     )
 
 
-def _is_mixed(layout: Layout) -> Mask:
+def _is_mixed(layout: PathParameterisation) -> Mask:
     """Which pieces (p,) lie in a corner between a joint move and another curve."""
     corner, in_joints = layout.joint_corner, layout.curves.in_joints
     mixed: Mask = (corner >= 0) & ~(in_joints[corner] & in_joints[corner + 1])
@@ -167,7 +167,7 @@ def _tcp_is_limited(path: Path) -> bool:
     return any(np.isfinite(limit).any() for limit in limits)
 
 
-def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
+def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> GridCells:
     count = len(start)
     number = np.arange(count)
     # Where the next cell is of another piece, the end is a place of its own.
@@ -177,10 +177,10 @@ def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> Cells:
     s = np.concatenate([start, 0.5 * (start + end), end[last]])
     pieces = np.concatenate([piece, piece, piece[last]])
     at = np.stack([number, count + number, after], axis=1)
-    return Cells(Places(s, pieces, path.rates(s, pieces)), at, 0)
+    return GridCells(GridPoints(s, pieces, path.rates(s, pieces)), at, 0)
 
 
-def _rough(cells: Cells, index: Index, limits: Limits, length: float) -> Mask:
+def _rough(cells: GridCells, index: Index, limits: Limits, length: float) -> Mask:
     """Whether derivatives bend too much within some cells (k,)."""
     at, rates = cells.at[index], cells.places.rates
     start, middle, end = at.T

@@ -15,7 +15,7 @@ from rapidsim.motion.timing.constraints import Limiter, Paces, Quantity
 from rapidsim.motion.timing.discretisation import cells_of
 from rapidsim.motion.timing.problem import Problem, at_pace, problem_of
 from rapidsim.motion.timing.time_optimal import Division, drive, fastest_drive
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 
 _TIMED_ROUNDS = 4
 _TIMED_HALVINGS = 16
@@ -30,8 +30,8 @@ def plan(
     start: float = 0.0,
     start_speed: float = 0.0,
     spent_s: float | None = None,
-    look: Look = undisturbed,
-) -> Timing:
+    check_deadline: Look = undisturbed,
+) -> TimeScaling:
     """Find the fastest motion to rest at the end of a path.
 
     Args:
@@ -39,14 +39,14 @@ def plan(
         limits: Of the axes; the segments bring the limits of the TCP.
         start: Position [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
-            kept, the first stretch brakes harder than allowed, and `Timing.start_excess` is set.
+            kept, the first section brakes too hard, and `TimeScaling.start_excess` is set.
         spent_s: Time [s] already spent in the segment where the motion starts; None takes the
             corresponding share of its programmed time.
-        look: Called now and then.
+        check_deadline: Called now and then.
     """
     if start >= path.length:
         nothing = Limiter(Quantity.NOTHING)
-        return Timing(
+        return TimeScaling(
             s=np.full(2, path.length),
             speed=np.zeros(2),
             start_excess=start_speed,
@@ -54,14 +54,14 @@ def plan(
         )
     timed, driven = _timed(path, start, spent_s)
     unpaced = {**driven, **dict.fromkeys(timed, math.inf)}
-    problem = problem_of(path, cells_of(path, limits, start, look), limits, unpaced)
-    division, motion = fastest_drive(problem, start_speed, look)
+    problem = problem_of(path, cells_of(path, limits, start, check_deadline), limits, unpaced)
+    division, motion = fastest_drive(problem, start_speed, check_deadline)
     # A pace is no limit of the arm: whoever is faster than it at the start slows down to it.
     fastest_start = motion.fastest_start
     if timed:
-        paces = _paces(problem, division, start_speed, timed, driven, look)
-        division, _ = fastest_drive(at_pace(problem, paces), start_speed, look)
-        paces = _paces(problem, division, start_speed, timed, driven, look)
+        paces = _paces(problem, division, start_speed, timed, driven, check_deadline)
+        division, _ = fastest_drive(at_pace(problem, paces), start_speed, check_deadline)
+        paces = _paces(problem, division, start_speed, timed, driven, check_deadline)
         problem = at_pace(problem, paces)
         motion = drive(problem, division, start_speed)
     nodes, speed = motion.stages.nodes, np.sqrt(motion.x)
@@ -71,7 +71,7 @@ def plan(
         # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
         nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
         standing = np.where(np.diff(nodes) == 0.0, path.window, 0.0)
-    return Timing(
+    return TimeScaling(
         s=nodes,
         speed=speed,
         start_excess=max(0.0, start_speed - float(np.sqrt(fastest_start))),
@@ -109,7 +109,7 @@ def _paces(
     start_speed: float,
     timed: dict[int, float],
     driven: Paces,
-    look: Look,
+    check_deadline: Look,
 ) -> Paces:
     """The path speed that gives each timed segment its time; infinite if too short.
 
@@ -124,7 +124,7 @@ def _paces(
 
     def spent(trial: Array) -> Array:
         """The time spent in the timed segments at given paces."""
-        look()
+        check_deadline()
         attempt = {**driven, **dict(zip(timed, trial.tolist(), strict=True))}
         step = drive(at_pace(problem, attempt), division, start_speed).times
         time: Array = np.bincount(segment, step, minlength=len(path.segments))[index]

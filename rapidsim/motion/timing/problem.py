@@ -17,8 +17,8 @@ from rapidsim.motion.timing.constraints import (
     acceleration_rows,
     speed_rows,
 )
-from rapidsim.motion.timing.discretisation import Cells
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.discretisation import GridCells
+from rapidsim.values import value_class
 
 _LEAST_SLOWNESS = 1e-6
 _HELD_BEND = 1.25
@@ -26,20 +26,20 @@ _HELD_BEND = 1.25
 change of speed that the command does not have there; measured on random programs."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Problem:
     """All limits at the points (k,) of the cells of a path."""
 
     path: Path
     limits: Limits
-    cells: Cells
+    cells: GridCells
     speeds: SpeedRows
     accelerations: AccelerationRows
     slowness: Array
     """Shape (k,) [s/m]: one over the largest path speed of the arm."""
 
 
-def problem_of(path: Path, cells: Cells, limits: Limits, paces: Paces = NO_PACES) -> Problem:
+def problem_of(path: Path, cells: GridCells, limits: Limits, paces: Paces = NO_PACES) -> Problem:
     """Collect the limits of a motion.
 
     Args:

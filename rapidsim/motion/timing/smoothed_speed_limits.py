@@ -15,9 +15,9 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import compiled
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import smoothed_speed_loops
 from rapidsim.motion.timing.smoothed_speed_loops import EVEN, LEVEL, NEXT, STEEP
 
@@ -44,7 +44,7 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
     steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
     times = np.concatenate([[0.0], np.cumsum(steps)])
     reach = _REACH * window
-    kernel = compiled(smoothed_speed_loops, "hold", len(places))
+    kernel = jit_function(smoothed_speed_loops, "hold", len(places))
     if kernel is not None:
         result = np.empty(len(places))
         kernel(places, speeds, needed, times, reach, result)
@@ -82,7 +82,7 @@ def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) 
 
 
 def _keep_below_lines(
-    held: Array,
+    bounded: Array,
     places: Array,
     speeds: Array,
     slopes: Array,
@@ -101,7 +101,7 @@ def _keep_below_lines(
         number = np.arange(len(owner)) - np.repeat(np.cumsum(count) - count, count)
         other = first[owner] + number
         line = speeds[owner] + slopes[owner] * (places[other] - places[owner])
-        np.minimum.at(held, other, line)
+        np.minimum.at(bounded, other, line)
 
 
 def within(times: Array, window: float) -> tuple[Index, Index]:

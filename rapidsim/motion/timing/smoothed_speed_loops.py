@@ -18,7 +18,7 @@ EVEN = 0.25
 
 
 def hold(
-    places: Array, speeds: Array, needed: Mask, times: Array, reach: float, held: Array
+    places: Array, speeds: Array, needed: Mask, times: Array, reach: float, bounded: Array
 ) -> None:
     """Fill in the maximum speeds (k,) [m/s] of the command; see `smoothed_speed_limits`.
 
@@ -28,12 +28,12 @@ def hold(
         needed: Shape (k,).
         times: Shape (k,) [s], ascending: the earliest time of the command at each point.
         reach: How far [s] the command gets from the arm, to either side.
-        held: Filled in.
+        bounded: Filled in.
     """
     count = len(places)
     level = np.empty(count)
     for k in range(count):
-        held[k] = speeds[k]
+        bounded[k] = speeds[k]
     first, after = 0, 0
     for k in range(count):
         while times[first] < times[k] - reach:
@@ -50,10 +50,10 @@ def hold(
         if lonely or slope != 0.0:
             for other in range(low, high):
                 line = speeds[k] + slope * (places[other] - places[k])
-                held[other] = min(held[other], line)
+                bounded[other] = min(bounded[other], line)
         else:
             level[k] = speeds[k]
-    keep_below_levels(level, times, reach, held)
+    keep_below_levels(level, times, reach, bounded)
 
 
 def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) -> float:
@@ -69,8 +69,8 @@ def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) ->
     return slope
 
 
-def keep_below_levels(level: Array, times: Array, reach: float, held: Array) -> None:
-    """Lower `held` (k,) to the minimum of levels (k,) [m/s] within reach [s] of each.
+def keep_below_levels(level: Array, times: Array, reach: float, bounded: Array) -> None:
+    """Lower `bounded` (k,) to the minimum of levels (k,) [m/s] within reach [s] of each.
 
     A level followed by a lower one is never the minimum of a window that holds both, so the
     candidates are kept in a queue with ascending levels.
@@ -89,7 +89,7 @@ def keep_below_levels(level: Array, times: Array, reach: float, held: Array) -> 
         while head < end and times[row[head]] < times[k] - reach:
             head += 1
         if head < end:
-            held[k] = min(held[k], level[row[head]])
+            bounded[k] = min(bounded[k], level[row[head]])
 
 
 COMPILED = (slope_around, keep_below_levels, hold)

@@ -10,19 +10,19 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import compiled
 from rapidsim.motion.geometry.curves import Index
+from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.motion.timing.constraints import AccelerationRows
-from rapidsim.motion.timing.discretisation import Cells
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.discretisation import GridCells
+from rapidsim.values import value_class
 
 LARGEST_X = 1e12
 """Square of a path speed [m2/s2] that nothing reaches."""
 _CROSSINGS = 30
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Stages:
     """Stages (m,) in the order of s."""
 
@@ -64,7 +64,7 @@ class Stages:
         )
 
 
-def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
+def stages_of(cells: GridCells, rows: AccelerationRows, parts: int) -> Stages:
     """Each cell divided into equal stages; `rows` are those of the cells' points."""
     cell = np.repeat(np.arange(len(cells.at)), parts)
     share = np.arange(parts + 1) / parts
@@ -76,7 +76,7 @@ def stages_of(cells: Cells, rows: AccelerationRows, parts: int) -> Stages:
     return stages
 
 
-def cut(stages: Stages, cells: Cells, rows: AccelerationRows, parts: Index) -> Stages:
+def cut(stages: Stages, cells: GridCells, rows: AccelerationRows, parts: Index) -> Stages:
     """Each stage divided into a number (m,) of equal ones."""
     owner = np.repeat(np.arange(len(parts)), parts)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(parts) - parts, parts)
@@ -121,13 +121,13 @@ def rows_along(values: Array, at: Index, weights: Array) -> Array:
     return rows
 
 
-def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
+def fastest(stages: Stages, cells: GridCells, slowness: Array) -> Array:
     """Maximum path speeds (m, 3) [m/s] at start, middle and end of stages.
 
     `slowness` (k,) [s/m] is that at the points of the cells. Within a cell it may have a kink,
     where another limit takes over: the slower of the parabola and of straight lines counts.
     """
-    kernel = compiled(two_pass_loops, "fast_stages", len(stages.cell))
+    kernel = jit_function(two_pass_loops, "fast_stages", len(stages.cell))
     if kernel is not None:
         speeds = np.empty((len(stages.cell), 3))
         kernel(cells.at, slowness, stages.cell, stages.begin, stages.end, speeds)
@@ -145,7 +145,7 @@ def fastest(stages: Stages, cells: Cells, slowness: Array) -> Array:
     return speeds
 
 
-def _fill_in(stages: Stages, cells: Cells, rows: AccelerationRows, new: Index) -> None:
+def _fill_in(stages: Stages, cells: GridCells, rows: AccelerationRows, new: Index) -> None:
     """Fill in nodes, slack, tilt and widest of some stages (j,).
 
     At the end of a stage x has grown by span u, so its row there is
@@ -157,7 +157,7 @@ def _fill_in(stages: Stages, cells: Cells, rows: AccelerationRows, new: Index) -
     stages.nodes[new] = s[cell, 0] + width * begin
     stages.nodes[-1] = s[-1, 2]
     span = 2.0 * (end - begin) * width
-    kernel = compiled(two_pass_loops, "limit_stages", len(new))
+    kernel = jit_function(two_pass_loops, "limit_stages", len(new))
     if kernel is not None:
         kernel(
             (cells.at, rows.slope, rows.bend),
@@ -220,13 +220,13 @@ def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
     return 0.5 * (stages.begin + stages.end), u, 0.5 * (x[:-1] + x[1:])
 
 
-def loads(stages: Stages, cells: Cells, rows: AccelerationRows, x: Array) -> Array:
+def loads(stages: Stages, cells: GridCells, rows: AccelerationRows, x: Array) -> Array:
     """The most constraining share (m,) of an acceleration limit in the middle of stages.
 
     `x` (m + 1,) is given at the nodes, `rows` are those at the points of the cells.
     """
     middle, u, square = in_the_middle(stages, x)
-    kernel = compiled(two_pass_loops, "load_stages", len(u))
+    kernel = jit_function(two_pass_loops, "load_stages", len(u))
     if kernel is not None:
         found = np.empty(len(u))
         kernel((cells.at, rows.slope, rows.bend), stages.cell, middle, u, square, found)

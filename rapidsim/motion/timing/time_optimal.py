@@ -16,9 +16,9 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.timing.problem import Problem
 from rapidsim.motion.timing.smoothed_speed_limits import held_speeds
 from rapidsim.motion.timing.stages import Stages, cut, fastest, loads, stages_of
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.timing.two_pass import solve
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _FIRST_PARTS = 2
 _ROUNDS = 3
@@ -35,8 +35,8 @@ _NEARLY = 0.97
 """A smoothed speed this near to its limit counts as exceeding it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Drive:
+@value_class(frozen=True, slots=True, eq=False)
+class StageMotion:
     """A motion over stages (m,)."""
 
     stages: Stages
@@ -55,7 +55,7 @@ class Drive:
         return times
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Division:
     """The division of a path's cells into stages, including cells before the start."""
 
@@ -72,8 +72,8 @@ class Division:
 
 
 def fastest_drive(
-    problem: Problem, start_speed: float, look: Look = undisturbed
-) -> tuple[Division, Drive]:
+    problem: Problem, start_speed: float, check_deadline: Look = undisturbed
+) -> tuple[Division, StageMotion]:
     """Find the fastest motion from a start speed [m/s] to rest at the end of the path."""
     stages = stages_of(problem.cells, problem.accelerations, _FIRST_PARTS)
     first = problem.cells.driven * _FIRST_PARTS
@@ -82,7 +82,7 @@ def fastest_drive(
         division = Division(stages, _needed(problem, division, start_speed), first)
     result = drive(problem, division, start_speed)
     for number in range(_ROUNDS + _MORE_ROUNDS):
-        look()
+        check_deadline()
         parts = np.ones(len(division.needed), dtype=np.int64)
         parts[division.driven :] = _parts(problem, result, save_time=number < _ROUNDS)
         if (parts == 1).all():
@@ -92,7 +92,7 @@ def fastest_drive(
     return division, result
 
 
-def drive(problem: Problem, division: Division, start_speed: float) -> Drive:
+def drive(problem: Problem, division: Division, start_speed: float) -> StageMotion:
     """The fastest motion over given stages from a start speed [m/s]."""
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
@@ -105,7 +105,7 @@ def drive(problem: Problem, division: Division, start_speed: float) -> Drive:
         speeds = np.minimum(speeds, in_zones[problem.cells.piece[stages.cell]][:, None])
     own, speeds = stages.beyond(division.driven), speeds[division.driven :]
     x, fastest_start = solve(own, _caps(problem, own, speeds), start_speed)
-    return Drive(own, x, fastest_start, speeds[:, 1] ** 2)
+    return StageMotion(own, x, fastest_start, speeds[:, 1] ** 2)
 
 
 def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
@@ -131,7 +131,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
     speeds = fastest(stages, problem.cells, problem.slowness)
     caps = _caps(problem, stages, speeds)
     x, _ = solve(stages, caps, float(np.sqrt(caps[0])) if division.driven else start_speed)
-    free = Timing(stages.nodes, np.sqrt(x), 0.0, ())
+    free = TimeScaling(stages.nodes, np.sqrt(x), 0.0, ())
     needed: Mask = np.zeros(len(speeds), dtype=bool)
     for window in problem.path.windows:
         place, speed = free.smoothed(window)
@@ -144,7 +144,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
     return near
 
 
-def _parts(problem: Problem, result: Drive, *, save_time: bool) -> Index:
+def _parts(problem: Problem, result: StageMotion, *, save_time: bool) -> Index:
     """In how many parts (m,) to cut the stages of a motion, to keep limits and to save time."""
     stages, x = result.stages, result.x
     load = loads(stages, problem.cells, problem.accelerations, x)
@@ -158,7 +158,7 @@ def _parts(problem: Problem, result: Drive, *, save_time: bool) -> Index:
     return whole
 
 
-def _parts_worth_while(problem: Problem, result: Drive, used: Array) -> Array:
+def _parts_worth_while(problem: Problem, result: StageMotion, used: Array) -> Array:
     """In how many parts (m,) stages lose little time that use some share (m,) of their limits."""
     segment = problem.path.segment_of(problem.cells.piece[result.stages.cell])
     times = result.times

@@ -18,7 +18,7 @@ _COUNTED_S = 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class Timing:
+class TimeScaling:
     """Position on a path as a function of time; time 0 is where it starts."""
 
     s: Array
@@ -101,7 +101,7 @@ class Timing:
         time: Array = self.times[k] + 2.0 * way / np.maximum(speed + self.speed[k], 1e-300)
         return time if np.ndim(s) else float(time)
 
-    def way_integral(self, t: Array) -> Array:
+    def parameter_integral(self, t: Array) -> Array:
         """Integral of s - s[0] from time 0 to times (k,) [m s]."""
         k, since = self._cell(t)
         cubic = since * (
@@ -118,7 +118,7 @@ class Timing:
         early = self.times - window
         before = np.minimum(early, 0.0)
         place = self.s_at(early) + self.speed[0] * before
-        integral = self.way_integral(early) + 0.5 * self.speed[0] * before**2
+        integral = self.parameter_integral(early) + 0.5 * self.speed[0] * before**2
         mean = self.s[0] + (self.integrals - integral) / window
         return mean, (self.s - place) / window
 

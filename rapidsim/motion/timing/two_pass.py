@@ -15,7 +15,7 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.compiled import compiled
+from rapidsim.motion.numba_jit import jit_function
 from rapidsim.motion.timing import two_pass_loops
 from rapidsim.motion.timing.smallest_line import sweep
 from rapidsim.motion.timing.stages import Stages
@@ -37,7 +37,7 @@ def solve(stages: Stages, caps: Array, start_speed: float) -> tuple[Array, float
     caps = np.append(np.minimum(caps[:-1], stages.widest), 0.0)
     slack, tilt = stages.slack, stages.tilt
     span = 2.0 * stages.width
-    kernel = compiled(two_pass_loops, "both_passes", len(span))
+    kernel = jit_function(two_pass_loops, "both_passes", len(span))
     if kernel is not None:
         x = np.empty(len(caps))
         first = kernel(start_speed**2, slack, tilt, span, _STEEP, caps, x)

@@ -26,7 +26,7 @@ def limit_stages(
     rows: tuple[Index, Array, Array],
     parts: tuple[Index, Array, Array, Array],
     which: tuple[float, Index],
-    found: tuple[Array, Array, Array],
+    limits: tuple[Array, Array, Array],
 ) -> None:
     """Fill in slack and tilt (m, 2 r) and widest (m,) of some stages (j,); see `stages`.
 
@@ -34,12 +34,12 @@ def limit_stages(
         rows: Points (c, 3) of the cells, slopes and bends (k, r) at the points.
         parts: The cells (j,) of the stages, their start and end within the cells, and span.
         which: An x that is never reached; and which of the stages (m,) they are.
-        found: Slack, tilt and widest, filled in.
+        limits: Slack, tilt and widest, filled in.
     """
     at, slopes, bends = rows
     cell, begin, end, span = parts
     largest, new = which
-    slack, tilt, widest = found
+    slack, tilt, widest = limits
     own = slopes.shape[1]
     for j in range(len(new)):
         k = new[j]

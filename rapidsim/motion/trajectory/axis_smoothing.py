@@ -17,7 +17,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.trajectory.command import Index, MotionCommand
 from rapidsim.motion.trajectory.filter_windows import Windows
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _AT_ONCE = 2_000
 """So many samples share their parts, which bounds the memory."""
@@ -97,7 +97,7 @@ def _since(state: Array, begin: Array, step: Array) -> Array:
     return since
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Parts:
     """The command in short parts (m,), in the order of time."""
 
@@ -181,15 +181,15 @@ def _integrated(start: Array, width: Array, origin: Array, powers: Array) -> _Pa
 
 
 def _powers(
-    command: MotionCommand, start: Array, width: Array, stands: Mask
+    command: MotionCommand, start: Array, width: Array, stationary: Mask
 ) -> tuple[Array, Array]:
     """Origin (n,) and polynomials (m, _MOST, n) of parts (m,) of the command."""
-    kinds: list[tuple[int, Index]] = [(1, np.flatnonzero(stands))]
+    kinds: list[tuple[int, Index]] = [(1, np.flatnonzero(stationary))]
     longer = np.full(len(start), False)
     for count, least in _PLACES:
         of_kind = (width > least) & ~longer
         longer |= of_kind
-        kinds.append((count, np.flatnonzero(of_kind & ~stands)))
+        kinds.append((count, np.flatnonzero(of_kind & ~stationary)))
     instants = [
         (start[at, None] + width[at, None] * _GAUSS[count][0]).ravel() for count, at in kinds
     ]

@@ -18,9 +18,9 @@ from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.joined_paths import JoinedPaths, joined_paths
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.time_scaling import Timing
-from rapidsim.motion.trajectory.time_scalings import Timings, timings_of
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.motion.trajectory.time_scalings import TimeScalings, timings_of
+from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 
@@ -30,14 +30,14 @@ _PIECES_AT_ONCE = 128
 """So many have their paths laid end to end, which bounds the memory."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Piece:
     """A stretch of a timed path, commanded from an instant on."""
 
     start_time: float
     """[s]"""
     path: Path
-    timing: Timing
+    timing: TimeScaling
     from_s: float
     """Place [m] on the path where the piece starts."""
     to_s: float
@@ -186,7 +186,7 @@ class MotionCommand:
         numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
         return numbers
 
-    def on_paths(self, row: Index, way: Array) -> Iterator[tuple[Path, Array, Index, Index]]:
+    def on_paths(self, row: Index, arc_length: Array) -> Iterator[tuple[Path, Array, Index, Index]]:
         """The paths and positions for distances (k,) [m] since the start of rows (k,).
 
         Before the first piece the arm is at its start.
@@ -200,7 +200,7 @@ class MotionCommand:
         row = np.maximum(row, 1)
         numbers = self.pieces_of(row)
         asked = np.unique(numbers)
-        s = self._table[row, _Column.FROM_S] + way
+        s = self._table[row, _Column.FROM_S] + arc_length
         for first in range(0, len(asked), _PIECES_AT_ONCE):
             some = asked[first : first + _PIECES_AT_ONCE]
             here = np.flatnonzero((some[0] <= numbers) & (numbers <= some[-1]))
@@ -215,12 +215,12 @@ class MotionCommand:
         """The start times of rows (k,) [s], and their positions S [m]."""
         return self._table[row, _Column.START], self._table[row, _Column.PLACE]
 
-    def ways(self, row: Index) -> Array:
+    def increases(self, row: Index) -> Array:
         """The increase of S in rows (k,) [m]."""
         ways: Array = self._table[row, _Column.WAY]
         return ways
 
-    def stands(self, row: Index, times: Array) -> Mask:
+    def is_stationary(self, row: Index, times: Array) -> Mask:
         """Whether rows (k,) have ended, or have not begun, at times (k,) [s]."""
         start, duration = self._table[row, _Column.START], self._table[row, _Column.DURATION]
         over: Mask = (times - start >= duration) | (row == 0)
@@ -244,7 +244,7 @@ class MotionCommand:
         driven = np.clip(since, 0.0, duration)
         own = rows - joined.lowest
         way, once, twice = joined.before[:, own]
-        now = joined.timings.since_marks(joined.stretch[own], offset + driven)
+        now = joined.timings.since_marks(joined.interval_of[own], offset + driven)
         # At its end the row is where it says, whatever rounding makes of it.
         state[0, at] = np.where(since >= duration, whole, np.clip(now[0] - way, 0.0, whole))
         state[1, at] = now[1] - once - way * driven
@@ -282,7 +282,7 @@ class MotionCommand:
         since[2] -= twice + step * (once + 0.5 * way * step)
         since[1] -= once + way * step
         since[0] -= way
-        since[:, np.tile(self.stands(first, before), looks)] = 0.0
+        since[:, np.tile(self.is_stationary(first, before), looks)] = 0.0
         at = np.flatnonzero(ahead <= last)
         while len(at):
             row[at] = ahead[at]
@@ -409,7 +409,7 @@ class MotionCommand:
         return joined
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _JoinedPaths:
     """The paths of some pieces (k,)."""
 
@@ -419,15 +419,15 @@ class _JoinedPaths:
     """What is added to the place of a segment of each on its joined path to get its number."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _JoinedTimings:
     """The timings of some rows (m,)."""
 
-    timings: Timings
+    timings: TimeScalings
     lowest: int
     """The number of the first row."""
     highest: int
-    stretch: Index
+    interval_of: Index
     """Shape (m,): the stretch of the timings that each row is of."""
     before: Array
     """Shape (3, m): what its state is where each row starts, counted from its mark."""

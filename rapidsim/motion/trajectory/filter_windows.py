@@ -20,9 +20,9 @@ import numpy as np
 from rapidsim.frames.transform import Array
 from rapidsim.motion.model import Averages
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.timing.time_scaling import Timing
+from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _STEEPEST = 0.5
 """Largest T' while a window widens: the arm is seen at least at three quarters of its speed."""
@@ -32,7 +32,7 @@ the acceleration: quicker, that would be felt. A last move that is shorter gets 
 _ROUNDING = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Step:
     """From an instant on the window widens, or begins anew."""
 
@@ -163,7 +163,7 @@ class Windows:
         self,
         start_s: float,
         path: Path,
-        timing: Timing,
+        timing: TimeScaling,
         from_s: float,
         to_s: float,
         *,

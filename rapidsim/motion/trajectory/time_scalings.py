@@ -12,16 +12,16 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
-from rapidsim.motion.timing.time_scaling import Timing
-from rapidsim.values import dataclass
+from rapidsim.motion.timing.time_scaling import TimeScaling
+from rapidsim.values import value_class
 
 _FEW = 4
 """So many timings are cheaper to look through one by one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Timings:
-    """Timings (t,) with all their nodes (k,), in stretches (m,) between marks; see `Timing`."""
+@value_class(frozen=True, slots=True, eq=False)
+class TimeScalings:
+    """Time scalings (t,), their nodes (k,), in sections (m,) between marks; see `TimeScaling`."""
 
     begin: Index
     """Shape (t,): the first stretch of each timing."""
@@ -35,7 +35,7 @@ class Timings:
     acceleration: Array
     """Shape (k,): in the cell that begins at each node; the last of each timing has none."""
     since: Array
-    """Shape (3, k): see `Timing.since_marks`."""
+    """Shape (3, k): see `TimeScaling.since_marks`."""
 
     def since_marks(self, number: Index, t: Array) -> Array:
         """Distance [m], its integral [m s] and the integral of that [m s2] since marks, (3, k).
@@ -76,7 +76,7 @@ class Timings:
         return low
 
 
-def timings_of(timings: Sequence[Timing]) -> Timings:
+def timings_of(timings: Sequence[TimeScaling]) -> TimeScalings:
     """Join timings end to end, at least one."""
     count = np.array([len(one.s) for one in timings])
     marks = np.array([len(one.marks) for one in timings])
@@ -84,7 +84,7 @@ def timings_of(timings: Sequence[Timing]) -> Timings:
     first = np.concatenate([one.marks for one in timings]) + np.repeat(node, marks)
     last = np.append(first[1:], 0)
     last[begin + marks - 1] = node + count - 1
-    return Timings(
+    return TimeScalings(
         begin=begin,
         first=first,
         last=last,

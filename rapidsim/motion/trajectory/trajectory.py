@@ -9,8 +9,8 @@ then tells how far the arm has got.
 Nothing is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
 a cubic, and joints come from the exact pose.
 
-While the robot is guided from outside there is no path: joints are those of a `GuidedStretch`.
-Where a sensor corrects the path, the arm follows it with an offset: a `CorrectedStretch`.
+While the robot is guided from outside there is no path: joints are those of a `GuidedSection`.
+Where a sensor corrects the path, the arm follows it with an offset: a `CorrectedSection`.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.model import Averages, Smoothing
 from rapidsim.motion.trajectory.axis_smoothing import mean_joints
 from rapidsim.motion.trajectory.command import ROUNDING_M, Index, MotionCommand, Piece
-from rapidsim.motion.trajectory.corrected_stretch import CorrectedStretch
+from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.motion.trajectory.filter_windows import Windows
-from rapidsim.motion.trajectory.guided_stretch import GuidedStretch
+from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.zero_crossings import first_crossing
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 SAMPLE_STEP_S = 0.012
 """As often as ABB's controllers log positions."""
@@ -47,7 +47,7 @@ _NEAR_S = 1e-10
 """A place has digits enough to tell times so far apart, and not many more."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Samples:
     """The arm at some instants."""
 
@@ -66,8 +66,8 @@ class Samples:
     """Shape (k, e) [m or rad]: the external axes."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Postures:
+@value_class(frozen=True, slots=True, eq=False)
+class JointSamples:
     """The axes at some instants, without poses."""
 
     move: Index
@@ -86,9 +86,9 @@ class Mark(NamedTuple):
     """Position S [m] of the run."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Guided:
-    stretch: GuidedStretch
+    section: GuidedSection
     until_s: float = np.inf
     """When the next move begins; up to then the arm stands where the stretch ends."""
 
@@ -116,7 +116,7 @@ class Trajectory:
         self._windows = Windows(filter_time, averages)
         self._command = MotionCommand()
         self._guided: list[_Guided] = []
-        self._corrected: list[CorrectedStretch] = []
+        self._corrected: list[CorrectedSection] = []
 
     def begin_at(self, start: Waypoint) -> None:
         """Stand still at another start; for an arm that has not moved."""
@@ -124,19 +124,19 @@ class Trajectory:
         self._start = start
 
     @property
-    def guided(self) -> tuple[GuidedStretch, ...]:
+    def guided(self) -> tuple[GuidedSection, ...]:
         """Stretches on which the robot was guided from outside, in the order of time."""
-        return tuple(one.stretch for one in self._guided)
+        return tuple(one.section for one in self._guided)
 
-    def guide(self, stretch: GuidedStretch) -> None:
+    def guide(self, section: GuidedSection) -> None:
         """Let a robot at rest be guided; the next piece begins where the guidance ends."""
         if self._guided:
-            self._guided[-1] = replace(self._guided[-1], until_s=stretch.start_s)
-        self._guided.append(_Guided(stretch))
+            self._guided[-1] = replace(self._guided[-1], until_s=section.start_s)
+        self._guided.append(_Guided(section))
 
-    def correct(self, stretch: CorrectedStretch) -> None:
+    def correct(self, section: CorrectedSection) -> None:
         """Add an offset to the arm's path from now on."""
-        self._corrected.append(stretch)
+        self._corrected.append(section)
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
@@ -186,7 +186,7 @@ class Trajectory:
         self._guided = [one for one in self._guided if one.until_s >= seen_s]
         self._corrected = [one for one in self._corrected if one.until_s >= seen_s]
         for guided in self._guided:
-            guided.stretch.forget(seen_s)
+            guided.section.forget(seen_s)
         for corrected in self._corrected:
             corrected.forget(seen_s)
 
@@ -232,13 +232,13 @@ class Trajectory:
     def travelled_m(self) -> float:
         """TCP travel [m] of the whole run, with corners cut."""
         row = np.arange(1, self._command.last_row + 1)
-        way = self._command.ways(row)
+        way = self._command.increases(row)
         return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
 
-    def _travelled(self, row: Index, way: Array) -> Array:
+    def _travelled(self, row: Index, arc_length: Array) -> Array:
         """TCP travel (k,) [m] on the paths of rows (k,), as far as ways (k,) [m] in them."""
         travel = np.empty(len(row))
-        for path, s, at, _ in self._command.on_paths(row, way):
+        for path, s, at, _ in self._command.on_paths(row, arc_length):
             travel[at] = path.travelled(s)
         return travel
 
@@ -270,7 +270,7 @@ class Trajectory:
         places = np.array([first.place_m, last.place_m])
         (begin, end), (since_m, until_m) = self._command.rows_at(places)
         row = np.arange(begin, end + 1)
-        until, since = self._command.ways(row), np.zeros(len(row))
+        until, since = self._command.increases(row), np.zeros(len(row))
         until[-1], since[0] = until_m, since_m
         return float(np.sum(self._travelled(row, until) - self._travelled(row, since)))
 
@@ -286,35 +286,35 @@ class Trajectory:
             beside = (led.start_s <= times) & (times < led.until_s)
             if beside.any():
                 _lead(samples, led, beside)
-        for stretch, held in self._held(times):
+        for stretch, held in self._guided_sections(times):
             _guide(samples, stretch, held)
         return samples
 
-    def postures(self, times: Array) -> Postures:
+    def postures(self, times: Array) -> JointSamples:
         """The axes at some instants (k,) [s], in any order, as a coarse `at` has them."""
         if not self._command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
-            return Postures(samples.move, samples.joints, samples.external)
+            return JointSamples(samples.move, samples.joints, samples.external)
         row, way, _ = self._visible(times)
         joints, _ = mean_joints(self._command, self._windows, times, coarse=True)
         move = np.empty(len(times), dtype=np.int64)
         for path, s, at, first in self._command.on_paths(row, way):
             move[at] = first + path.segment_at(s)
         arm, external = np.split(joints, [len(self._start.joints)], axis=1)
-        for stretch, held in self._held(times):
+        for stretch, held in self._guided_sections(times):
             arm[held], external[held] = stretch.joints_at(times[held]), stretch.external
-        return Postures(move, arm, external)
+        return JointSamples(move, arm, external)
 
     @property
     def _by_axes(self) -> bool:
         return self._smoothing == "axes" and self._windows.filter_time > 0.0
 
-    def _held(self, times: Array) -> Iterator[tuple[GuidedStretch, Mask]]:
+    def _guided_sections(self, times: Array) -> Iterator[tuple[GuidedSection, Mask]]:
         """The stretches that decide some instants (k,) [s], and which."""
         for one in self._guided:
-            held = (one.stretch.start_s <= times) & (times <= one.until_s)
+            held = (one.section.start_s <= times) & (times <= one.until_s)
             if held.any():
-                yield one.stretch, held
+                yield one.section, held
 
     def _planned(self, times: Array, coarse: bool) -> Samples:
         """The arm on its path."""
@@ -329,7 +329,7 @@ class Trajectory:
         # Before the first piece the arm stands where it begins, with the tool it begins with.
         for path, s, at, first in self._command.on_paths(row, way):
             if by_axes:
-                tcp, segment, tcp_speed[at] = path.beside(s, joints[at], rates[at], speed[at])
+                tcp, segment, tcp_speed[at] = path.nearby_state(s, joints[at], rates[at], speed[at])
             else:
                 points = path.evaluate(s)
                 joints[at] = np.concatenate([points.joints, points.external], axis=1)
@@ -368,7 +368,7 @@ class Trajectory:
         for path, s, at, _ in self._command.on_paths(row, way):
             on_path = path.evaluate(s).base_from_tcp.translation
             off[at] = np.linalg.norm(samples.base_from_tcp.translation[at] - on_path, axis=1)
-        for _, held in self._held(samples.times):
+        for _, held in self._guided_sections(samples.times):
             off[held] = 0.0
         return off
 
@@ -454,36 +454,38 @@ class Trajectory:
         mean, speed = windows.mean(width, rate, changes)
         return *self._row_of(oldest, way + mean), speed
 
-    def _row_of(self, oldest: Index, way: Array) -> tuple[Index, Array]:
+    def _row_of(self, oldest: Index, arc_length: Array) -> tuple[Index, Array]:
         """Move ways (k,) [m] counted from rows (k,) on to the rows that hold them."""
-        row, way = oldest.copy(), np.maximum(way, 0.0)
+        row, arc_length = oldest.copy(), np.maximum(arc_length, 0.0)
         while True:
-            whole = self._command.ways(row)
-            past = np.flatnonzero((way > whole + ROUNDING_M) & (row < self._command.last_row))
+            whole = self._command.increases(row)
+            past = np.flatnonzero(
+                (arc_length > whole + ROUNDING_M) & (row < self._command.last_row)
+            )
             if not len(past):
-                return row, np.minimum(way, whole)
-            way[past] -= whole[past]
+                return row, np.minimum(arc_length, whole)
+            arc_length[past] -= whole[past]
             row[past] = np.minimum(self._command.following(row[past]), self._command.last_row)
 
 
-def _lead(samples: Samples, led: CorrectedStretch, beside: Mask) -> None:
+def _lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:
     """Let samples, some of which are beside the path, be there."""
-    times = samples.times[beside]
-    ways = led.ways_at(times)
-    joints = led.joints(samples.joints[beside], ways)
+    times = samples.times[mask]
+    ways = section.offsets_at(times)
+    joints = section.joints(samples.joints[mask], ways)
     reached = ~np.isnan(joints).any(axis=1)
-    rows = np.flatnonzero(beside)[reached]
+    rows = np.flatnonzero(mask)[reached]
     samples.joints[rows] = joints[reached]
     samples.base_from_tcp.translation[rows] += ways[reached]
-    samples.tcp_speed[rows] = np.hypot(samples.tcp_speed[rows], led.speeds_at(times)[reached])
+    samples.tcp_speed[rows] = np.hypot(samples.tcp_speed[rows], section.speeds_at(times)[reached])
 
 
-def _guide(samples: Samples, stretch: GuidedStretch, held: Mask) -> None:
+def _guide(samples: Samples, section: GuidedSection, mask: Mask) -> None:
     """Let samples, of which a stretch decides some, say what that says."""
-    times = samples.times[held]
-    joints = stretch.joints_at(times)
-    pose = stretch.tcp_at(joints)
-    samples.joints[held], samples.external[held] = joints, stretch.external
-    samples.base_from_tcp.rotation[held] = pose.rotation
-    samples.base_from_tcp.translation[held] = pose.translation
-    samples.tcp_speed[held] = stretch.tcp_speed_at(times)
+    times = samples.times[mask]
+    joints = section.joints_at(times)
+    pose = section.tcp_at(joints)
+    samples.joints[mask], samples.external[mask] = joints, section.external
+    samples.base_from_tcp.rotation[mask] = pose.rotation
+    samples.base_from_tcp.translation[mask] = pose.translation
+    samples.tcp_speed[mask] = section.tcp_speed_at(times)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.waypoints.curves import Line
-from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.curves import StraightLine
+from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Refused, Way, tcp_motion
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class AttitudeRates:
     """Rotations since the previous point and their rates, at each sample."""
 
@@ -25,7 +25,7 @@ class AttitudeRates:
     linear_rate: Array | None
 
 
-def attitude_rates(followed: Followed) -> AttitudeRates:
+def attitude_rates(followed: FollowedTrajectory) -> AttitudeRates:
     """The rotations of a trajectory."""
     samples = followed.samples
     begins = np.flatnonzero(np.diff(samples.move, prepend=-1))
@@ -52,10 +52,10 @@ def unbroken(quaternions: Array) -> Array:
     return same
 
 
-def _linear(followed: Followed) -> Array | None:
+def _linear(followed: FollowedTrajectory) -> Array | None:
     """Quaternions (k, 4) on the same ways with the same profiles, blended linearly."""
     attitudes = followed.attitudes
-    if followed.plan.way is not Way.LINE or attitudes.shape[1] != 4:
+    if followed.plan.kind is not Way.LINE or attitudes.shape[1] != 4:
         return None
     motion = tcp_motion(followed.points, attitudes, followed.plan)
     assert not isinstance(motion, Refused)
@@ -67,7 +67,7 @@ def _linear(followed: Followed) -> Array | None:
     )
     for number, curve in enumerate(motion.curves):
         at = np.flatnonzero(row == number)
-        if not isinstance(curve, Line):
+        if not isinstance(curve, StraightLine):
             return None
         share = motion.laws[number].at(samples.times[at] - starts[number])[:, :1] / curve.length
         start, end = curve.start_attitude, curve.end_attitude

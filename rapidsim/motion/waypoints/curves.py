@@ -14,7 +14,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 from rapidsim.motion.waypoints.points import between, posed
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _CELLS = 16
 """Stretches of a spline between two knots whose lengths are found apart."""
@@ -40,8 +40,8 @@ class Curve(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Line:
+@value_class(frozen=True, slots=True, eq=False)
+class StraightLine:
     """The TCP on a straight line, its orientation turning evenly."""
 
     start: Array
@@ -64,7 +64,7 @@ class Line:
         return posed(position, between(self.start_attitude, self.end_attitude, share))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class BaseArc:
     """The TCP on a great circle around the origin of the base, from `start` to `end`.
 
@@ -95,7 +95,7 @@ class BaseArc:
         return posed(position, between(self.start_attitude, self.end_attitude, share))
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class SplineCurve:
     """The TCP on a spline; quaternions are splined likewise and normalised."""
 
@@ -110,7 +110,7 @@ class SplineCurve:
         share = np.arange(_CELLS) / _CELLS
         inner = (breaks[:-1, None] + share * np.diff(breaks)[:, None]).reshape(-1)
         ends = np.append(inner, breaks[-1])
-        return ends, np.concatenate([[0.0], np.cumsum(self._way(ends[:-1], ends[1:]))])
+        return ends, np.concatenate([[0.0], np.cumsum(self._length(ends[:-1], ends[1:]))])
 
     @property
     def length(self) -> float:
@@ -131,7 +131,7 @@ class SplineCurve:
         found = low + (place - ways[cell]) / size * (high - low)
         for _ in range(_NEWTON_STEPS):
             speed = np.linalg.norm(self.positions.at(found, 1), axis=1)
-            missing = place - ways[cell] - self._way(low, found)
+            missing = place - ways[cell] - self._length(low, found)
             found = np.clip(found + missing / np.maximum(speed, 1e-12), low, high)
         inside: Array = found
         return inside
@@ -141,7 +141,7 @@ class SplineCurve:
         parameter = self.parameter(place)
         return posed(self.positions.at(parameter), self.attitudes.at(parameter))
 
-    def _way(self, start: Array, end: Array) -> Array:
+    def _length(self, start: Array, end: Array) -> Array:
         """Length (k,) [m] between parameters (k,) of one cell."""
         half = 0.5 * (end - start)
         nodes = (0.5 * (start + end))[:, None] + half[:, None] * _GAUSS

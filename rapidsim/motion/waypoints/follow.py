@@ -12,8 +12,8 @@ import numpy.typing as npt
 
 from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.compiled import decided_anew
-from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.reachability import limit_excess, unreachable_reason
+from rapidsim.motion.numba_jit import jit_reconsidered
 from rapidsim.motion.robot.external_axes import amount_text
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
@@ -30,7 +30,7 @@ from rapidsim.motion.waypoints.plan import (
 from rapidsim.motion.waypoints.points import Points, posed
 from rapidsim.motion.waypoints.quintic import overshoot
 from rapidsim.motion.waypoints.tcp_joints import NOT_FROM_THERE, joints_of_tcp, solved, when
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DEFAULT_DT = 0.012
 """[s]"""
@@ -41,8 +41,8 @@ _CHORDS = 64
 """Of a straight way in joint space, from which the way of its TCP is found."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Followed:
+@value_class(frozen=True, slots=True, eq=False)
+class FollowedTrajectory:
     """A trajectory with its joints."""
 
     plan: Plan
@@ -103,7 +103,7 @@ class Followed:
         )
 
 
-@decided_anew()
+@jit_reconsidered()
 def follow(
     robot: Robot,
     points: Points,
@@ -114,7 +114,7 @@ def follow(
     start: Array | None = None,
     first: Array | None = None,
     dt: float = DEFAULT_DT,
-) -> Followed | Refused:
+) -> FollowedTrajectory | Refused:
     """Solve a trajectory through points.
 
     Args:
@@ -133,7 +133,7 @@ def follow(
     if len(points) < 2:
         return Refused(f"a trajectory needs two points or more, not {len(points)}")
     tcp_from_flange = flange_from_tcp.inverse()
-    if plan.way.of_tcp:
+    if plan.kind.of_tcp:
         motion = tcp_motion(points, attitudes, plan)
         if isinstance(motion, Refused):
             return motion
@@ -148,13 +148,13 @@ def follow(
     at_points = posed(points.positions, attitudes)
     knots = solved(robot, at_points @ tcp_from_flange, start, first)
     if isinstance(knots, int):
-        why = why_unreachable(robot, (at_points @ tcp_from_flange)[knots])
+        why = unreachable_reason(robot, (at_points @ tcp_from_flange)[knots])
         said = why.message if why else NOT_FROM_THERE
         return Refused(f"point {points.number(knots)}: {said}", None, knots)
-    if plan.way is Way.JOINT_QUINTIC:
+    if plan.kind is Way.JOINT_QUINTIC:
         made = quintic_motion(points, knots, plan)
     else:
-        ways = _joint_ways(robot, knots, flange_from_tcp)
+        ways = _joint_motion_lengths(robot, knots, flange_from_tcp)
         made = even_joint_motion(knots, ways, plan)
     if isinstance(made, Refused):
         return made
@@ -164,7 +164,7 @@ def follow(
     return _of_joints(robot, points, attitudes, flange_from_tcp, plan, made, knots, times, dt)
 
 
-def _joint_ways(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
+def _joint_motion_lengths(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
     """How far the TCP goes (k - 1,) [m] where all joints turn evenly between knots (k, n)."""
     share = np.linspace(0.0, 1.0, _CHORDS + 1)[:, None, None]
     joints = knots[:-1] + share * np.diff(knots, axis=0)
@@ -183,7 +183,7 @@ def _of_tcp(
     times: Array,
     joints: Array,
     dt: float,
-) -> Followed | Refused:
+) -> FollowedTrajectory | Refused:
     wanted, segment = motion.at(times)
     step = np.abs(np.diff(joints, axis=0))
     base_from_tcp = robot.forward(joints) @ flange_from_tcp
@@ -195,7 +195,7 @@ def _of_tcp(
         curve = motion.curves[number]
         rate = motion.laws[number].at(times[at] - began, 1)[:, 0]
         speeds[at] = rate * curve.travel / curve.length
-    return Followed(
+    return FollowedTrajectory(
         plan=plan,
         robot=robot,
         points=points,
@@ -224,7 +224,7 @@ def _of_joints(
     knots: Array,
     times: Array,
     dt: float,
-) -> Followed | Refused:
+) -> FollowedTrajectory | Refused:
     joints = motion.trajectory.at(times)
     segment = np.searchsorted(motion.passed, times, side="right") - 1
     segment = np.clip(segment, 0, len(points) - 2).astype(np.int64)
@@ -246,9 +246,9 @@ def _of_joints(
         _tcp_velocity(robot, joints, motion.trajectory.at(times, 1), tcp), axis=1
     )
     beyond = np.zeros(len(robot.joints))
-    if plan.way is Way.JOINT_QUINTIC:
+    if plan.kind is Way.JOINT_QUINTIC:
         beyond = overshoot(motion.trajectory, knots)
-    return Followed(
+    return FollowedTrajectory(
         plan=plan,
         robot=robot,
         points=points,

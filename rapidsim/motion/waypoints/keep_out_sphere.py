@@ -10,7 +10,7 @@ from math import sqrt
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.motion.waypoints.curves import BaseArc, Curve, Line, SplineCurve
+from rapidsim.motion.waypoints.curves import BaseArc, Curve, SplineCurve, StraightLine
 from rapidsim.motion.waypoints.points import between
 
 _ROUNDING = 1e-9
@@ -26,7 +26,7 @@ class ThroughBaseError(ValueError):
 def nearest(curve: Curve) -> float:
     """The minimum distance [m] of a curve from the origin of the base."""
     match curve:
-        case Line():
+        case StraightLine():
             along = curve.end - curve.start
             square = float(along @ along)
             share = 0.0 if square == 0.0 else float(np.clip(-(curve.start @ along) / square, 0, 1))
@@ -40,7 +40,7 @@ def nearest(curve: Curve) -> float:
             return float(np.linalg.norm(ends, axis=1).min())
 
 
-def around(line: Line, radius: float) -> tuple[Curve, ...]:
+def around(line: StraightLine, radius: float) -> tuple[Curve, ...]:
     """A line with the part inside a sphere [m] around the base pushed out to the sphere.
 
     Args:
@@ -72,9 +72,9 @@ def around(line: Line, radius: float) -> tuple[Curve, ...]:
     pieces: list[Curve] = [arc]
     before, after = first * line.length, (1.0 - last) * line.length
     if before > _ROUNDING:
-        pieces.insert(0, Line(line.start, entry, line.start_attitude, turned[0], before))
+        pieces.insert(0, StraightLine(line.start, entry, line.start_attitude, turned[0], before))
     if after > _ROUNDING:
-        pieces.append(Line(leave, line.end, turned[1], line.end_attitude, after))
+        pieces.append(StraightLine(leave, line.end, turned[1], line.end_attitude, after))
     return tuple(pieces)
 
 

@@ -10,7 +10,7 @@ from math import factorial
 import numpy as np
 
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _NEGLIGIBLE = 1e-12
 """Share of a polynomial's largest coefficient below which one is rounding."""
@@ -18,7 +18,7 @@ _REAL = 1e-6
 """Imaginary part of a root that rounding leaves of a double one."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Piecewise:
     """A function of one number with d components, a polynomial between breaks."""
 

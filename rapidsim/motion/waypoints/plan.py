@@ -13,14 +13,14 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.motion.waypoints.curves import Curve, Line, SplineCurve
+from rapidsim.motion.waypoints.curves import Curve, SplineCurve, StraightLine
 from rapidsim.motion.waypoints.keep_out_sphere import ThroughBaseError, around, nearest
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 from rapidsim.motion.waypoints.points import Points, turn
 from rapidsim.motion.waypoints.quintic import quintics
 from rapidsim.motion.waypoints.spline import spline
 from rapidsim.motion.waypoints.velocity_profiles import Profile, law
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _NOTHING = 1e-12
 """[m]; a shorter stretch takes no time."""
@@ -44,11 +44,11 @@ class Way(StrEnum):
         return self in (Way.LINE, Way.SPLINE)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Plan:
     """A requested trajectory."""
 
-    way: Way = Way.LINE
+    kind: Way = Way.LINE
     profile: Profile = Profile.TRAPEZOID
     speed: float = 0.1
     """Greatest speed of the TCP [m/s]; in joint space it sets the time between points."""
@@ -65,7 +65,7 @@ class Plan:
     must lie outside; `sphere.pushed_out` moves them."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Refused:
     """Why a trajectory cannot be made."""
 
@@ -73,12 +73,12 @@ class Refused:
     help: str | None = None
     segment: int | None = None
     """The stretch after this point, counted from 0; None if it is no particular one."""
-    others: tuple[tuple[tuple[int, ...], str | None], ...] = ()
+    other_branches: tuple[tuple[tuple[int, ...], str | None], ...] = ()
     """The other configurations at the first point as confdata, and why each does not go all the
     way; None where it does."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class TcpMotion:
     """A sequence of curves of the TCP, each from rest to rest."""
 
@@ -132,7 +132,7 @@ def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refu
         attitudes: At each point, (k, 4) or (k, 1).
         plan: The requested trajectory.
     """
-    if plan.way is Way.SPLINE:
+    if plan.kind is Way.SPLINE:
         made = _spline_curve(points, attitudes)
         if isinstance(made, Refused):
             return made
@@ -152,7 +152,7 @@ def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refu
     return TcpMotion(tuple(curve for _, curve in kept), laws, owner)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class JointsOverTime:
     """Joints as a function of time."""
 
@@ -193,16 +193,16 @@ def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime 
     return JointsOverTime(quintics(times, joints, speeds, accelerations), times)
 
 
-def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointsOverTime | Refused:
+def even_joint_motion(joints: Array, offsets: Array, plan: Plan) -> JointsOverTime | Refused:
     """All joints in sync from point to point, with a stop at each: way `JOINT`.
 
     Args:
         joints: At each point, (k, n) [rad].
-        ways: How far the TCP travels in between, (k - 1,) [m].
+        offsets: How far the TCP travels in between, (k - 1,) [m].
         plan: Profile and speeds.
     """
     breaks, pieces, passed = [np.zeros(1)], [], [0.0]
-    for (first, last), way in zip(pairwise(joints), ways.tolist(), strict=True):
+    for (first, last), way in zip(pairwise(joints), offsets.tolist(), strict=True):
         begin = passed[-1]
         way = max(way, float(np.abs(last - first).max()) * plan.speed / plan.turn_speed)
         if way > _NOTHING:
@@ -220,7 +220,7 @@ def even_joint_motion(joints: Array, ways: Array, plan: Plan) -> JointsOverTime 
     )
 
 
-def _lines(positions: Array, attitudes: Array, plan: Plan) -> list[tuple[int, Line]]:
+def _lines(positions: Array, attitudes: Array, plan: Plan) -> list[tuple[int, StraightLine]]:
     lines = []
     for number in range(len(positions) - 1):
         start, end = positions[number : number + 2]
@@ -229,7 +229,7 @@ def _lines(positions: Array, attitudes: Array, plan: Plan) -> list[tuple[int, Li
             float(np.linalg.norm(end - start)), turn(before, after) * plan.speed / plan.turn_speed
         )
         if length > _NOTHING:
-            lines.append((number, Line(start, end, before, after, length)))
+            lines.append((number, StraightLine(start, end, before, after, length)))
     return lines
 
 
@@ -262,7 +262,11 @@ def _kept_out(
         closest = nearest(curve)
         if closest > plan.least_radius - 1e-9:
             kept.append((number, curve))
-        elif plan.avoid and isinstance(curve, Line) and _ends_outside(curve, plan.least_radius):
+        elif (
+            plan.avoid
+            and isinstance(curve, StraightLine)
+            and _leaves_sphere(curve, plan.least_radius)
+        ):
             try:
                 kept += [(number, piece) for piece in around(curve, plan.least_radius)]
             except ThroughBaseError:
@@ -272,7 +276,7 @@ def _kept_out(
                 return Refused(message, "put a point beside it", number)
         else:
             where = (
-                f"the line between {points.pair(number)}" if plan.way is Way.LINE else "the spline"
+                f"the line between {points.pair(number)}" if plan.kind is Way.LINE else "the spline"
             )
             message = (
                 f"{where} comes within {closest * 1000.0:.1f} mm of the origin of the base, "
@@ -283,6 +287,6 @@ def _kept_out(
     return kept
 
 
-def _ends_outside(line: Line, radius: float) -> bool:
+def _leaves_sphere(line: StraightLine, radius: float) -> bool:
     ends = np.linalg.norm([line.start, line.end], axis=1)
     return bool((ends > radius - 1e-9).all())

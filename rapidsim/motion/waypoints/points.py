@@ -10,13 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion, slerp
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _ON_AXIS_1 = 1e-9
 """[m]; nearer to axis 1 a pitch has no direction, and forward is taken."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Points:
     """A sequence of points in the robot's base frame."""
 

@@ -133,10 +133,10 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
     return names
 
 
-def _need(where: str, names: Sequence[str], wanted: Sequence[str], help: str) -> None:
+def _need(location: str, names: Sequence[str], wanted: Sequence[str], help: str) -> None:
     for name in wanted:
         if name not in names:
-            raise InputError(f"{where}: column `{name}` is missing", help)
+            raise InputError(f"{location}: column `{name}` is missing", help)
 
 
 def _row(fields: Sequence[str], line: int, names: Sequence[str], file: str) -> list[float]:

@@ -14,24 +14,24 @@ from rapidsim.motion.configurations.reachability import (
     Unreachable,
     limit_excess,
     turns_within_limits,
-    why_unreachable,
+    unreachable_reason,
 )
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.unwrapping import principal
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.points import Points, posed
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _PITCH_STEP = radians(0.5)
 _PITCHES: Array = _PITCH_STEP * np.arange(-360.0, 360.0)
 """All pitches that are tried, -180 to 179.5 deg."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PointReach:
     """The reach of an arm at one point."""
 
-    why: Unreachable | None
+    reason: Unreachable | None
     """What keeps it from it; None if it is reached."""
     pitch: float | None = None
     """The pitch [rad] that was chosen where it is free, or where least is missing."""
@@ -41,16 +41,16 @@ class PointReach:
     @property
     def reachable(self) -> bool:
         """Whether the arm can be there, within its limits."""
-        return self.why is None
+        return self.reason is None
 
     @property
     def message(self) -> str | None:
         """By how much the point is missed, in mm and degrees."""
-        if self.why is None:
+        if self.reason is None:
             return None
         if self.pitch is None:
-            return self.why.message
-        return f"at no pitch; closest at {degrees(self.pitch):g} deg: {self.why.message}"
+            return self.reason.message
+        return f"at no pitch; closest at {degrees(self.pitch):g} deg: {self.reason.message}"
 
 
 def reach(
@@ -64,7 +64,8 @@ def reach(
     if points.attitudes is not None:
         base_from_flange = posed(points.positions, points.attitudes) @ flange_from_tcp.inverse()
         found = tuple(
-            PointReach(why_unreachable(robot, base_from_flange[row])) for row in range(len(points))
+            PointReach(unreachable_reason(robot, base_from_flange[row]))
+            for row in range(len(points))
         )
         return found, points.attitudes
     free = tuple(_in_any_pitch(robot, at, flange_from_tcp) for at in points.positions)
@@ -88,7 +89,7 @@ def _in_any_pitch(robot: Robot, position: Array, flange_from_tcp: Transform) -> 
     else:
         tilt = 0.0 if branches.tilt is None else branches.tilt
         best = int(np.argmin(branches.shortfall + 1e-6 * tilt))
-    return PointReach(why_unreachable(robot, base_from_flange[best]), float(_PITCHES[best]))
+    return PointReach(unreachable_reason(robot, base_from_flange[best]), float(_PITCHES[best]))
 
 
 def _widest_run(possible: Mask) -> tuple[int, int]:

@@ -10,11 +10,11 @@ import numpy.typing as npt
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.configurations.branch_choice import least_motion
-from rapidsim.motion.configurations.confdata import confdata_of, told_apart
-from rapidsim.motion.configurations.reachability import limit_excess, why_unreachable
+from rapidsim.motion.configurations.confdata import confdata_of, has_branches
+from rapidsim.motion.configurations.reachability import limit_excess, unreachable_reason
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.branch_jumps import jump_on
-from rapidsim.motion.waypoints.branch_ways import BranchWay, branch_ways
+from rapidsim.motion.waypoints.branch_paths import BranchPath, branch_paths
 from rapidsim.motion.waypoints.plan import Refused, TcpMotion
 from rapidsim.motion.waypoints.points import Points
 
@@ -51,34 +51,34 @@ def joints_of_tcp(
         jump = jump_on(robot, motion, tcp_from_flange, times, joints)
         if jump is None:
             return joints
-    if not told_apart(robot.kinematics):
+    if not has_branches(robot.kinematics):
         return _not_searched(robot, points, base_from_flange, segment, times, joints, jump)
     # Where no first joints are given, it is told of the configuration that turns least.
     begin = first if first is not None or isinstance(joints, int) else joints[0]
-    ways = branch_ways(robot, base_from_flange, begin)
+    ways = branch_paths(robot, base_from_flange, begin)
     if first is None:
         for way in sorted(ways, key=lambda one: one.travel):
             free = way.message is None
             if free and jump_on(robot, motion, tcp_from_flange, times, way.joints) is None:
                 return way.joints
-    return _no_way(robot, points, segment, times, ways, begin)
+    return _path_failure(robot, points, segment, times, ways, begin)
 
 
-def _no_way(
+def _path_failure(
     robot: Robot,
     points: Points,
     segment: npt.NDArray[np.int64],
     times: Array,
-    ways: Sequence[BranchWay],
+    candidates: Sequence[BranchPath],
     begin: Array | None,
 ) -> Refused:
     """Why no configuration goes all the way, or not the one in which the arm begins (n,) [rad]."""
-    if not ways:
+    if not candidates:
         return Refused(f"point {points.number(0)} is out of reach", None, 0)
     conf = None if begin is None else tuple(confdata_of(robot.kinematics, begin).tolist())
-    told = next((way for way in ways if way.confdata == conf), ways[0])
-    others = tuple((way.confdata, way.message) for way in ways if way is not told)
-    free = next((way for way in ways if way.message is None), None)
+    told = next((way for way in candidates if way.confdata == conf), candidates[0])
+    others = tuple((way.confdata, way.message) for way in candidates if way is not told)
+    free = next((way for way in candidates if way.message is None), None)
     help = "move the points, or take another attitude or --path joint"
     if free is not None:
         help = f"begin with --conf={','.join(map(str, free.confdata))}, which works all the way"
@@ -102,7 +102,7 @@ def _not_searched(
 ) -> Refused:
     """Why an arm whose joints are searched for does not get there, at the place where it fails."""
     if isinstance(joints, int):
-        why = why_unreachable(robot, base_from_flange[joints])
+        why = unreachable_reason(robot, base_from_flange[joints])
         said, row = why.message if why else NOT_FROM_THERE, joints
         help = "use points closer together, another attitude, or another --path"
     else:
@@ -124,7 +124,7 @@ def solved(
     robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
 ) -> Array | int:
     """Joints (k, n) of poses (k,), or the first that cannot be reached."""
-    if not told_apart(robot.kinematics):
+    if not has_branches(robot.kinematics):
         return _searched(robot, base_from_flange, start, first)
     if first is None:
         found = least_motion(robot, base_from_flange, start)

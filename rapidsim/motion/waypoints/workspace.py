@@ -13,7 +13,7 @@ import numpy.typing as npt
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.axis_tables import screws_of
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _CELLS = 120
 """From the axis to the furthest place, and half as many again upwards and downwards."""
@@ -24,7 +24,7 @@ _AT_END = 0.1
 _UPRIGHT = 1e-6
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Workspace:
     """The positions that the flange of an arm reaches."""
 

@@ -9,19 +9,19 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.known_moves import KnownMove
 
 
-def led_by_wrist(known: KnownMove, robot: Robot) -> bool:
+def is_wrist_driven(known_move: KnownMove, robot: Robot) -> bool:
     """Whether two wrist axes certainly lead a move, which then ends elsewhere than at its target.
 
     Only runs examine moves of a carried work object, so those are not considered here.
     """
-    if known.move.interpolation is not Interpolation.CIRCLE:
+    if known_move.move.interpolation is not Interpolation.CIRCLE:
         return False
-    mode = circle_mode_of(known.move, known.settings, None, robot)
-    return mode in WRIST_PAIRS and "circle_path" not in known.uncertain
+    mode = circle_mode_of(known_move.move, known_move.settings, None, robot)
+    return mode in WRIST_PAIRS and "circle_path" not in known_move.uncertain
 
 
-def may_be_led_by_wrist(known: KnownMove, robot: Robot) -> bool:
+def may_be_wrist_driven(known_move: KnownMove, robot: Robot) -> bool:
     """Whether two wrist axes lead a move, or may do so."""
-    unsure = "circle_path" in known.uncertain
-    arc = known.move.interpolation is Interpolation.CIRCLE
-    return (arc and unsure) or led_by_wrist(known, robot)
+    unsure = "circle_path" in known_move.uncertain
+    arc = known_move.move.interpolation is Interpolation.CIRCLE
+    return (arc and unsure) or is_wrist_driven(known_move, robot)

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from math import prod
 
 from rapidsim.analysis.program import DataSymbol
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.types import ArrayOf, Record, resolved
-from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown, component_index
+from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic, component_index
 from rapidsim.syntax import tree
 
 MOST_ELEMENTS = 20_000
@@ -19,17 +19,17 @@ def empty_data(symbol: DataSymbol) -> Known:
     """The value of data declared without one."""
     of = resolved(symbol.type)
     if isinstance(of, ArrayOf) and prod(size or 1 for size in of.dimensions) > MOST_ELEMENTS:
-        return Unknown(f"`{symbol.name}` is too large an array to be followed")
+        return NotStatic(f"`{symbol.name}` is too large an array to be followed")
     return initial_value(symbol.type)
 
 
 def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
     """The whole value of the data at the root of a path, after an assignment to the path."""
-    if isinstance(path, tree.Reference) or isinstance(value, Unknown):
+    if isinstance(path, tree.DataReference) or isinstance(value, NotStatic):
         return value
     outer = path.array if isinstance(path, tree.Index) else path.record
     whole = evaluator.value(outer)
-    if isinstance(whole, Unknown):
+    if isinstance(whole, NotStatic):
         return whole
     if isinstance(path, tree.Index):
         places = [evaluator.value(index) for index in path.indices]
@@ -37,7 +37,7 @@ def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
     of = evaluator.program.type_of.get(path.record)
     target = None if of is None else resolved(of)
     if not isinstance(target, Record):
-        return Unknown("a component of what is not a record")
+        return NotStatic("a component of what is not a record")
     parts = list(whole)
     parts[component_index(target, path.name.key)] = value
     return replaced(evaluator, outer, tuple.__new__(type(whole), parts))
@@ -46,12 +46,12 @@ def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
 def _with_element(array: Known, places: Sequence[Known], value: Known) -> Known:
     """An array with one element replaced; unknown where the place is not known or not there."""
     place, *inner = places
-    if isinstance(place, Unknown):
+    if isinstance(place, NotStatic):
         return place
     if place % 1.0 or not 1 <= place <= len(array):
-        return Unknown(f"there is no element {place:g}")
+        return NotStatic(f"there is no element {place:g}")
     at = int(place) - 1
     changed = _with_element(array[at], inner, value) if inner else value
-    if isinstance(changed, Unknown):
+    if isinstance(changed, NotStatic):
         return changed
     return [*array[:at], changed, *array[at + 1 :]]

@@ -8,19 +8,19 @@ from typing import TypeAlias
 from rapidsim.diagnostics import Span
 from rapidsim.language.moves import MotionSettings, Move
 from rapidsim.syntax import tree
-from rapidsim.syntax.run_rows import statement_of
-from rapidsim.values import dataclass
+from rapidsim.syntax.bulk_rows import statement_of
+from rapidsim.values import value_class
 
-MoveStatement: TypeAlias = tree.Call | tree.RunRow
+MoveStatement: TypeAlias = tree.Call | tree.BulkRow
 """A move instruction where it is written, in the tree or in a run of alike ones."""
 
 
 def in_tree(call: MoveStatement) -> tree.Call:
     """The statement in the tree equivalent to a move, except for the numbers of its target."""
-    return call.like if isinstance(call, tree.RunRow) else call
+    return call.like if isinstance(call, tree.BulkRow) else call
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class KnownMove:
     """A move instruction with known arguments, on one of the program's paths to it."""
 
@@ -45,18 +45,18 @@ class KnownMove:
     def statement(self) -> tree.Call:
         """The instruction as written."""
         call = self.call
-        if isinstance(call, tree.RunRow):
+        if isinstance(call, tree.BulkRow):
             return statement_of(call, self.module.source.text)
         return call
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class WalkedProgram:
     """The moves of a program, as far as they are known."""
 
     written: tuple[tuple[MoveStatement, tree.Module], ...]
     """Every move instruction of the text."""
-    known: tuple[KnownMove, ...]
+    moves: tuple[KnownMove, ...]
     unknown: Mapping[MoveStatement, str]
     """Why a move is not known in at least one of the ways the program comes to it."""
     settings_set: frozenset[str]

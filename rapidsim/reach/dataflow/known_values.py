@@ -12,23 +12,23 @@ from typing import Any, Protocol, TypeAlias
 
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, Symbol
 from rapidsim.analysis.types.operators import ARITHMETIC
-from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
 from rapidsim.interpreter.runtime import arithmetic
 from rapidsim.interpreter.runtime.values import from_literal, literal
 from rapidsim.language import types
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.errors import RapidError
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class Unknown:
+@value_class(frozen=True, slots=True)
+class NotStatic:
     """A value that only a run can tell."""
 
     reason: str
@@ -36,10 +36,10 @@ class Unknown:
 
 
 Known: TypeAlias = Any
-"""A RAPID value, or an `Unknown`."""
+"""A RAPID value, or an `NotStatic`."""
 
 
-class Surroundings(Protocol):
+class Environment(Protocol):
     """The environment of expressions: the data they read, and functions of the program."""
 
     def read(self, symbol: Symbol) -> Known:
@@ -51,7 +51,7 @@ class Surroundings(Protocol):
         ...
 
 
-_NOT_TOLD = Unknown("an expression that only a run evaluates")
+_NOT_TOLD = NotStatic("an expression that only a run evaluates")
 _COMPARISONS: Mapping[str, Callable[[float, float], bool]] = {
     "<": lt,
     "<=": le,
@@ -69,12 +69,12 @@ _ON_POSITIONS: Mapping[tuple[str, type, type], Callable[[Any, Any], Any]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Evaluator:
     """Evaluates the expressions of a program at one point in it."""
 
     program: Program
-    around: Surroundings
+    around: Environment
 
     def value(self, expression: tree.Expression, of: Type | None = None) -> Known:
         """The value of an expression, rounded as in an assignment; or why it is not known.
@@ -92,25 +92,25 @@ class Evaluator:
                 if not abs(found) <= arithmetic.MAX_DOUBLE:
                     arithmetic.overflow(found)
         except RapidError as error:
-            return Unknown(f"it fails: {error.message}")
+            return NotStatic(f"it fails: {error.message}")
         except RecursionError:
             return _NOT_TOLD
         return found
 
     def arguments(
-        self, parameters: Sequence[Any], given: Mapping[str, Given]
-    ) -> dict[str, Known] | Unknown:
+        self, parameters: Sequence[Any], bound: Mapping[str, BoundArgument]
+    ) -> dict[str, Known] | NotStatic:
         """The argument values of a call by folded parameter name, or why one is not known."""
         values: dict[str, Known] = {}
         for parameter in parameters:
             key = parameter.name.lower()
-            one = given.get(key)
+            one = bound.get(key)
             if one is None:
                 continue
             if one.caller_option is not None:
-                return Unknown(f"`{one.caller_option.text}` is passed on from the caller")
+                return NotStatic(f"`{one.caller_option.text}` is passed on from the caller")
             found = True if one.value is None else self.value(one.value)
-            if isinstance(found, Unknown):
+            if isinstance(found, NotStatic):
                 return found
             values[key] = found
         return values
@@ -119,10 +119,10 @@ class Evaluator:
         match expression:
             case tree.Parenthesised(inner=inner):
                 return self._unrounded(inner, self.program.type_of.get(inner, of))
-            case tree.Reference():
+            case tree.DataReference():
                 symbol = self.program.symbol_of.get(expression)
                 return _NOT_TOLD if symbol is None else self.around.read(symbol)
-            case tree.Number() | tree.String() | tree.Bool():
+            case tree.NumberLiteral() | tree.StringLiteral() | tree.BoolLiteral():
                 return literal(expression, of or types.NUM)
             case tree.LiteralAggregate(value=values):
                 return _NOT_TOLD if of is None else from_literal(values, of)
@@ -130,7 +130,7 @@ class Evaluator:
                 return self._aggregate(elements, of)
             case tree.Index(array=array, indices=indices):
                 return self._element(array, indices)
-            case tree.Component(record=record, name=name):
+            case tree.ComponentAccess(record=record, name=name):
                 return self._component(record, name)
             case tree.Unary(operator=operator, operand=operand):
                 return self._unary(operator, operand)
@@ -149,24 +149,24 @@ class Evaluator:
                     self.value(element, component.type)
                     for element, component in zip(elements, components, strict=True)
                 ]
-                unknown = next((part for part in parts if isinstance(part, Unknown)), None)
+                unknown = next((part for part in parts if isinstance(part, NotStatic)), None)
                 return unknown or tuple.__new__(python, parts)
             case ArrayOf():
                 parts = [self.value(element) for element in elements]
-                return next((part for part in parts if isinstance(part, Unknown)), parts)
+                return next((part for part in parts if isinstance(part, NotStatic)), parts)
             case _:
                 return _NOT_TOLD
 
     def _element(self, array: tree.DataPath, indices: Sequence[tree.Expression]) -> Known:
         found = self.value(array)
         for index in indices:
-            if isinstance(found, Unknown):
+            if isinstance(found, NotStatic):
                 return found
             number = self.value(index)
-            if isinstance(number, Unknown):
+            if isinstance(number, NotStatic):
                 return number
             if number % 1.0 or not 1 <= number <= len(found):
-                return Unknown(f"there is no element {number:g}")
+                return NotStatic(f"there is no element {number:g}")
             found = found[int(number) - 1]
         return found
 
@@ -174,14 +174,14 @@ class Evaluator:
         found = self.value(record)
         of = self.program.type_of.get(record)
         target = None if of is None else resolved(of)
-        if isinstance(found, Unknown) or not isinstance(target, Record):
-            return found if isinstance(found, Unknown) else _NOT_TOLD
+        if isinstance(found, NotStatic) or not isinstance(target, Record):
+            return found if isinstance(found, NotStatic) else _NOT_TOLD
         return found[component_index(target, name.key)]
 
     def _unary(self, operator: str, operand: tree.Expression) -> Known:
         found = self._unrounded(operand, self.program.type_of.get(operand))
         match found:
-            case Unknown():
+            case NotStatic():
                 return found
             case bool():
                 return not found
@@ -200,7 +200,7 @@ class Evaluator:
             return a
         b = operand(right, self.program.type_of.get(right))
         for found in (a, b):
-            if isinstance(found, Unknown):
+            if isinstance(found, NotStatic):
                 return found
         if operator in ("=", "<>"):
             if isinstance(a, list):
@@ -232,13 +232,13 @@ class Evaluator:
             case RoutineSymbol() as symbol:
                 return self.around.call(symbol, call.arguments)
             case _:
-                return Unknown(f"`{call.name.text}` tells it while the program runs")
+                return NotStatic(f"`{call.name.text}` tells it while the program runs")
 
     def _library(self, routine: LibraryRoutine, call: tree.FunctionCall) -> Known:
         signature = routine.signature
         given = match_arguments(call.arguments, signature.parameters)
         values = self.arguments(signature.parameters, given)
-        if isinstance(values, Unknown):
+        if isinstance(values, NotStatic):
             return values
         there = [p for p in signature.parameters if p.name.lower() in values]
         options = {p.python: values[p.name.lower()] for p in there if p.by_keyword}
@@ -257,7 +257,7 @@ def is_pure(routine: LibraryRoutine) -> bool:
     return (
         signature.result is not None
         and not signature.takes_controller
-        and all(p.mode is Mode.IN and not p.deferred for p in signature.parameters)
+        and all(p.mode is ParameterMode.IN and not p.deferred for p in signature.parameters)
     )
 
 
@@ -275,7 +275,7 @@ def _computed(operator: str, a: float, b: float) -> Known:
         case "*":
             return a * b
         case "/":
-            return Unknown("it divides by zero") if b == 0.0 else a / b
+            return NotStatic("it divides by zero") if b == 0.0 else a / b
         case "DIV":
             return arithmetic.integer_quotient(a, b)
         case "MOD":

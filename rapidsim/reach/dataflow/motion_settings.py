@@ -9,13 +9,13 @@ from __future__ import annotations
 from dataclasses import field
 
 from rapidsim.language.moves import MotionSettings
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DISPLACEMENTS = frozenset({"displacement", "axis_offsets"})
 """Settings without which no target is known."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class KnownSettings:
     """The settings in force at a statement."""
 

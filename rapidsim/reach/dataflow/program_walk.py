@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from rapidsim.analysis.program import Program, does
 from rapidsim.analysis.tree_walk import clauses, statements
-from rapidsim.library.traits import Does
-from rapidsim.reach.dataflow.interpretation import TOO_LONG, Walker
+from rapidsim.library.traits import Trait
+from rapidsim.reach.dataflow.abstract_interpreter import TOO_LONG, AbstractInterpreter
+from rapidsim.reach.dataflow.bulk_moves import runs_of, with_rows
 from rapidsim.reach.dataflow.known_moves import WalkedProgram
-from rapidsim.reach.dataflow.run_moves import runs_of, with_rows
 from rapidsim.reach.dataflow.side_effects import ProgramEffects
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
-from rapidsim.syntax.collection import uncollected
+from rapidsim.syntax.garbage_collection import gc_paused
 
 
-@uncollected()
+@gc_paused()
 def walk_program(program: Program) -> WalkedProgram:
     """Walk through all routines of a program that move the robot.
 
@@ -28,11 +28,11 @@ def walk_program(program: Program) -> WalkedProgram:
         for module in program.modules
         for routine in module.routines
         for node in statements(*clauses(routine))
-        if isinstance(node, tree.Call) and Does.MOVE in does(program.symbol_of.get(node))
+        if isinstance(node, tree.Call) and Trait.MOVE in does(program.symbol_of.get(node))
         for one in with_rows(node, runs)
     )
     effects = ProgramEffects(program)
-    walker = Walker(program, effects, runs)
+    walker = AbstractInterpreter(program, effects, runs)
     if written:
         walker.walk_all()
     met = {known.call for known in walker.moves} | walker.unknown.keys()

@@ -22,21 +22,21 @@ from rapidsim.analysis.program import (
     does,
 )
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
-from rapidsim.interpreter.codegen.calls import Given, match_arguments
+from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.moves import MotionSettings
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
-_CALLS_BY_NAME = Does.CALL_BY_NAME | Does.CALL_ON_THE_WAY
+_CALLS_BY_NAME = Trait.CALL_BY_NAME | Trait.CALL_ON_THE_WAY
 
 
-@dataclass(slots=True)
-class _Direct:
+@value_class(slots=True)
+class _DirectEffects:
     """What a stretch of a program does itself, without what it calls."""
 
     writes: set[Symbol] = field(default_factory=set)
@@ -50,7 +50,7 @@ class _Direct:
     """It calls a routine whose name only the run knows."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Effects:
     """The possible effects of a part of a program, including everything it calls."""
 
@@ -59,7 +59,7 @@ class Effects:
     moves: bool
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class ProgramEffects:
     """The effects of all routines of a program."""
 
@@ -85,7 +85,7 @@ class ProgramEffects:
     @cached_property
     def volatile(self) -> frozenset[Symbol]:
         """Data that may change at any statement: traps, error handlers and the like write them."""
-        aside: list[Effects] = [self.everything] if self._calls_on_the_way else []
+        aside: list[Effects] = [self.everything] if self._has_named_call else []
         for routine in self.routines:
             node = routine.node
             if isinstance(node, tree.Trap):
@@ -95,14 +95,14 @@ class ProgramEffects:
         return _united(aside).writes
 
     @cached_property
-    def _calls_on_the_way(self) -> bool:
+    def _has_named_call(self) -> bool:
         """Whether a procedure, by its name, runs somewhere on the path."""
         called = (
             self.program.symbol_of.get(node)
             for routine in self.routines
             for node in statements(*clauses(routine.node))
         )
-        return any(Does.CALL_ON_THE_WAY in does(one) for one in called)
+        return any(Trait.CALL_ON_THE_WAY in does(one) for one in called)
 
     def of_routine(self, routine: RoutineSymbol) -> Effects:
         """The effects of calling a routine, including those on its parameters."""
@@ -127,7 +127,7 @@ class ProgramEffects:
         """The non-constant data that expressions read."""
         found: list[Symbol] = []
         for node in descendants(*expressions):
-            if isinstance(node, tree.Reference):
+            if isinstance(node, tree.DataReference):
                 symbol = self.program.symbol_of.get(node)
                 if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
                     continue
@@ -145,7 +145,7 @@ class ProgramEffects:
         return frozenset(one for direct in self._by_routine.values() for one in direct.calls)
 
     @cached_property
-    def _by_routine(self) -> dict[RoutineSymbol, _Direct]:
+    def _by_routine(self) -> dict[RoutineSymbol, _DirectEffects]:
         """What each routine does itself."""
         return {
             routine: self._direct(statements(*clauses(routine.node))) for routine in self.routines
@@ -162,7 +162,9 @@ class ProgramEffects:
                 return effects
             effects = grown
 
-    def _with_calls(self, direct: _Direct, effects: Mapping[RoutineSymbol, Effects]) -> Effects:
+    def _with_calls(
+        self, direct: _DirectEffects, effects: Mapping[RoutineSymbol, Effects]
+    ) -> Effects:
         called = (
             effects.values() if direct.calls_anything else map(effects.__getitem__, direct.calls)
         )
@@ -178,70 +180,72 @@ class ProgramEffects:
             direct.moves or below.moves,
         )
 
-    def _direct(self, body: Iterable[tree.Statement]) -> _Direct:
-        found = _Direct()
+    def _direct(self, body: Iterable[tree.Statement]) -> _DirectEffects:
+        found = _DirectEffects()
         for statement in body:
             if isinstance(statement, tree.Assignment | tree.Connect):
                 target = statement.target if isinstance(statement, tree.Assignment) else None
                 written = target or getattr(statement, "interrupt", None)
-                if isinstance(written, tree.Reference | tree.Index | tree.Component):
+                if isinstance(written, tree.DataReference | tree.Index | tree.ComponentAccess):
                     found.writes.update(self._root(written))
             for node in _own_calls(statement):
                 self._add_call(node, found)
         return found
 
-    def _add_call(self, node: tree.Node, found: _Direct) -> None:
+    def _add_call(self, node: tree.Node, effects: _DirectEffects) -> None:
         callee = self.program.symbol_of.get(node)
         if self.program.loads_modules and not isinstance(callee, RoutineSymbol | LibrarySymbol):
             # The routine may be one of a module that is loaded while the program runs.
-            found.writes.update(self._all_data)
-            found.settings.update(MotionSettings.__dataclass_fields__)
-            found.moves = True
+            effects.writes.update(self._all_data)
+            effects.settings.update(MotionSettings.__dataclass_fields__)
+            effects.moves = True
         if isinstance(node, tree.LateCall):
-            found.calls_anything = True
+            effects.calls_anything = True
             for argument in node.arguments:
-                found.writes.update(self._given_data(argument))
+                effects.writes.update(self._given_data(argument))
             return
         assert isinstance(node, tree.Call | tree.FunctionCall)
         match callee:
             case RoutineSymbol() as routine:
-                found.calls.add(routine)
+                effects.calls.add(routine)
                 given = match_arguments(node.arguments, routine.parameters)
                 for parameter in routine.parameters:
                     for symbol in self._referred(parameter.mode, given.get(parameter.name.lower())):
-                        found.gives.append((symbol, routine, parameter))
+                        effects.gives.append((symbol, routine, parameter))
             case LibrarySymbol(routine=library):
-                self._add_library_call(library, node.arguments, found)
+                self._add_library_call(library, node.arguments, effects)
             case _:
                 for argument in node.arguments:
-                    found.writes.update(self._given_data(argument))
+                    effects.writes.update(self._given_data(argument))
 
     def _add_library_call(
-        self, library: LibraryRoutine, arguments: Sequence[tree.Argument], found: _Direct
+        self, library: LibraryRoutine, arguments: Sequence[tree.Argument], effects: _DirectEffects
     ) -> None:
-        found.settings.update(library.sets)
-        found.moves |= Does.MOVE in library.does
-        if _CALLS_BY_NAME & library.does:
-            found.calls_anything = True
-        if Does.WRITE_BY_NAME in library.does:
-            found.writes.update(self._all_data)
+        effects.settings.update(library.sets)
+        effects.moves |= Trait.MOVE in library.traits
+        if _CALLS_BY_NAME & library.traits:
+            effects.calls_anything = True
+        if Trait.WRITE_BY_NAME in library.traits:
+            effects.writes.update(self._all_data)
         parameters = library.signature.parameters
         # Tools and work objects are given as PERS and only read.
-        written = [one for one in parameters if one.mode in (Mode.INOUT, Mode.VAR)]
+        written = [
+            one for one in parameters if one.mode in (ParameterMode.INOUT, ParameterMode.VAR)
+        ]
         given = match_arguments(arguments, parameters) if written else {}
         for parameter in written:
-            found.writes.update(self._referred(parameter.mode, given.get(parameter.name.lower())))
+            effects.writes.update(self._referred(parameter.mode, given.get(parameter.name.lower())))
 
-    def _referred(self, mode: Mode, given: Given | None) -> Iterator[Symbol]:
+    def _referred(self, mode: ParameterMode, given: BoundArgument | None) -> Iterator[Symbol]:
         if given is not None and given.value is not None and by_reference(mode):
             value = bare(given.value)
-            if isinstance(value, tree.Reference | tree.Index | tree.Component):
+            if isinstance(value, tree.DataReference | tree.Index | tree.ComponentAccess):
                 yield from self._root(value)
 
     def _given_data(self, argument: tree.Argument) -> Iterator[Symbol]:
-        value = None if isinstance(argument, tree.Conditional) else argument.value
+        value = None if isinstance(argument, tree.ConditionalArgument) else argument.value
         inner = None if value is None else bare(value)
-        if isinstance(inner, tree.Reference | tree.Index | tree.Component):
+        if isinstance(inner, tree.DataReference | tree.Index | tree.ComponentAccess):
             yield from self._root(inner)
 
     def _root(self, path: tree.DataPath) -> Iterator[Symbol]:
@@ -267,9 +271,9 @@ def _can_change(symbol: Symbol | None) -> TypeGuard[DataSymbol]:
     return symbol.node is not None and symbol.storage is not Storage.CONST
 
 
-def root_of(path: tree.DataPath) -> tree.Reference:
+def root_of(path: tree.DataPath) -> tree.DataReference:
     """The name a path begins with."""
-    while not isinstance(path, tree.Reference):
+    while not isinstance(path, tree.DataReference):
         path = path.array if isinstance(path, tree.Index) else path.record
     return path
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Final
 
 from rapidsim.analysis.program import RoutineSymbol, Symbol
-from rapidsim.reach.dataflow.known_values import Known, Unknown
+from rapidsim.reach.dataflow.known_values import Known, NotStatic
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
 
 _MISSING = object()
@@ -31,10 +31,10 @@ class State:
         """An independent copy."""
         return State(dict(self.values), self.settings, self.last, self.alive)
 
-    def forget(self, symbols: Iterable[Symbol], why: str) -> None:
-        """Forget the value of data; `why` is a format string for the name of each."""
+    def forget(self, symbols: Iterable[Symbol], reason: str) -> None:
+        """Forget the value of data; `reason` is a format string for the name of each."""
         for symbol in symbols:
-            self.values[symbol] = Unknown(why.format(name=symbol.name))
+            self.values[symbol] = NotStatic(reason.format(name=symbol.name))
 
     def without(self, symbols: frozenset[Symbol]) -> State:
         """The state after the data of a routine have gone out of scope."""
@@ -42,13 +42,13 @@ class State:
         return State(kept, self.settings, self.last, self.alive)
 
 
-def joined(ways: Iterable[State]) -> State:
+def joined(states: Iterable[State]) -> State:
     """What is known where several paths join; those that end before are ignored.
 
     If all of them end before, the data keep what they held at the ends: the statements that follow
     are examined, too, and a label may be reached by GOTO.
     """
-    every = list(ways)
+    every = list(states)
     first, *others = [way for way in every if way.alive] or every
     result = first.copy()
     for other in others:
@@ -56,7 +56,7 @@ def joined(ways: Iterable[State]) -> State:
             a = result.values.get(symbol, _MISSING)
             b = other.values.get(symbol, _MISSING)
             if a is not b and (a is _MISSING or b is _MISSING or type(a) is not type(b) or a != b):
-                result.values[symbol] = Unknown(
+                result.values[symbol] = NotStatic(
                     f"`{symbol.name}` depends on the way the program takes"
                 )
         result.settings = result.settings.joined(other.settings)
@@ -66,7 +66,7 @@ def joined(ways: Iterable[State]) -> State:
 
 
 @dataclass(eq=False)
-class Frame:
+class AbstractFrame:
     """A routine that is being walked."""
 
     routine: RoutineSymbol

@@ -7,29 +7,29 @@ from collections.abc import Sequence
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.language.controller import one_for_all
+from rapidsim.language.controller import uniform_controller
 from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.path_events import RaiseInterrupt, Trigger
 from rapidsim.language.reference import Box
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.reach.dataflow.known_values import Evaluator, Known, Unknown
-from rapidsim.reach.dataflow.recorder import NeedsRunError, Recorder
+from rapidsim.reach.dataflow.controller_stub import ControllerStub, NeedsRunError
+from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TRIGGER = TYPES["triggdata"]
 _ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
 """What happens on the way of a move changes nothing about it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Performed:
+@value_class(frozen=True, slots=True, eq=False)
+class InstructionEffect:
     """The effect of an instruction on the data passed to it by reference."""
 
     written: tuple[tuple[tree.DataPath, Known], ...] = ()
-    goes_on: bool = True
+    continues: bool = True
     """Whether the program goes on with the next statement; not after ExitCycle and its like."""
 
 
@@ -37,8 +37,8 @@ def perform(
     routine: LibraryRoutine,
     arguments: Sequence[tree.Argument],
     evaluator: Evaluator,
-    recorder: Recorder,
-) -> Performed | str:
+    recorder: ControllerStub,
+) -> InstructionEffect | str:
     """Execute an instruction; or say why that takes a run.
 
     Args:
@@ -54,12 +54,12 @@ def perform(
     # Most instructions have many options, and most calls few arguments.
     there = [one for one in signature.parameters if one.name.lower() in given]
     values = evaluator.arguments([one for one in there if _TRIGGER not in one.types], given)
-    if isinstance(values, Unknown):
+    if isinstance(values, NotStatic):
         return values.reason
     cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
     required: list[object] = []
     if signature.takes_controller:
-        required.append(signature.asked_of(one_for_all(recorder)))
+        required.append(signature.concern_of(uniform_controller(recorder)))
     options: dict[str, object] = {}
     for parameter in there:
         key = parameter.name.lower()
@@ -71,7 +71,7 @@ def perform(
             written = given[key].value
             path = None if written is None else bare(written)
             cell = Box(value)
-            if isinstance(path, tree.Reference | tree.Index | tree.Component):
+            if isinstance(path, tree.DataReference | tree.Index | tree.ComponentAccess):
                 cells.append((cell, value, path))
             value = cell
         if parameter.by_keyword:
@@ -88,7 +88,7 @@ def perform(
     except NeedsRunError:
         return f"`{routine.name}` asks where the robot is"
     except Stopped:
-        return Performed(goes_on=False)
+        return InstructionEffect(continues=False)
     except RapidError as error:
         return f"it fails: {error.message}"
-    return Performed(tuple((path, c.value) for c, old, path in cells if c.value is not old))
+    return InstructionEffect(tuple((path, c.value) for c, old, path in cells if c.value is not old))

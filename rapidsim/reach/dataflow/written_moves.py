@@ -8,7 +8,7 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program, does
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Span
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 NO_WOBJ = "wobj0"
@@ -20,7 +20,7 @@ class RunNotFollowedError(Exception):
 
 def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
     """The source positions of all move instructions; files may have errors."""
-    runs: dict[tree.Statement, tree.Run] = {
+    runs: dict[tree.Statement, tree.BulkStatements] = {
         run.like: run for file in files for module in file.modules for run in module.runs
     }
     modules = [module for file in files for module in file.modules]
@@ -32,7 +32,7 @@ def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
         for node in statements(*clauses(routine))
         if isinstance(node, tree.Call)
         and node.name.key not in hidden
-        and Does.MOVE in does(installed_symbol(node.name.key))
+        and Trait.MOVE in does(installed_symbol(node.name.key))
         for one in (node, *(runs[node].rows() if node in runs else ()))
     )
 
@@ -54,7 +54,9 @@ def _is_installed(program: Program, call: tree.Call) -> bool:
 def _wobj(call: tree.Call) -> str:
     for argument in call.arguments:
         match argument:
-            case tree.Optional(name=tree.Name(key="wobj"), value=tree.Reference(name=wobj)):
+            case tree.OptionalArgument(
+                name=tree.Name(key="wobj"), value=tree.DataReference(name=wobj)
+            ):
                 return wobj.key
             case _:
                 continue
@@ -63,8 +65,8 @@ def _wobj(call: tree.Call) -> str:
 
 def _targets(program: Program, call: tree.Call) -> Iterator[str]:
     """The targets that stand in the arguments, in calls of functions such as Offs too."""
-    values = (one.value for one in call.arguments if isinstance(one, tree.Required))
+    values = (one.value for one in call.arguments if isinstance(one, tree.RequiredArgument))
     for part in descendants(*values):
-        symbol = program.symbol_of.get(part) if isinstance(part, tree.Reference) else None
+        symbol = program.symbol_of.get(part) if isinstance(part, tree.DataReference) else None
         if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
             yield symbol.name

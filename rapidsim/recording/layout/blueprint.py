@@ -11,7 +11,7 @@ from itertools import zip_longest
 import rerun.blueprint as rrb
 
 from rapidsim.recording import palette
-from rapidsim.recording.layout.camera import Camera, cell_camera, near_camera
+from rapidsim.recording.layout.camera import Viewpoint, cell_camera, near_camera
 from rapidsim.recording.panels import log, plots, program_listing, state_lanes
 from rapidsim.recording.panels.legend import emptiest_corner
 from rapidsim.recording.samples import RecordedRobot
@@ -105,7 +105,7 @@ def _spaces(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Conta
     )
 
 
-def space(name: str, camera: Camera, grid_m: float, contents: list[str]) -> rrb.Spatial3DView:
+def space(name: str, camera: Viewpoint, grid_m: float, contents: list[str]) -> rrb.Spatial3DView:
     """A view of the world, looked at by a camera."""
     return rrb.Spatial3DView(
         origin="/",
@@ -197,7 +197,7 @@ def _speed_axis_end(run: RecordedRobot) -> float:
     does; it is left to run out of the plot.
     """
     reached = 1000.0 * speed_path.top_speed(run)
-    programmed = max((move.move.speed.v_tcp for move in run.one.moves), default=0.0)
+    programmed = max((move.move.speed.v_tcp for move in run.robot_run.moves), default=0.0)
     return 1.3 * max(reached, min(programmed, 2.0 * reached), 1.0)
 
 

@@ -11,7 +11,7 @@ from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.failed_moves import in_sight, reason_room
 from rapidsim.recording.scene.targets import Target, points_of
 from rapidsim.recording.scene.work_objects import object_origins
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _HALF_VIEW_RAD = np.radians(22.0)
 """Half of what the viewer's camera sees from top to bottom, less a margin."""
@@ -25,30 +25,30 @@ _POSES = 60
 """Poses of the arm that stand for its sweep."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Camera:
+@value_class(frozen=True, slots=True, eq=False)
+class Viewpoint:
     """Eye and target (3,) [m] in the world."""
 
     eye: Array
     target: Array
 
 
-def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Camera:
+def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Viewpoint:
     """See the arms in all their poses, their paths and their work objects.
 
     Args:
         runs: What each robot did.
         wide: Width of the picture through its height.
     """
-    points = np.concatenate([run.one.world_from_base.apply(cell_points(run)) for run in runs])
+    points = np.concatenate([run.robot_run.world_from_base.apply(cell_points(run)) for run in runs])
     air = 1.08 if len(runs) == 1 else 1.25
     return looking_at(points, _azimuth(runs), _HEIGHT_RAD, air=air, wide=wide)
 
 
-def near_camera(run: RecordedRobot, near: Sequence[Target]) -> Camera:
+def near_camera(run: RecordedRobot, near: Sequence[Target]) -> Viewpoint:
     """See some targets from near, and where the run failed beside them."""
-    points = np.concatenate([points_of(near), in_sight(run, run.one.failed_moves)])
-    world_points = run.one.world_from_base.apply(points)
+    points = np.concatenate([points_of(near), in_sight(run, run.robot_run.failed_moves)])
+    world_points = run.robot_run.world_from_base.apply(points)
     return looking_at(world_points, _azimuth([run]), _CLOSE_HEIGHT_RAD, air=1.15)
 
 
@@ -70,7 +70,7 @@ def cell_points(run: RecordedRobot) -> Array:
             bases[:, None].apply(links.translation).reshape(-1, 3),
             run.places,
             object_origins(run),
-            in_sight(run, run.one.failed_moves),
+            in_sight(run, run.robot_run.failed_moves),
             reason_room(run),
         ]
     )
@@ -78,19 +78,19 @@ def cell_points(run: RecordedRobot) -> Array:
 
 def _azimuth(runs: Sequence[RecordedRobot]) -> float:
     """Direction [rad] from the work to the camera, seen from above."""
-    feet = np.array([run.one.world_from_base.translation for run in runs])
+    feet = np.array([run.robot_run.world_from_base.translation for run in runs])
     if len(runs) > 1:
         # Beside the row of robots, so that none hides another.
         x, y, _ = feet[-1] - feet[0]
         return float(np.arctan2(y, x) - _BESIDE_ROW_RAD)
-    work = [run.one.world_from_base.apply(np.mean(run.places, axis=0)) for run in runs]
+    work = [run.robot_run.world_from_base.apply(np.mean(run.places, axis=0)) for run in runs]
     x, y, _ = np.mean(work, axis=0) - np.mean(feet, axis=0)
     return float(np.arctan2(y, x) - _SIDE_RAD)
 
 
 def looking_at(
     points: Array, azimuth: float, height: float, air: float = 1.0, wide: float = 1.0
-) -> Camera:
+) -> Viewpoint:
     """From a direction, as near as all points (k, 3) [m] stay in the picture."""
     back = np.array(
         [
@@ -109,4 +109,4 @@ def looking_at(
     away = air * np.maximum(aside, _SMALLEST_M) / np.tan(_HALF_VIEW_RAD)
     distance = float((away + placed[:, 2] - middle[2]).max())
     target: Array = middle @ picture
-    return Camera(target + distance * back, target)
+    return Viewpoint(target + distance * back, target)

@@ -22,7 +22,7 @@ from rapidsim.recording.scene.tool import TCP, tool_body
 from rapidsim.recording.stream import recording_file
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, WORLD, static_frame
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 FIGURES = "figures"
 FRAMES = "frames"
@@ -43,8 +43,8 @@ _ROWS_AZIMUTH = np.radians(-12.0)
 _ROWS_HEIGHT = np.radians(34.0)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class StandingArm:
+@value_class(frozen=True, slots=True, eq=False)
+class StaticArm:
     """An arm that stands still, as an arm is drawn."""
 
     robot: Robot
@@ -61,11 +61,11 @@ class StandingArm:
         return f"{self.name}/{name}" if self.name else name
 
 
-def record_postures(shown: Postures, figures: str, path: Path) -> Path:
+def record_postures(postures: Postures, figures: str, path: Path) -> Path:
     """Write a recording of postures.
 
     Args:
-        shown: What there is to see.
+        postures: What there is to see.
         figures: Words beside it, Markdown.
         path: Where to write; the file appears only when it is complete.
 
@@ -75,38 +75,38 @@ def record_postures(shown: Postures, figures: str, path: Path) -> Path:
     Raises:
         InputError: When nothing can be written there.
     """
-    places = [_place(shown, row) for row in range(len(shown.rows))]
-    with recording_file(path, _content_id(shown), _blueprint(shown, places)) as stream:
-        stream.send_recording_name(shown.title)
+    places = [_place(postures, row) for row in range(len(postures.rows))]
+    with recording_file(path, _content_id(postures), _blueprint(postures, places)) as stream:
+        stream.send_recording_name(postures.title)
         stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
         remarks: tuple[str, ...] = ()
-        for row, (posture, place) in enumerate(zip(shown.rows, places, strict=True)):
-            name = "" if len(shown.rows) == 1 else f"branch_{row + 1}"
-            remarks = _log_posture(stream, shown, posture, place, name)
-            _log_frames(stream, shown, row, place)
-        _log_names(stream, shown, places)
-        _log_weakest(stream, shown)
+        for row, (posture, place) in enumerate(zip(postures.rows, places, strict=True)):
+            name = "" if len(postures.rows) == 1 else f"branch_{row + 1}"
+            remarks = _log_posture(stream, postures, posture, place, name)
+            _log_frames(stream, postures, row, place)
+        _log_names(stream, postures, places)
+        _log_weakest(stream, postures)
         said = "".join(f"\n\n{remark}" for remark in remarks)
         document = rr.TextDocument(
-            f"### {shown.title}\n\n{figures}{said}\n", media_type="text/markdown"
+            f"### {postures.title}\n\n{figures}{said}\n", media_type="text/markdown"
         )
         stream.log(FIGURES, document, static=True)
     return path
 
 
-def _place(shown: Postures, row: int) -> Transform:
+def _place(postures: Postures, row: int) -> Transform:
     """How far [m] a posture is shown from where it is, so that several stand side by side."""
-    apart = _APART * shown.size if len(shown.rows) > 1 else 0.0
+    apart = _APART * postures.size if len(postures.rows) > 1 else 0.0
     # Beside one another as the camera sees them, from left to right and from the front.
     aside = np.array([-1.3 * (row // _ACROSS), row % _ACROSS, 0.0]) * apart
     return Transform(np.eye(3), aside)
 
 
 def _log_posture(
-    stream: rr.RecordingStream, shown: Postures, posture: Posture, place: Transform, name: str
+    stream: rr.RecordingStream, postures: Postures, posture: Posture, place: Transform, name: str
 ) -> tuple[str, ...]:
-    flange = shown.robot.forward(posture.joints)
-    tcp = flange @ shown.flange_from_tcp
+    flange = postures.robot.forward(posture.joints)
+    tcp = flange @ postures.flange_from_tcp
     samples = Samples(
         times=np.zeros(1),
         move=np.zeros(1, dtype=np.int64),
@@ -114,21 +114,21 @@ def _log_posture(
         base_from_tcp=Transform(tcp.rotation[None], tcp.translation[None]),
         tcp_speed=np.zeros(1),
     )
-    arm = StandingArm(shown.robot, samples, Clock(np.zeros(1)), name)
-    stands = static_frame(WORLD, arm.frame(BASE), place @ shown.world_from_base)
+    arm = StaticArm(postures.robot, samples, Clock(np.zeros(1)), name)
+    stands = static_frame(WORLD, arm.frame(BASE), place @ postures.world_from_base)
     stream.log(arm.entity("base"), stands, static=True)
     remarks = log_arm(stream, arm).remarks
-    tool = static_frame(arm.frame(FLANGE), arm.frame(TCP), shown.flange_from_tcp)
+    tool = static_frame(arm.frame(FLANGE), arm.frame(TCP), postures.flange_from_tcp)
     stream.log(arm.entity("robot/tcp"), tool, static=True)
-    body = tool_body(shown.flange_from_tcp.translation)
+    body = tool_body(postures.flange_from_tcp.translation)
     stream.log(arm.entity("robot/tool"), rr.CoordinateFrame(arm.frame(FLANGE)), body, static=True)
     return remarks
 
 
-def _log_frames(stream: rr.RecordingStream, shown: Postures, row: int, place: Transform) -> None:
+def _log_frames(stream: rr.RecordingStream, postures: Postures, row: int, place: Transform) -> None:
     """The axes of all links, the flange and the TCP; over the shapes, as links hide them."""
-    frames = place @ shown.frames(row)
-    axis = _AXES * shown.size
+    frames = place @ postures.frames(row)
+    axis = _AXES * postures.size
     vectors = np.swapaxes(frames.rotation, -1, -2).reshape(-1, 3) * axis
     stream.log(
         f"{FRAMES}/{row + 1}",
@@ -145,16 +145,16 @@ def _log_frames(stream: rr.RecordingStream, shown: Postures, row: int, place: Tr
     )
 
 
-def _log_names(stream: rr.RecordingStream, shown: Postures, places: list[Transform]) -> None:
+def _log_names(stream: rr.RecordingStream, postures: Postures, places: list[Transform]) -> None:
     """What each of several postures is called, above it."""
-    if len(shown.rows) == 1:
+    if len(postures.rows) == 1:
         return
-    feet = np.array([place.translation for place in places]) + shown.world_from_base.translation
-    tops = [shown.frames(row).translation[:, 2].max() for row in range(len(places))]
-    feet[:, 2] = np.array(tops) + _OVER * shown.size
+    feet = np.array([place.translation for place in places]) + postures.world_from_base.translation
+    tops = [postures.frames(row).translation[:, 2].max() for row in range(len(places))]
+    feet[:, 2] = np.array(tops) + _OVER * postures.size
     names = [
         posture.name + ("" if posture.within_limits else ", outside the limits")
-        for posture in shown.rows
+        for posture in postures.rows
     ]
     points = rr.Points3D(
         feet,
@@ -166,17 +166,17 @@ def _log_names(stream: rr.RecordingStream, shown: Postures, places: list[Transfo
     stream.log(NAMES, rr.CoordinateFrame(WORLD), points, static=True)
 
 
-def _log_weakest(stream: rr.RecordingStream, shown: Postures) -> None:
+def _log_weakest(stream: rr.RecordingStream, postures: Postures) -> None:
     """The way that the TCP is moved least, both ways."""
-    weakest = shown.weakest
+    weakest = postures.weakest
     if weakest is None:
         return
     direction, words = weakest
-    along = _ARROW * shown.size * direction
+    along = _ARROW * postures.size * direction
     arrows = rr.Arrows3D(
-        origins=[shown.world_from_tcp.translation] * 2,
+        origins=[postures.world_from_tcp.translation] * 2,
         vectors=[along, -along],
-        radii=[0.006 * shown.size],
+        radii=[0.006 * postures.size],
         colors=palette.rgba(palette.FAILED),
         labels=[words, ""],
         show_labels=True,
@@ -184,10 +184,10 @@ def _log_weakest(stream: rr.RecordingStream, shown: Postures) -> None:
     stream.log(WEAKEST, rr.CoordinateFrame(WORLD), arrows, static=True)
 
 
-def _blueprint(shown: Postures, places: list[Transform]) -> rrb.Blueprint:
+def _blueprint(postures: Postures, places: list[Transform]) -> rrb.Blueprint:
     several = len(places) > 1
     azimuth, height = (_ROWS_AZIMUTH, _ROWS_HEIGHT) if several else (_AZIMUTH, _HEIGHT)
-    camera = looking_at(_seen(shown, places), azimuth, height, air=1.2, wide=1.15)
+    camera = looking_at(_seen(postures, places), azimuth, height, air=1.2, wide=1.15)
     return laid_out(
         rrb.Horizontal(
             space("Arm" if len(places) == 1 else "All branches", camera, 0.1, ["+ /**"]),
@@ -197,23 +197,23 @@ def _blueprint(shown: Postures, places: list[Transform]) -> rrb.Blueprint:
     )
 
 
-def _seen(shown: Postures, places: list[Transform]) -> Array:
+def _seen(postures: Postures, places: list[Transform]) -> Array:
     """Points (k, 3) [m] that the picture must hold."""
-    foot = shown.world_from_base.translation
+    foot = postures.world_from_base.translation
     parts = [
-        place.apply(np.concatenate([foot[None], shown.frames(row).translation]))
+        place.apply(np.concatenate([foot[None], postures.frames(row).translation]))
         for row, place in enumerate(places)
     ]
     if len(places) > 1:
-        parts += [part + np.array([0.0, 0.0, _OVER * shown.size]) for part in parts]
+        parts += [part + np.array([0.0, 0.0, _OVER * postures.size]) for part in parts]
     return np.concatenate(parts)
 
 
-def _content_id(shown: Postures) -> uuid.UUID:
+def _content_id(postures: Postures) -> uuid.UUID:
     """An id that only the content decides."""
-    digest = hashlib.sha256(f"{shown.robot.name} {shown.title}".encode())
-    for posture in shown.rows:
+    digest = hashlib.sha256(f"{postures.robot.name} {postures.title}".encode())
+    for posture in postures.rows:
         digest.update(np.ascontiguousarray(posture.joints).tobytes())
-    digest.update(np.ascontiguousarray(shown.world_from_base.matrix).tobytes())
-    digest.update(np.ascontiguousarray(shown.flange_from_tcp.matrix).tobytes())
+    digest.update(np.ascontiguousarray(postures.world_from_base.matrix).tobytes())
+    digest.update(np.ascontiguousarray(postures.flange_from_tcp.matrix).tobytes())
     return uuid.UUID(bytes=digest.digest()[:16])

@@ -15,7 +15,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.motion.waypoints.attitudes import attitude_rates, unbroken
-from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Way
 from rapidsim.recording import palette
 from rapidsim.recording.layout.blueprint import laid_out, space
@@ -26,7 +26,7 @@ from rapidsim.recording.scene.tool import BODY_ENTITY, FRAME_ENTITY, TCP, tool_b
 from rapidsim.recording.stream import recording_file
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, BASE_FROM_WORLD, WORLD, static_frame
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 POINTS = "points"
 PATH = "path/travelled"
@@ -53,7 +53,7 @@ _MOST_NAMES = 40
 """More points than this are shown without their numbers."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class FollowedArm:
     """The arm of a trajectory, as an arm is drawn."""
 
@@ -72,7 +72,7 @@ class FollowedArm:
 
 
 def record_followed(
-    followed: Followed, title: str, path: Path, world_from_base: Transform | None = None
+    followed: FollowedTrajectory, title: str, path: Path, world_from_base: Transform | None = None
 ) -> Path:
     """Write a recording of a trajectory.
 
@@ -104,7 +104,7 @@ def record_followed(
     return path
 
 
-def _log_tool(stream: rr.RecordingStream, followed: Followed) -> None:
+def _log_tool(stream: rr.RecordingStream, followed: FollowedTrajectory) -> None:
     tool = followed.flange_from_tcp
     size = 0.2 * float(np.ptp(_cell_points(followed), axis=0).max())
     stream.log(FRAME_ENTITY, static_frame(FLANGE, TCP, tool), static=True)
@@ -114,7 +114,7 @@ def _log_tool(stream: rr.RecordingStream, followed: Followed) -> None:
     stream.log(BODY_ENTITY, rr.CoordinateFrame(FLANGE), body, static=True)
 
 
-def _log_path(stream: rr.RecordingStream, followed: Followed) -> None:
+def _log_path(stream: rr.RecordingStream, followed: FollowedTrajectory) -> None:
     """The points with their numbers, the lines between them, and where the TCP went."""
     points = followed.points.positions
     names = [str(followed.points.number(row)) for row in range(len(points))]
@@ -144,7 +144,7 @@ def _log_path(stream: rr.RecordingStream, followed: Followed) -> None:
         stream.log(entity, frame, line, static=True)
 
 
-def _log_plots(stream: rr.RecordingStream, followed: Followed, clock: Clock) -> None:
+def _log_plots(stream: rr.RecordingStream, followed: FollowedTrajectory, clock: Clock) -> None:
     samples = followed.samples
     count = len(followed.robot.joints)
     joints = [f"J{number}" for number in range(1, count + 1)]
@@ -195,13 +195,13 @@ def _rates(samples: Samples) -> Array:
     return speeds
 
 
-def _figures(followed: Followed, title: str, remarks: tuple[str, ...]) -> str:
+def _figures(followed: FollowedTrajectory, title: str, remarks: tuple[str, ...]) -> str:
     plan = followed.plan
-    off = "path" if plan.way.of_tcp else "straight lines"
-    profile = "" if plan.way is Way.JOINT_QUINTIC else f", {plan.profile.value}"
+    off = "path" if plan.kind.of_tcp else "straight lines"
+    profile = "" if plan.kind is Way.JOINT_QUINTIC else f", {plan.profile.value}"
     rows = [
         ("robot", followed.robot.title),
-        ("path", plan.way.value + profile),
+        ("path", plan.kind.value + profile),
         ("points", str(len(followed.points))),
         ("duration", f"{followed.duration:.3f} s"),
         ("way", f"{followed.path_length * 1000.0:.1f} mm"),
@@ -217,7 +217,7 @@ def _figures(followed: Followed, title: str, remarks: tuple[str, ...]) -> str:
     return f"### {title}\n\n| | |\n|---|---|\n{table}{said}\n"
 
 
-def _blueprint(followed: Followed, world_from_base: Transform) -> rrb.Blueprint:
+def _blueprint(followed: FollowedTrajectory, world_from_base: Transform) -> rrb.Blueprint:
     time = rrb.TimeAxis(link="LinkToGlobal")
     samples, mm = followed.samples, followed.deviation_max * 1000.0
     tcp = world_from_base.apply(samples.base_from_tcp.translation)
@@ -277,7 +277,7 @@ def _blueprint(followed: Followed, world_from_base: Transform) -> rrb.Blueprint:
     )
 
 
-def _cell_points(followed: Followed) -> Array:
+def _cell_points(followed: FollowedTrajectory) -> Array:
     """Points (k, 3) [m] that a picture of arm and work must hold."""
     samples = followed.samples
     rows = np.linspace(0, len(samples.times) - 1, _POSES).astype(np.int64)
@@ -286,7 +286,7 @@ def _cell_points(followed: Followed) -> Array:
     return np.concatenate([np.zeros((1, 3)), *parts, followed.points.positions])
 
 
-def _content_id(followed: Followed) -> uuid.UUID:
+def _content_id(followed: FollowedTrajectory) -> uuid.UUID:
     """An id that only the content decides: equal trajectories are one recording to the viewer."""
     digest = hashlib.sha256(followed.robot.name.encode())
     for array in (followed.samples.times, followed.samples.joints, followed.points.positions):

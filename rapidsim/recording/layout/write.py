@@ -101,7 +101,7 @@ def _log_robot(
     log_paths(stream, run)
     log_speed_path(stream, run)
     remarks += log_targets(
-        stream, run, targets, axis_m=min(0.12 * near_m, 0.5 * axis_m), apart_m=0.1 * size_m
+        stream, run, targets, axis_m=min(0.12 * near_m, 0.5 * axis_m), spacing_m=0.1 * size_m
     )
     remarks += log_failed(stream, run, 0.2 * axis_m)
     remarks += log_listing(stream, run)
@@ -113,7 +113,7 @@ def _log_robot(
 
 def _log_base(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]:
     """Log where the robot stands; returns what the viewer will not show as it should."""
-    where = static_frame(WORLD, run.still_frame, run.one.world_from_base)
+    where = static_frame(WORLD, run.still_frame, run.robot_run.world_from_base)
     if not run.on_track:
         stream.log(run.entity("base"), where, static=True)
         return ()

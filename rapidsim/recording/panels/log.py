@@ -12,7 +12,7 @@ from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.language.moves import Place
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ENTITY = "log"
 
@@ -34,7 +34,7 @@ _LOST_ERRORS = (ErrorOutcome.FELL_THROUGH, ErrorOutcome.ENDED)
 _FINDING_LEVELS = {Severity.ERROR: "ERROR", Severity.WARNING: "WARN", Severity.NOTE: "INFO"}
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Row:
     time_s: float
     level: str
@@ -66,7 +66,7 @@ def log_messages(stream: rr.RecordingStream, run: RecordedRobot, remarks: Sequen
 
 def _event_row(event: Event, several: bool) -> _Row:
     where = f"{event.task}  " if several and event.place else ""
-    where += _where(event.place) if event.place else ""
+    where += _place_text(event.place) if event.place else ""
     what = "" if event.kind is EventKind.TEXT else f"{event.kind.value}: "
     text = event.message if event.message or event.kind is not EventKind.TEXT else "(cleared)"
     lost = event.details.get("outcome") in _LOST_ERRORS
@@ -74,7 +74,7 @@ def _event_row(event: Event, several: bool) -> _Row:
     return _Row(event.time_s, level, f"{where}{what}{text}")
 
 
-def _where(place: Place) -> str:
+def _place_text(place: Place) -> str:
     """The place first, as in a listing: at the end of a long line nobody would see it."""
     return f"{place.routine}:{place.span.line}  "
 

@@ -146,9 +146,9 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
         indexes=run.clock.columns(samples.times),
         columns=rr.Scalars.columns(scalars=samples.tcp_speed * 1000.0),
     )
-    if not run.one.moves:
+    if not run.robot_run.moves:
         return
-    times, speeds = _programmed_steps(run.one.moves, run.sampled.end_s)
+    times, speeds = _programmed_steps(run.robot_run.moves, run.sampled.end_s)
     stream.send_columns(
         run.entity(PROGRAMMED_SPEED),
         indexes=run.clock.columns(times),

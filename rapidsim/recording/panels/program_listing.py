@@ -15,7 +15,7 @@ from rapidsim.controller.journal.events import ExecutedLine
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Source
 from rapidsim.recording.samples import RecordedRobot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ENTITY = "program/text"
 
@@ -32,7 +32,7 @@ PROGRAM_POINTER = "▶"
 MOTION_POINTER = "●"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Pointers:
     """Where the pointers are from an instant on; a line is counted from 1."""
 
@@ -48,12 +48,12 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    lines, moves = run.one.lines, run.one.moves
+    lines, moves = run.robot_run.lines, run.robot_run.moves
     instants = sorted({0.0, *(line.time_s for line in lines), *(move.start_s for move in moves)})
     remarks: tuple[str, ...] = ()
     if len(instants) > MOST_TEXTS:
         apart_s = run.sampled.end_s / MOST_TEXTS
-        instants = list(_apart(instants, apart_s))
+        instants = list(_thin_out(instants, apart_s))
         remarks = (f"the pointers in the program text are shown every {apart_s:.3g} s only",)
     rows = list(_texts(_pointers(instants, lines, moves)))
     if rows:
@@ -68,13 +68,13 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     return remarks
 
 
-def _apart(instants: Sequence[float], apart_s: float) -> Iterator[float]:
+def _thin_out(instants: Sequence[float], spacing_s: float) -> Iterator[float]:
     """The instants that are some time apart."""
     next_s = 0.0
     for time_s in instants:
         if time_s >= next_s:
             yield time_s
-            next_s = time_s + apart_s
+            next_s = time_s + spacing_s
 
 
 def _pointers(

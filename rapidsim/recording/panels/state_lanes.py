@@ -33,8 +33,8 @@ _States = list[tuple[float, str]]
 
 def log_moves(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log what a robot does."""
-    if run.one.moves:
-        states, colours = _move_states(run.one.moves)
+    if run.robot_run.moves:
+        states, colours = _move_states(run.robot_run.moves)
         _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
 
 
@@ -75,13 +75,13 @@ def log_clearance(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> 
     if collisions is None:
         return
     for number, run in enumerate(runs):
-        touched = {one.move for one in collisions.found.contacts if one.robot == number}
+        touched = {one.move for one in collisions.report.contacts if one.robot == number}
         near = {
-            one.move: one.distance_m for one in collisions.found.clearances if one.robot == number
+            one.move: one.distance_m for one in collisions.report.clearances if one.robot == number
         }
         states: _States = [(0.0, _CLEAR)]
         colours = {_CLEAR: palette.STANDSTILL}
-        for move in run.one.moves:
+        for move in run.robot_run.moves:
             distance_m = near.get(move.index)
             if move.index in touched:
                 state, colour = "contact", palette.FAILED

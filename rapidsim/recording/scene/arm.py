@@ -29,7 +29,7 @@ from rapidsim.recording.scene.stick_figure import log_bar
 from rapidsim.recording.scene.surface import surface
 from rapidsim.recording.timelines import Clock
 from rapidsim.recording.transforms import BASE, moving_frame, static_frame
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ENTITY = "robot"
 FLANGE = "tool0"
@@ -68,7 +68,7 @@ class MovingArm(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Chain:
     """The frames of an arm from base to flange."""
 
@@ -77,7 +77,7 @@ class Chain:
     """The frame that each joint moves."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoggedArm:
     """An arm that a recording shows."""
 
@@ -102,12 +102,12 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> LoggedArm:
         return LoggedArm(chain, (f"{robot.name} {why}: links are drawn as bars",))
     _log_other_frames(stream, run, tree, prefix, chain)
     shapes = log_shapes(stream, tree)
-    if not shapes.drawn:
+    if not shapes.logged:
         _log_skeleton(stream, run, chain, frozenset((run.frame(BASE), *chain.link_frames)))
         why = f"{robot.name}: the description draws no link: links are drawn as bars"
         return LoggedArm(chain, (why,))
     if shapes.missing:
-        bare = shapes.missing - shapes.drawn
+        bare = shapes.missing - shapes.logged
         root = prefix + tree.root_link().name
         base = frozenset({run.frame(BASE)}) if root in bare else frozenset[str]()
         _log_skeleton(stream, run, chain, bare | base)
@@ -146,8 +146,8 @@ def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:
 def _with_whole_paths(text: str, folder: Path) -> str:
     """A description whose shapes are found from anywhere."""
 
-    def whole(found: re.Match[str]) -> str:
-        return found[0] if "://" in found[1] else f'filename="{folder / found[1]}"'
+    def whole(match: re.Match[str]) -> str:
+        return match[0] if "://" in match[1] else f'filename="{folder / match[1]}"'
 
     return re.sub(r'filename="([^"]*)"', whole, text)
 

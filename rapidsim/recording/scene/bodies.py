@@ -38,7 +38,7 @@ def log_bodies(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> Non
     for number, one in collisions.objects.items():
         body = collisions.scene.bodies[number]
         frame = entity = rr.new_entity_path([ENTITY, one.name]).removeprefix("/")
-        if body.stands:
+        if body.is_static:
             place = body.carried[0].frame_from_body
             stream.log(f"{entity}/frame", static_frame(WORLD, frame, place), static=True)
         else:
@@ -77,7 +77,7 @@ def _log_red(
     times = runs[0].samples.times
     ends: list[float] = []
     for one in contacts:
-        moves = runs[one.robot].one.moves
+        moves = runs[one.robot].robot_run.moves
         end_s = next((move.end_s for move in moves if move.index == one.move), one.time_s)
         if ends and one.time_s < ends[-1]:
             continue

@@ -45,7 +45,7 @@ def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) ->
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    failed = run.one.failed_moves
+    failed = run.robot_run.failed_moves
     if not failed:
         return ()
     frame = rr.CoordinateFrame(run.still_frame)
@@ -57,7 +57,7 @@ def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) ->
         rr.Points3D(targets, radii=rr.Radius.ui_points(7.0), colors=red),
         static=True,
     )
-    ways = [move.way for move in failed if len(move.way) > 1]
+    ways = [move.curve for move in failed if len(move.curve) > 1]
     if ways:
         stream.log(
             run.entity(WAYS),
@@ -65,7 +65,7 @@ def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) ->
             rr.LineStrips3D(ways, radii=rr.Radius.ui_points(1.6), colors=red),
             static=True,
         )
-    places = [move.fails_at for move in failed if on_the_way(move)]
+    places = [move.fails_at for move in failed if fails_before_end(move)]
     if places:
         stream.log(
             run.entity(PLACES),
@@ -108,7 +108,7 @@ def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) ->
     return ()
 
 
-def on_the_way(move: FailedMove) -> bool:
+def fails_before_end(move: FailedMove) -> bool:
     """Whether a move fails before its end."""
     end = move.base_from_tcp.translation
     return float(np.linalg.norm(move.fails_at - end)) > _APART
@@ -116,7 +116,7 @@ def on_the_way(move: FailedMove) -> bool:
 
 def pin_heads(run: RecordedRobot) -> Array:
     """Where the reasons stand (k, 3) [m] in base: above the cell, one above the other."""
-    feet = in_sight(run, run.one.failed_moves[:MOST_REASONS])
+    feet = in_sight(run, run.robot_run.failed_moves[:MOST_REASONS])
     sweep = run.places
     top = max(float(sweep[:, 2].max()), 0.8 * _reach(run), *feet[:, 2])
     heads = feet.copy()

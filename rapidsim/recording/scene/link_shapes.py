@@ -8,7 +8,7 @@ import rerun as rr
 from rerun.chunk import Chunk
 from rerun.urdf import UrdfTree
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _FILLED = rr.components.FillMode.Solid
 _SOLID = MappingProxyType(
@@ -24,15 +24,15 @@ _DRAWN = frozenset({"Asset3D", "Mesh3D", *_SOLID})
 _COLLISION = "/collision_geometries/"
 
 
-@dataclass(frozen=True, slots=True)
-class Shapes:
+@value_class(frozen=True, slots=True)
+class LoggedShapes:
     """Which link frames got a shape, and which have one that could not be read."""
 
-    drawn: frozenset[str]
+    logged: frozenset[str]
     missing: frozenset[str]
 
 
-def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> Shapes:
+def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> LoggedShapes:
     """Log what a description shows of its links.
 
     Collision shapes are left out: drawn over the visible ones they flicker.
@@ -52,8 +52,8 @@ def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> Shapes:
             if archetype in _SOLID:
                 stream.log(chunk.entity_path, _SOLID[archetype], static=True)
     shown = {entity: frame for entity, frame in frame_of.items() if _is_visual(entity)}
-    return Shapes(
-        drawn=frozenset(frame for entity, frame in shown.items() if entity in drawn_entities),
+    return LoggedShapes(
+        logged=frozenset(frame for entity, frame in shown.items() if entity in drawn_entities),
         missing=frozenset(frame for entity, frame in shown.items() if entity not in drawn_entities),
     )
 

@@ -34,7 +34,7 @@ _CORNER = "corner"
 
 def log_paths(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log both paths of a run."""
-    if not run.one.moves:
+    if not run.robot_run.moves:
         return
     strips = _joined(programmed(run))
     if strips:
@@ -66,8 +66,8 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
     joints = run.samples.joints[0]
     # A place of the arm: where a TCP is, and the flange as seen from it.
     tcp, tcp_from_flange = kinematics.forward(joints), Transform.identity()
-    for move in run.one.moves:
-        if not _stands_still(run, move):
+    for move in run.robot_run.moves:
+        if not _has_static_frames(run, move):
             joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
             continue
         start = tcp.translation
@@ -88,7 +88,7 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
         joints, tcp, tcp_from_flange = move.joints, move.base_from_tcp, move.tcp_from_flange
 
 
-def _stands_still(run: RecordedRobot, move: ExecutedMove) -> bool:
+def _has_static_frames(run: RecordedRobot, move: ExecutedMove) -> bool:
     """Whether a move is in a frame that stands still: tool in hand, work and robot in place."""
     tool, wobj = move.move.tool, move.move.wobj
     return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
@@ -96,7 +96,7 @@ def _stands_still(run: RecordedRobot, move: ExecutedMove) -> bool:
 
 def _circle_point(run: RecordedRobot, move: ExecutedMove) -> Array:
     assert move.move.circle_point is not None
-    base_from_world = run.one.world_from_base.inverse()
+    base_from_world = run.robot_run.world_from_base.inverse()
     via = base_from_tcp(move.move.circle_point, move.move.wobj, base_from_world)
     return via.translation
 
@@ -114,7 +114,7 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
 
 def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array]]]:
     """Pieces of the travelled path by what they are, in the order they first occur."""
-    moves = run.one.moves
+    moves = run.robot_run.moves
     kinds = dict.fromkeys(move.move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
     colour_of = {move.move.instruction: palette.of_move(move) for move in moves}
@@ -148,4 +148,4 @@ def jumps(run: RecordedRobot) -> npt.NDArray[np.bool_]:
 
 def _move_index(run: RecordedRobot) -> npt.NDArray[np.int64]:
     """Index of the move under way (k,); the first before any."""
-    return np.clip(run.samples.move, 0, len(run.one.moves) - 1)
+    return np.clip(run.samples.move, 0, len(run.robot_run.moves) - 1)

@@ -20,7 +20,7 @@ _NO_STEP = 1e-6
 
 def log_speed_path(stream: rr.RecordingStream, run: RecordedRobot) -> None:
     """Log the path in the colours of `palette.SPEEDS`, from standstill to `top_speed`."""
-    if not run.one.moves or top_speed(run) == 0.0:
+    if not run.robot_run.moves or top_speed(run) == 0.0:
         return
     speed = run.samples.tcp_speed
     # The colour of a step is that of its faster end: a stop is a point, not a stretch.

@@ -22,7 +22,7 @@ def log_stopped(stream: rr.RecordingStream, run: RecordedRobot, above_m: float) 
         run: The run.
         above_m: How far [m] above the mark the error's code and name stand, clear of other names.
     """
-    if run.sampled.simulation.end is not End.ERROR or (run.name and not run.one.failed_moves):
+    if run.sampled.simulation.end is not End.ERROR or (run.name and not run.robot_run.failed_moves):
         return
     errors = [
         finding.violation
@@ -39,7 +39,7 @@ def log_stopped(stream: rr.RecordingStream, run: RecordedRobot, above_m: float) 
         run.entity(MARK), rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour)
     )
     # A move that could not be made says why at its own place.
-    if not any(failed.violation in errors for failed in run.one.failed_moves):
+    if not any(failed.violation in errors for failed in run.robot_run.failed_moves):
         stream.log(
             run.entity(NAME),
             rr.Points3D(

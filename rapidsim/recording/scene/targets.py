@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.recording import palette
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.simulation.results.time_shares import end_point
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ENTITY = "targets"
 NAMES_NEAR = f"{ENTITY}/names/near"
@@ -31,7 +31,7 @@ _SAME = 1e-6
 """[m]; targets nearer than this with one name are one target."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class Target:
     """A place the program sends the TCP to."""
 
@@ -53,10 +53,10 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
         if finding.span is not None and finding.severity is not Severity.NOTE
     }
     found: dict[tuple[object, ...], Target] = {}
-    ends = [run.still_from_end(move) for move in run.one.moves]
+    ends = [run.still_from_end(move) for move in run.robot_run.moves]
     translations = np.array([end.translation for end in ends]).reshape(-1, 3)
     places = np.round(translations / _SAME).astype(np.int64).tolist()
-    for move, still_from_tcp, place in zip(run.one.moves, ends, places, strict=True):
+    for move, still_from_tcp, place in zip(run.robot_run.moves, ends, places, strict=True):
         target = Target(
             target_name(move),
             still_from_tcp,
@@ -103,7 +103,7 @@ def log_targets(
     targets: Sequence[Target],
     *,
     axis_m: float,
-    apart_m: float,
+    spacing_m: float,
 ) -> tuple[str, ...]:
     """Log targets.
 
@@ -112,7 +112,7 @@ def log_targets(
         run: The run they belong to.
         targets: What is logged.
         axis_m: Length [m] of their axes.
-        apart_m: Names of targets far from the work that are nearer to each other [m] become one.
+        spacing_m: Names of targets far from the work that are nearer to each other [m] become one.
 
     Returns:
         What the viewer will not show as it should, a line each.
@@ -139,8 +139,8 @@ def log_targets(
     if len(targets) <= MOST_NAMES:
         near = near_targets(targets)
         far = [target for target in targets if target not in near]
-        _log_names(stream, run, NAMES_NEAR, near, apart_m=_APART * extent(near))
-        _log_names(stream, run, NAMES_FAR, far, apart_m=apart_m)
+        _log_names(stream, run, NAMES_NEAR, near, spacing_m=_APART * extent(near))
+        _log_names(stream, run, NAMES_FAR, far, spacing_m=spacing_m)
         return ()
     remarks: tuple[str, ...] = (f"{len(targets)} targets: their names are not shown",)
     if len(targets) > MOST_AXES:
@@ -153,11 +153,11 @@ def _log_names(
     run: RecordedRobot,
     entity: str,
     targets: Sequence[Target],
-    apart_m: float,
+    spacing_m: float,
 ) -> None:
     if not targets:
         return
-    places, names = _gathered(targets, apart_m)
+    places, names = _gathered(targets, spacing_m)
     stream.log(
         run.entity(entity),
         rr.CoordinateFrame(run.still_frame),
@@ -193,7 +193,7 @@ def _log_axes(
     )
 
 
-def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[str]]:
+def _gathered(targets: Sequence[Target], spacing_m: float) -> tuple[Array, list[str]]:
     """Places that are some way [m] apart, with the names of all targets near each."""
     names: list[dict[str, int]] = []
     places: list[Array] = []
@@ -201,7 +201,7 @@ def _gathered(targets: Sequence[Target], apart_m: float) -> tuple[Array, list[st
         point = target.still_from_tcp.translation
         distances = [float(np.linalg.norm(place - point)) for place in places]
         nearest = int(np.argmin(distances)) if distances else -1
-        if not distances or distances[nearest] > apart_m:
+        if not distances or distances[nearest] > spacing_m:
             places.append(point)
             names.append({})
             nearest = len(names) - 1

@@ -11,7 +11,7 @@ import rerun as rr
 
 from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion
 from rapidsim.recording import palette
-from rapidsim.recording.frame_changes import Change, changes, stacked
+from rapidsim.recording.frame_changes import FrameChange, changes, stacked
 from rapidsim.recording.samples import RecordedRobot
 from rapidsim.recording.scene.arm import FLANGE
 from rapidsim.recording.scene.stick_figure import z_to
@@ -30,11 +30,11 @@ def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> N
     """Log the TCP with axes of a length [m] and the tool's body."""
     flange = run.frame(FLANGE)
     tools = changes(
-        run.one.moves,
+        run.robot_run.moves,
         lambda move: move.move.tool.tframe,
         # A stationary tool stands in the world, and the arm carries the work to it.
         lambda move: flange if move.move.tool.robhold else WORLD,
-    ) or (Change(0.0, Transform.identity(), flange),)
+    ) or (FrameChange(0.0, Transform.identity(), flange),)
     stream.send_columns(
         run.entity(FRAME_ENTITY),
         indexes=run.clock.columns([tool.time_s for tool in tools]),

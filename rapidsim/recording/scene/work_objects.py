@@ -36,11 +36,11 @@ def log_work_objects(
     Returns:
         What the viewer will not show as it should, a line each.
     """
-    for name, moves in _by_name(run.one.moves).items():
+    for name, moves in _by_name(run.robot_run.moves).items():
         _log_frames(stream, run, name, moves, axis_m)
         _log_plate(stream, run, name, moves)
     moved = dict.fromkeys(
-        move.move.wobj.ufmec for move in run.one.moves if not move.move.wobj.ufprog
+        move.move.wobj.ufmec for move in run.robot_run.moves if not move.move.wobj.ufprog
     )
     return tuple(f"work objects moved by `{unit}` are shown with it at zero" for unit in moved)
 
@@ -81,11 +81,11 @@ def object_origins(run: RecordedRobot) -> Array:
     """Where the object frames are (k, 3) [m] in the base."""
     used = dict.fromkeys(
         move.move.wobj
-        for group in _by_name(run.one.moves).values()
+        for group in _by_name(run.robot_run.moves).values()
         for move in group
         if not move.move.wobj.robhold
     )
-    base_from_world = run.one.world_from_base.inverse()
+    base_from_world = run.robot_run.world_from_base.inverse()
     origins = [base_from_object(wobj, base_from_world).translation for wobj in used]
     return np.array(origins).reshape(-1, 3)
 
@@ -120,7 +120,7 @@ def _log_plate(
             places.setdefault(move.move.wobj, []).append(place)
     in_plane = [np.zeros((1, 2))]
     for wobj, places_in_base in places.items():
-        object_from_base = base_from_object(wobj, run.one.world_from_base.inverse()).inverse()
+        object_from_base = base_from_object(wobj, run.robot_run.world_from_base.inverse()).inverse()
         in_plane.append(object_from_base.apply(np.array(places_in_base))[:, :2])
     corners = np.concatenate(in_plane)
     low, high = corners.min(axis=0), corners.max(axis=0)

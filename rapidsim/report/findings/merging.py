@@ -6,13 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_OF_A_RULE = 20
 """Findings of one rule in one file that are shown one by one."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Finding:
     """A diagnostic and the later ones that say the same of other places."""
 
@@ -38,7 +38,7 @@ def merged(
     for diagnostic in ordered:
         violation = diagnostic.violation
         key = (diagnostic.order[0], violation.code, diagnostic.severity, violation.message)
-        if violation.is_told_once and (spoken or not diagnostic.assumed):
+        if violation.is_reported_once and (spoken or not diagnostic.assumed):
             key = ("", violation.code, diagnostic.severity, "")
         alike.setdefault(key, []).append(diagnostic)
     shown: dict[tuple[str, str, Severity], list[list[Diagnostic]]] = {}
@@ -63,7 +63,7 @@ def errors_first(findings: Iterable[Finding]) -> tuple[Finding, ...]:
 
 
 def _finding(first: Diagnostic, repeats: Sequence[Diagnostic]) -> Finding:
-    if first.violation.is_told_once and repeats:
+    if first.violation.is_reported_once and repeats:
         told = first.violation.with_others([one.violation for one in repeats])
         first = replace(first, violation=told)
     return Finding(first, tuple(repeats))

@@ -11,7 +11,7 @@ import unicodedata
 
 from rapidsim.diagnostics import Span
 from rapidsim.report.palette import Palette
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TAB = 4
 _CUT = "..."
@@ -21,7 +21,7 @@ _SUSPECT = re.compile(r"[^\n\t -~]")
 """What may steer a terminal; looked at one by one, which is slow."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ShownLine:
     """A source line as a terminal shows it."""
 

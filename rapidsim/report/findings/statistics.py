@@ -7,10 +7,10 @@ from collections.abc import Iterable
 
 from rapidsim.diagnostics import Diagnostic, Rule
 from rapidsim.report.palette import Palette
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class RuleCount:
     """How often one rule was broken."""
 

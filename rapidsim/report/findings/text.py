@@ -35,7 +35,7 @@ def concise(findings: Sequence[Finding], palette: Palette) -> str:
 
 
 def summary_line(
-    findings: Sequence[Finding], *, files: int, seconds: float | None, known: int = 0
+    findings: Sequence[Finding], *, files: int, seconds: float | None, baseline_count: int = 0
 ) -> str:
     """How much was found in how many files, repeats counted, and how long it took.
 
@@ -43,7 +43,7 @@ def summary_line(
         findings: What is shown.
         files: How many files were read.
         seconds: How long it took; None is not told.
-        known: How many more findings a baseline holds back.
+        baseline_count: How many more findings a baseline holds back.
     """
     counts: Counter[Severity] = Counter()
     for finding in findings:
@@ -51,7 +51,11 @@ def summary_line(
     kinds = [
         _counted(counts[severity], severity.value) for severity in Severity if severity in counts
     ]
-    found = f"Found {_listed(kinds)}" if kinds else f"Found nothing {'new' if known else 'wrong'}"
+    found = (
+        f"Found {_listed(kinds)}"
+        if kinds
+        else f"Found nothing {'new' if baseline_count else 'wrong'}"
+    )
     took = "" if seconds is None else f" ({seconds:.2f} s)"
     return f"{found} in {_counted(files, 'file')}{took}."
 
@@ -119,11 +123,11 @@ def _full(finding: Finding, palette: Palette, width: int, headlines: int | None)
     return "\n".join(lines)
 
 
-def _wrapped(label: str, cure: str, width: int) -> list[str]:
+def _wrapped(label: str, suggestion: str, width: int) -> list[str]:
     """A cure behind its label; line ends in it stay, as it may be a text to paste."""
     indent = " " * (len(label) + 1)
     lines: list[str] = []
-    for number, line in enumerate(cure.splitlines()):
+    for number, line in enumerate(suggestion.splitlines()):
         begin = f"{label} " if number == 0 else indent
         wrapped = textwrap.wrap(
             joined(printable(line)),

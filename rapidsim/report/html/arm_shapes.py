@@ -104,15 +104,15 @@ def _relative(robot: Robot, joints: Array) -> Transform:
     return frames[:-1].inverse() @ frames[1:]
 
 
-def _slide(ways: Array) -> dict[str, object]:
+def _slide(offsets: Array) -> dict[str, object]:
     """How far [mm] a link slides in the one before it per degree of each joint, if it does.
 
     Args:
-        ways: Shape (n, 3) [m] per rad.
+        offsets: Shape (n, 3) [m] per rad.
     """
-    if np.abs(ways).max() < _EXACT:
+    if np.abs(offsets).max() < _EXACT:
         return {}
-    return {"slide": np.round(_MM * radians(1.0) * ways, 6).tolist()}
+    return {"slide": np.round(_MM * radians(1.0) * offsets, 6).tolist()}
 
 
 def _turns(at_zero: Transform, moved: Transform) -> Array:
@@ -132,7 +132,7 @@ def _about(axes: Array, angles: Array) -> Array:
 
 def _bodies(robot: Robot, link_count: int) -> Iterator[dict[str, object]]:
     """Bodies of the base and the links of an arm of the catalogue; of others none."""
-    found = [*_own(robot)] if robot.meshes else [*_drawn(robot, link_count)]
+    found = [*_own(robot)] if robot.meshes else [*_catalogue_shapes(robot, link_count)]
     size = max((float(np.ptp(corners, axis=0).max()) for _, _, corners in found), default=0.0)
     for link, colour, corners in found:
         if float(np.ptp(corners, axis=0).max()) >= _SMALLEST * size:
@@ -153,7 +153,7 @@ def _own(robot: Robot) -> Iterator[tuple[int, str, Array]]:
             yield link.number, _OWN_COLOUR, part.points
 
 
-def _drawn(robot: Robot, link_count: int) -> Iterator[tuple[int, str, Array]]:
+def _catalogue_shapes(robot: Robot, link_count: int) -> Iterator[tuple[int, str, Array]]:
     """The same of the shapes that ship with the catalogue."""
     folder = shipped("robots").resolve()
     if robot.urdf is None or folder not in robot.urdf.resolve().parents:
@@ -196,7 +196,9 @@ def _read(file: Path) -> list[tuple[str, Array]]:
     return [
         (_colour(head["materials"][part["material"]]), body)
         for part in chain.from_iterable(mesh["primitives"] for mesh in head["meshes"])
-        for body in apart(table(part["attributes"]["POSITION"], 3), table(part["indices"], 1))
+        for body in connected_bodies(
+            table(part["attributes"]["POSITION"], 3), table(part["indices"], 1)
+        )
     ]
 
 
@@ -207,7 +209,7 @@ def _colour(material: dict[str, dict[str, list[float]]]) -> str:
     return "#" + "".join(f"{round(255 * value):02x}" for value in seen.tolist())
 
 
-def apart(corners: Array, triangles: npt.NDArray[np.number]) -> list[Array]:
+def connected_bodies(corners: Array, triangles: npt.NDArray[np.number]) -> list[Array]:
     """The bodies of a mesh: corners that triangles hold together."""
     places, of_corner = np.unique(np.rint(corners / _WELDED_M), axis=0, return_inverse=True)
     held = of_corner.ravel()[triangles.ravel().astype(np.int64)].reshape(-1, 3)

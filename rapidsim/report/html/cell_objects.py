@@ -6,7 +6,7 @@ A page draws outlines of convex bodies; a shape with bays is drawn filled.
 from __future__ import annotations
 
 from rapidsim.frames.transform import Array
-from rapidsim.report.html.arm_shapes import apart, outermost
+from rapidsim.report.html.arm_shapes import connected_bodies, outermost
 from rapidsim.report.html.packing import packed_columns
 from rapidsim.simulation.results.relative_motion import is_shown_in_world, shown_from_world
 from rapidsim.simulation.results.simulation import Simulation
@@ -25,13 +25,16 @@ def objects_data(simulation: Simulation, times: Array) -> list[dict[str, object]
     found: list[dict[str, object]] = []
     for number, one, body in collisions.drawn_objects():
         stands = picture_from_world @ poses.of(number)
-        if body.stands:
+        if body.is_static:
             stands = stands[:1]
         found.append(
             {
                 "name": one.name,
                 "colour": one.hex_colour,
-                "parts": [outermost(part) for part in apart(body.shape.vertices, body.shape.faces)],
+                "parts": [
+                    outermost(part)
+                    for part in connected_bodies(body.shape.vertices, body.shape.faces)
+                ],
                 "turn": packed_columns(stands.rotation.reshape(len(stands), -1), 6),
                 "place": packed_columns(_MM * stands.translation, 1),
             }

@@ -54,7 +54,7 @@ def collision_section(simulation: Simulation) -> str:
             for one in contacts[:_MOST]
         ]
         parts.append(f"<h3>Contacts</h3>{_scrolled(table(columns, touching, kind='events'))}")
-        parts.append(_left(len(contacts), "contacts"))
+        parts.append(_omitted_count(len(contacts), "contacts"))
     if nearest:
         wanted = 1000.0 * collisions.geometry.clearance_m
         heads = (">clearance [mm]", "bodies", "line", ">time [s]", "")
@@ -72,7 +72,7 @@ def collision_section(simulation: Simulation) -> str:
             "<h3>Smallest clearance of each move</h3>"
             + _scrolled(table(heads, rows, kind="events"))
         )
-        parts.append(_left(len(nearest), "moves"))
+        parts.append(_omitted_count(len(nearest), "moves"))
     if not parts:
         parts.append(f"<p>Nothing came within {1000.0 * FARTHEST_M:g} mm of anything.</p>")
     remarks = [f"not checked: {one}" for one in collisions.remarks]
@@ -82,13 +82,15 @@ def collision_section(simulation: Simulation) -> str:
     return section("collisions", "Collisions", "".join(parts), f"{pairs} pairs of bodies checked")
 
 
-def _line(one: ContactRecord | ClearanceRecord) -> str:
-    routine = "" if one.routine is None else f" in {one.routine}"
-    return one.task if one.file is None else f"{Path(one.file).name}:{one.line}{routine}"
+def _line(record: ContactRecord | ClearanceRecord) -> str:
+    routine = "" if record.routine is None else f" in {record.routine}"
+    return (
+        record.task if record.file is None else f"{Path(record.file).name}:{record.line}{routine}"
+    )
 
 
-def _left(count: int, what: str) -> str:
-    return f'<p class="aside">and {count - _MOST} more {what}</p>' if count > _MOST else ""
+def _omitted_count(count: int, subject: str) -> str:
+    return f'<p class="aside">and {count - _MOST} more {subject}</p>' if count > _MOST else ""
 
 
 def _scrolled(body: str) -> str:

@@ -62,7 +62,7 @@ def motion_data(simulation: Simulation) -> dict[str, object]:
 
 
 def _robot(run: SampledRun) -> dict[str, object]:
-    one, samples = run.one, run.samples
+    one, samples = run.robot_run, run.samples
     in_world = is_shown_in_world(run.simulation)
     shown = shown_from_base(one, samples.external, in_world=in_world)
     tcp = shown.apply(samples.base_from_tcp.translation)
@@ -88,7 +88,7 @@ def _robot(run: SampledRun) -> dict[str, object]:
 
 def _kinds(run: SampledRun) -> Array:
     """How the TCP moves at each sample (k,): a place in `DRAWN_KINDS`."""
-    moves, samples = run.one.moves, run.samples
+    moves, samples = run.robot_run.moves, run.samples
     if not moves:
         return np.zeros(len(samples.times))
     numbers = [DRAWN_KINDS.index(MOVE_KINDS[move.move.interpolation]) for move in moves]
@@ -97,14 +97,14 @@ def _kinds(run: SampledRun) -> Array:
     return np.where(run.in_corner, float(DRAWN_KINDS.index(CORNER)), kinds)
 
 
-def _arm(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
+def _arm(robot_run: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
     """The arm to be drawn at its joints; one whose links that does not tell, as it stood when."""
-    samples = evaluate(one.trajectory, np.linspace(0.0, end_s, MOST_POSES))
-    arm = arm_data(one.robot)
+    samples = evaluate(robot_run.trajectory, np.linspace(0.0, end_s, MOST_POSES))
+    arm = arm_data(robot_run.robot)
     step_s = end_s / (MOST_POSES - 1)
     if arm is None:
-        return {"arm": None, "poses": _poses(one, samples, step_s, in_world)}
-    stands = shown_from_base(one, samples.external, in_world=in_world)
+        return {"arm": None, "poses": _poses(robot_run, samples, step_s, in_world)}
+    stands = shown_from_base(robot_run, samples.external, in_world=in_world)
     if np.allclose(stands.matrix, stands[0].matrix):
         stands = stands[:1]
     turns = stands.rotation.reshape(len(stands), -1)
@@ -118,15 +118,17 @@ def _arm(one: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
     }
 
 
-def _poses(one: RobotRun, samples: Samples, step_s: float, in_world: bool) -> dict[str, object]:
+def _poses(
+    robot_run: RobotRun, samples: Samples, step_s: float, in_world: bool
+) -> dict[str, object]:
     """The arm as the row of its joints, base to TCP, at evenly spaced instants."""
-    times, kinematics = samples.times, one.robot.kinematics
+    times, kinematics = samples.times, robot_run.robot.kinematics
     links = kinematics.link_frames(samples.joints).translation
     flange = kinematics.forward(samples.joints).translation
     tcp = samples.base_from_tcp.translation
     foot = np.zeros((len(times), 1, 3))
     in_base = np.concatenate([foot, links, flange[:, None], tcp[:, None]], axis=1)
-    shown = shown_from_base(one, samples.external, in_world=in_world)
+    shown = shown_from_base(robot_run, samples.external, in_world=in_world)
     points = shown[:, None].apply(in_base)
     return {
         "step": step_s,
@@ -147,7 +149,7 @@ def _move(move: ExecutedMove) -> list[object]:
     ]
 
 
-def _targets(one: RobotRun, in_world: bool) -> list[list[object]]:
+def _targets(robot_run: RobotRun, in_world: bool) -> list[list[object]]:
     """Names, place, and whether a line or arc leads there, of each target, once.
 
     Names that stand at one place are one label, with the number of visits. None where there are
@@ -155,8 +157,8 @@ def _targets(one: RobotRun, in_world: bool) -> list[list[object]]:
     """
     visits: dict[tuple[float, ...], Counter[str]] = {}
     on_lines: set[tuple[float, ...]] = set()
-    for move in one.moves:
-        shown = shown_end(one, move, in_world=in_world).translation
+    for move in robot_run.moves:
+        shown = shown_end(robot_run, move, in_world=in_world).translation
         place = tuple(round(_MM * float(x), 1) + 0.0 for x in shown)
         visits.setdefault(place, Counter())[end_point(move)[:_NAME_LETTERS]] += 1
         if move.move.interpolation.leads_tcp:
@@ -173,10 +175,10 @@ def _label(visits: Counter[str]) -> str:
     return f"{first}{more}" if times == 1 else f"{first}{more} ({times}×)"
 
 
-def _failed(failed: FailedMove, shown: Transform) -> dict[str, object]:
+def _failed(failed: FailedMove, pose: Transform) -> dict[str, object]:
     way, at, end = (
-        shown.apply(place)
-        for place in (failed.way, failed.fails_at, failed.base_from_tcp.translation)
+        pose.apply(place)
+        for place in (failed.curve, failed.fails_at, failed.base_from_tcp.translation)
     )
     return {
         "code": failed.violation.code,

@@ -17,9 +17,9 @@ from rapidsim.report.run.figures import Figures
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import lines_of
 from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_curve_deviations
-from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.slow_sections import slow_sections
 from rapidsim.simulation.results.time_shares import Share, Step, by_line, by_routine
 from rapidsim.simulation.results.verdict import Level, run_verdict
 
@@ -52,7 +52,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     warnings = sum(finding.severity is Severity.WARNING for finding in findings)
     several = len(simulation.robots) > 1
     tiles = [
-        tile("Cycle time", f"{simulation.time_s:.3f} s", _otherwise(figures)),
+        tile("Cycle time", f"{simulation.time_s:.3f} s", _sensitivity(figures)),
         tile("Moving", f"{simulation.motion_s:.3f} s", f"waiting {simulation.wait_s:.3f} s"),
         tile("Path of the TCP", f"{1000.0 * simulation.path_m:,.0f} mm"),
         tile("Moves", f"{len(simulation.moves):,}", "; ".join(filter(None, (kinds, corners)))),
@@ -79,9 +79,9 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
     return section("summary", "Summary", f'<div class="tiles">{"".join(tiles)}</div>')
 
 
-def findings(found: Sequence[Diagnostic]) -> str:
+def findings(diagnostics: Sequence[Diagnostic]) -> str:
     """What is wrong, with the lines and the cures, errors first."""
-    all_of_them = errors_first(merged(found))
+    all_of_them = errors_first(merged(diagnostics))
     told = all_of_them[:_MOST_FINDINGS]
     body = "".join(_finding(one) for one in told[:_OPEN_FINDINGS])
     folded = told[_OPEN_FINDINGS:]
@@ -136,7 +136,7 @@ def cycle_time(simulation: Simulation) -> str:
         else ""
     )
     body = (
-        _stretches(simulation)
+        _slow_sections(simulation)
         + _regions(by_comment(steps))
         + "<h3>By routine</h3>"
         + table(
@@ -169,9 +169,9 @@ def cycle_time(simulation: Simulation) -> str:
     )
 
 
-def _stretches(simulation: Simulation) -> str:
+def _slow_sections(simulation: Simulation) -> str:
     """Where the programmed speed is not reached, and which limit is nearest then."""
-    found = held_back(simulation)
+    found = slow_sections(simulation)
     if not found:
         return ""
     rows = [
@@ -313,9 +313,9 @@ def assumptions(simulation: Simulation) -> str:
     return section("models", "Models and assumptions", body, "what the numbers rest on")
 
 
-def _otherwise(figures: Figures) -> str:
+def _sensitivity(figures: Figures) -> str:
     """The time with other accelerations, which is the assumption that counts most."""
-    return ", ".join(f"{one.time_s:.3f} s with {one.words}" for one in figures.otherwise)
+    return ", ".join(f"{one.time_s:.3f} s with {one.words}" for one in figures.sensitivity)
 
 
 def _corner(kind: CornerKind, count: int) -> str:

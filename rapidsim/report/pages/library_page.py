@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Iterator, Mapping
 
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.library.catalogue import CHAPTERS, ROUTINES
 from rapidsim.library.declared import read_declared_chapters
 from rapidsim.library.table import LibraryRoutine, Parameter
@@ -94,7 +94,7 @@ def _versioned(row: LibraryRoutine) -> Iterator[tuple[str, str]]:
 
 def _parameter(parameter: Parameter) -> str:
     of = " or ".join(one.name for one in parameter.types)
-    mode = "" if parameter.mode is Mode.IN else f"{parameter.mode.value} "
+    mode = "" if parameter.mode is ParameterMode.IN else f"{parameter.mode.value} "
     return f"{mode}{of} {parameter.name}"
 
 

@@ -25,7 +25,7 @@ def as_text(calibration: Calibration) -> RenderableType:
         fitted.add_column(title, justify="right" if title in ("before", "now", "+-") else "left")
     for one in calibration.parameters:
         unit = " s" if one.in_seconds else ""
-        values = (one.known, one.value, one.uncertainty)
+        values = (one.start, one.value, one.uncertainty)
         fitted.add_row(one.name, *(f"{value:.3f}{unit}" for value in values), _remark(one))
     met = Table(box=None, pad_edge=False)
     titles = ("log", "rows", "time", "rms before", "after", "left out")
@@ -57,7 +57,7 @@ def _lines(calibration: Calibration) -> str:
     tables: dict[str, dict[str, list[float]]] = {}
     for one in calibration.parameters:
         tables.setdefault(one.table, {}).setdefault(one.key, []).append(
-            one.value if one.seen else one.known
+            one.value if one.seen else one.start
         )
     seen = {(one.table, one.key) for one in calibration.parameters if one.seen}
     written = []
@@ -92,7 +92,7 @@ def as_json(calibration: Calibration) -> dict[str, object]:
                 "key": one.key,
                 "value": one.value,
                 "uncertainty": one.uncertainty,
-                "known": one.known,
+                "known": one.start,
                 "seen": one.seen,
                 "contradicts": one.contradicts,
                 **(
@@ -120,10 +120,10 @@ def as_json(calibration: Calibration) -> dict[str, object]:
     }
 
 
-def _remark(one: Fitted) -> str:
-    meaning = _MEANINGS[one.key]
-    if not one.seen:
+def _remark(parameter: Fitted) -> str:
+    meaning = _MEANINGS[parameter.key]
+    if not parameter.seen:
         return f"{meaning}; these logs do not determine it, so it stays close to the known value"
-    if one.contradicts:
+    if parameter.contradicts:
         return f"{meaning}; another value was measured on an arm of this type: check the logs"
     return meaning

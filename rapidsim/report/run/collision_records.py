@@ -8,12 +8,12 @@ from rapidsim.collisions.contact import Clearance, Contact
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.report.run.records import PoseRecord
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MM = 1000.0
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ContactRecord:
     """Two bodies touched."""
 
@@ -37,7 +37,7 @@ class ContactRecord:
     """Where the TCP was."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ClearanceRecord:
     """The nearest that bodies came in one move."""
 
@@ -58,7 +58,7 @@ def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
     """The contacts of a run in order of time; none where nothing is judged."""
     if simulation.collisions is None:
         return ()
-    contacts = simulation.collisions.found.contacts
+    contacts = simulation.collisions.report.contacts
     poses: list[Transform] = [Transform.identity()] * len(contacts)
     for number, robot in enumerate(simulation.robots):
         rows = [row for row, one in enumerate(contacts) if one.robot == number]
@@ -72,43 +72,43 @@ def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
     """How near bodies came in each move that came near something, the worst first."""
     if simulation.collisions is None:
         return ()
-    found = simulation.collisions.found.clearances
+    found = simulation.collisions.report.clearances
     nearest_first = sorted(found, key=lambda one: (one.distance_m, one.time_s))
     return tuple(_clearance(simulation, one) for one in nearest_first)
 
 
-def _contact(simulation: Simulation, one: Contact, pose: Transform) -> ContactRecord:
+def _contact(simulation: Simulation, contact: Contact, pose: Transform) -> ContactRecord:
     tcp = PoseRecord(_mm(pose.translation), tuple(pose.quaternion.tolist()), "base")
-    task, move, file, line, routine = _place(simulation, one.robot, one.move)
+    task, move, file, line, routine = _place(simulation, contact.robot, contact.move)
     return ContactRecord(
-        time_s=one.time_s,
-        first=one.first.name,
-        second=one.second.name,
+        time_s=contact.time_s,
+        first=contact.first.name,
+        second=contact.second.name,
         task=task,
         move=move,
         file=file,
         line=line,
         routine=routine,
-        point_mm=_mm(one.point),
-        depth_mm=None if one.depth_m is None else one.depth_m * _MM,
-        continued=one.continued,
+        point_mm=_mm(contact.point),
+        depth_mm=None if contact.depth_m is None else contact.depth_m * _MM,
+        continued=contact.continued,
         tcp=tcp,
     )
 
 
-def _clearance(simulation: Simulation, one: Clearance) -> ClearanceRecord:
-    task, move, file, line, routine = _place(simulation, one.robot, one.move)
+def _clearance(simulation: Simulation, clearance: Clearance) -> ClearanceRecord:
+    task, move, file, line, routine = _place(simulation, clearance.robot, clearance.move)
     return ClearanceRecord(
-        distance_mm=one.distance_m * _MM,
-        time_s=one.time_s,
-        first=one.first.name,
-        second=one.second.name,
+        distance_mm=clearance.distance_m * _MM,
+        time_s=clearance.time_s,
+        first=clearance.first.name,
+        second=clearance.second.name,
         task=task,
         move=move,
         file=file,
         line=line,
         routine=routine,
-        point_mm=_mm(one.point),
+        point_mm=_mm(clearance.point),
     )
 
 

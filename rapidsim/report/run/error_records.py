@@ -6,13 +6,13 @@ from pathlib import Path
 
 from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_WORDS = 8
 """Kinds of errors that the line of text names."""
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class ErrorRecord:
     """Errors of one number that one place raised and one ERROR clause answered in one way."""
 

@@ -20,7 +20,7 @@ from rapidsim.simulation.results.acceleration_sensitivity import extra_time_s
 from rapidsim.simulation.results.sampling import MOST_EXACT
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.simulation.results.time_shares import Share, by_line
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
@@ -34,7 +34,7 @@ _GUESSED_FACTOR = 2.0
 _CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class JointMargin:
     """The nearest that any joint came to a limit."""
 
@@ -48,7 +48,7 @@ class JointMargin:
     move: ExecutedMove
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class SingularityMargin:
     """The nearest that the arm came to a singularity."""
 
@@ -58,7 +58,7 @@ class SingularityMargin:
     move: ExecutedMove
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class OffPath:
     """The farthest that smoothing takes the TCP from the path that is commanded."""
 
@@ -67,7 +67,7 @@ class OffPath:
     move: ExecutedMove
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Figures:
     """What the summary of a run shows beside its events."""
 
@@ -87,15 +87,15 @@ class Figures:
     singularity: SingularityMargin | None
     off_path: OffPath | None
     """None where the arm stays on its path."""
-    otherwise: tuple[OtherTime, ...]
+    sensitivity: tuple[AccelerationSensitivity, ...]
     """Times of the run with other accelerations; none where nothing moved, or too much.
 
     Nor where the program did not finish: that is no cycle time.
     """
 
 
-@dataclass(frozen=True, slots=True)
-class OtherTime:
+@value_class(frozen=True, slots=True)
+class AccelerationSensitivity:
     """How long the run would take if the axes accelerated otherwise."""
 
     factor: float
@@ -133,7 +133,7 @@ def figures(simulation: Simulation) -> Figures:
         singularity=min(singularities, key=lambda one: one.smallest_singular_value, default=None),
         off_path=max(off_path, key=lambda one: one.mm, default=None),
         # What one robot would save, another may wait away.
-        otherwise=_otherwise(simulation) if moves and _has_cycle_time(simulation) else (),
+        sensitivity=_sensitivity(simulation) if moves and _has_cycle_time(simulation) else (),
     )
 
 
@@ -142,7 +142,7 @@ def _has_cycle_time(simulation: Simulation) -> bool:
     return simulation.end not in _CUT_SHORT and len(simulation.robots) == 1
 
 
-def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
+def _sensitivity(simulation: Simulation) -> tuple[AccelerationSensitivity, ...]:
     """The times with less and more acceleration, which is the assumption that counts most."""
     only = simulation.only
     limits = limits_of(only.robot, simulation.model)
@@ -154,7 +154,9 @@ def _otherwise(simulation: Simulation) -> tuple[OtherTime, ...]:
         extra_s = extra_time_s(only.trajectory, limits, factor)
         if extra_s is None:
             return ()
-        times.append(OtherTime(factor, simulation.time_s + extra_s, bool(limits.arms)))
+        times.append(
+            AccelerationSensitivity(factor, simulation.time_s + extra_s, bool(limits.arms))
+        )
     return tuple(times)
 
 

@@ -16,13 +16,13 @@ from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.error_records import error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
-from rapidsim.report.run.long_programs import regions_json, stretches_json
+from rapidsim.report.run.long_programs import regions_json, slow_sections_json
 from rapidsim.report.run.records import json_of, move_records, number, wait_records
-from rapidsim.report.run.verdicts import NOTHING_ASKED, Judgement
+from rapidsim.report.run.verdicts import NOTHING_ASKED, Verdicts
 from rapidsim.simulation.results.event_values import event_record
-from rapidsim.simulation.results.held_back import held_back
 from rapidsim.simulation.results.regions import by_comment
 from rapidsim.simulation.results.simulation import End, Simulation
+from rapidsim.simulation.results.slow_sections import slow_sections
 from rapidsim.simulation.results.time_shares import Share
 
 SCHEMA = 3
@@ -38,7 +38,7 @@ def run_json(
     figures: Figures,
     findings: Sequence[Diagnostic],
     files: Mapping[str, object],
-    judgement: Judgement = NOTHING_ASKED,
+    judgement: Verdicts = NOTHING_ASKED,
 ) -> dict[str, object]:
     """The object that `rapidsim run --format json` prints.
 
@@ -59,7 +59,7 @@ def run_json(
         "min_singularity": _singularity(figures.singularity),
         "max_off_path": _off_path(figures.off_path),
         "slowest_waits": [_share(share, "for") for share in figures.slowest_waits],
-        "stretches": stretches_json(held_back(simulation)),
+        "stretches": slow_sections_json(slow_sections(simulation)),
         "regions": regions_json(by_comment((*simulation.moves, *simulation.waits))),
         "unsimulated": [
             {"name": one.name, "count": one.count, "treated_as": one.treated_as}
@@ -74,7 +74,7 @@ def run_json(
         "models": {
             **models(simulation),
             "time_s_with_acceleration_times": {
-                f"{other.factor:g}": number(other.time_s) for other in figures.otherwise
+                f"{other.factor:g}": number(other.time_s) for other in figures.sensitivity
             },
         },
         "files": {

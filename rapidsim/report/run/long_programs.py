@@ -11,10 +11,10 @@ from rich.text import Text
 
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.run.records import number
-from rapidsim.report.uncut_table import UncutTable
-from rapidsim.simulation.results.held_back import Stretch, held_back
+from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.regions import Region, by_comment
 from rapidsim.simulation.results.simulation import Simulation
+from rapidsim.simulation.results.slow_sections import SlowSection, slow_sections
 
 MANY_MOVES = 1000
 """From so many on, single lines say little."""
@@ -26,7 +26,7 @@ def long_program_text(simulation: Simulation) -> RenderableType | None:
     """What costs most, for the summary; None for a program whose lines can be listed."""
     if len(simulation.moves) < MANY_MOVES:
         return None
-    stretches = held_back(simulation)
+    stretches = slow_sections(simulation)
     regions = by_comment((*simulation.moves, *simulation.waits))
     parts: list[RenderableType] = []
     if stretches:
@@ -52,16 +52,16 @@ def long_program_text(simulation: Simulation) -> RenderableType | None:
     return Group(*parts) if parts else None
 
 
-def lines_of(stretch: Stretch) -> str:
+def lines_of(section: SlowSection) -> str:
     """From which line to which it goes."""
-    first, last = stretch.first.place.span, stretch.last.place.span
+    first, last = section.first.place.span, section.last.place.span
     name = f"{Path(first.file).name}:{first.line}"
     if first.file != last.file:
         return f"{name} - {Path(last.file).name}:{last.line}"
     return name if first.line == last.line else f"{name}-{last.line}"
 
 
-def stretches_json(stretches: Sequence[Stretch]) -> list[dict[str, object]]:
+def slow_sections_json(stretches: Sequence[SlowSection]) -> list[dict[str, object]]:
     """The stretches as JSON values."""
     return [
         {
@@ -99,7 +99,7 @@ def regions_json(regions: Sequence[Region]) -> list[dict[str, object]]:
 
 
 def _table(*names: str) -> Table:
-    table = UncutTable.without_lines()
+    table = UntruncatedTable.without_lines()
     for name in names:
         right = name.startswith(">")
         table.add_column(name.lstrip(">"), justify="right" if right else "left", no_wrap=True)

@@ -19,10 +19,10 @@ from rapidsim.simulation.results.curve_deviations import CurveDeviation, all_cur
 from rapidsim.simulation.results.event_values import written
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import argument, instruction_of
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PoseRecord:
     """A pose."""
 
@@ -33,7 +33,7 @@ class PoseRecord:
     """In what it is given; `base` is the base frame of the robot."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class DeviationRecord:
     """How far the TCP was off a line or arc between its zones."""
 
@@ -41,7 +41,7 @@ class DeviationRecord:
     rms_mm: float
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class MoveRecord:
     """A move as it was made; target, joints and configuration are the programmed end."""
 
@@ -80,7 +80,7 @@ class MoveRecord:
         return _short(f"{self.instruction} {self.to}, line {self.line}", self.start_s, self.end_s)
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class WaitRecord:
     """A statement that let time pass."""
 
@@ -196,6 +196,6 @@ def _wait(wait: Wait) -> WaitRecord:
     )
 
 
-def _short(what: str, start_s: float, end_s: float) -> str:
-    shown = what if len(what) <= 80 else f"{what[:77]}..."
+def _short(subject: str, start_s: float, end_s: float) -> str:
+    shown = subject if len(subject) <= 80 else f"{subject[:77]}..."
     return f"<{shown}, {start_s:.3f} to {end_s:.3f} s>"

@@ -22,19 +22,19 @@ from rapidsim.language.error_answers import ErrorOutcome
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import LARGEST_EXCESS, Robot
 from rapidsim.report.findings.source_frame import printable
-from rapidsim.report.kept_units import KeptUnits
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.error_records import errors_text
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.json_report import models, of_robots
 from rapidsim.report.run.long_programs import long_program_text
-from rapidsim.report.uncut_table import UncutTable
+from rapidsim.report.unbreakable_units import UnbreakableUnits
+from rapidsim.report.untruncated_table import UntruncatedTable
 from rapidsim.simulation.results.collisions import Collisions
 from rapidsim.simulation.results.persistents import PersistentChange, parts_of
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.time_shares import Share
 from rapidsim.simulation.results.verdict import Level, Verdict
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _BAR_CELLS = 24
 _MOVE_CELLS = 22
@@ -51,7 +51,7 @@ _NEAR_SINGULAR = 0.05
 _COLOURS = {Level.CLEAN: "green", Level.QUALIFIED: "yellow", Level.FAILED: "red"}
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Bars:
     """The characters bars are made of."""
 
@@ -63,8 +63,8 @@ BLOCK_BARS = Bars("█", "░")
 ASCII_BARS = Bars("#", ".")
 
 
-@dataclass(frozen=True, slots=True)
-class Written:
+@value_class(frozen=True, slots=True)
+class OutputFile:
     """A file the command wrote."""
 
     path: Path
@@ -80,7 +80,7 @@ def summary(
     figures: Figures,
     *,
     robot_reason: str | None,
-    written: Sequence[Written],
+    written: Sequence[OutputFile],
     bars: Bars = BLOCK_BARS,
 ) -> RenderableType:
     """The summary of a run.
@@ -94,7 +94,7 @@ def summary(
         bars: The characters bars are made of.
     """
     parts: list[RenderableType] = [
-        KeptUnits(_headline(simulation, verdict)),
+        UnbreakableUnits(_headline(simulation, verdict)),
         Rule(style="dim"),
         Text(),
     ]
@@ -108,7 +108,7 @@ def summary(
     if figures.slowest_other_waits:
         parts += [Text(), _Slowest("without a robot", figures.slowest_other_waits, bars)]
     if simulation.moves:
-        parts += [Text(), KeptUnits(_models(simulation, figures))]
+        parts += [Text(), UnbreakableUnits(_models(simulation, figures))]
     if written or simulation.home_files:
         by_program = [f"{file.path} (by the program)" for file in simulation.home_files]
         parts += [Text(), files_text(written, by_program)]
@@ -135,10 +135,10 @@ def _facts(
         whose = f" of {one.task}" if several else ""
         facts.add_row("" if number else "robot", f"{one.robot.name}{whose}{reason}")
         reason = ""
-    facts.add_row("time", KeptUnits(_time_split(simulation, bars)))
-    facts.add_row("moves", KeptUnits(_moves(simulation, figures)))
+    facts.add_row("time", UnbreakableUnits(_time_split(simulation, bars)))
+    facts.add_row("moves", UnbreakableUnits(_moves(simulation, figures)))
     if figures.moves_by_corner:
-        facts.add_row("corners", KeptUnits(_corners(figures)))
+        facts.add_row("corners", UnbreakableUnits(_corners(figures)))
     if figures.joint_margin:
         facts.add_row("joint limits", _margin(figures.joint_margin, several=several))
     if figures.off_path:
@@ -147,7 +147,7 @@ def _facts(
         facts.add_row("singularity", _singularity(figures.singularity, several=several))
     if simulation.collisions is not None:
         facts.add_row("collisions", _collisions(simulation, simulation.collisions))
-    for name, value in _happenings(simulation):
+    for name, value in _event_rows(simulation):
         facts.add_row(name, value)
     return facts
 
@@ -270,7 +270,7 @@ def _likeness(robot: Robot) -> str:
     return f"{text}; keep a margin"
 
 
-def _happenings(simulation: Simulation) -> list[tuple[str, RenderableType]]:
+def _event_rows(simulation: Simulation) -> list[tuple[str, RenderableType]]:
     """Rows that only some runs have."""
     rows: list[tuple[str, RenderableType]] = []
     counts = Counter(event.kind for event in simulation.events)
@@ -333,7 +333,7 @@ def _change(change: PersistentChange) -> str:
     return f"{first}, {len(changed)} of {len(old)} values changed"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Slowest:
     """Lines that cost the most; where all columns do not fit, those that matter most."""
 
@@ -360,7 +360,7 @@ def _slowest_narrow(title: str, lines: Sequence[Share]) -> Table:
 
 
 def _slowest(title: str, lines: Sequence[Share], bars: Bars) -> Table:
-    table = UncutTable.without_lines()
+    table = UntruncatedTable.without_lines()
     table.add_column(title, no_wrap=True)
     table.add_column("routine", no_wrap=True, max_width=_ROUTINE_CELLS)
     table.add_column("move or wait", no_wrap=True, max_width=_MOVE_CELLS)
@@ -382,7 +382,9 @@ def _slowest(title: str, lines: Sequence[Share], bars: Bars) -> Table:
 
 
 def _models(simulation: Simulation, figures: Figures) -> Text:
-    others = " and ".join(f"{other.time_s:.3f} s with {other.words}" for other in figures.otherwise)
+    others = " and ".join(
+        f"{other.time_s:.3f} s with {other.words}" for other in figures.sensitivity
+    )
     behind = models(simulation)
     speeds = f"{behind['axis_speed']}; " if "axis_speed" in behind else ""
     smoothed = "each axis" if behind["smoothing"] == "axes" else "command"
@@ -402,10 +404,10 @@ def _models(simulation: Simulation, figures: Figures) -> Text:
     )
 
 
-def files_text(written: Sequence[Written], others: Sequence[str] = ()) -> Text:
+def files_text(written: Sequence[OutputFile], other_files: Sequence[str] = ()) -> Text:
     """The files that were written, and how to open a recording among them."""
     text = Text(
-        f"Written: {', '.join([*(f'{one.path} ({one.what})' for one in written), *others])}"
+        f"Written: {', '.join([*(f'{one.path} ({one.what})' for one in written), *other_files])}"
     )
     for one in written:
         if one.opened_by is not None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Verdict, run_verdict
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class AssertionVerdict:
     """One assertion."""
 
@@ -44,7 +44,7 @@ class AssertionVerdict:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class BudgetVerdict:
     """Whether the cycles of a run kept the time that the station file gives one."""
 
@@ -89,8 +89,8 @@ class BudgetVerdict:
         }
 
 
-@dataclass(frozen=True, slots=True)
-class Judgement:
+@value_class(frozen=True, slots=True)
+class Verdicts:
     """All that was asked of a run."""
 
     assertions: tuple[AssertionVerdict, ...] = ()
@@ -122,4 +122,4 @@ class Judgement:
         return (*self.assertions, *((self.budget,) if self.budget else ()))
 
 
-NOTHING_ASKED = Judgement()
+NOTHING_ASKED = Verdicts()

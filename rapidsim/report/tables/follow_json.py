@@ -10,22 +10,22 @@ from math import degrees
 
 import numpy as np
 
-from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Refused, Way
 from rapidsim.motion.waypoints.reachability import PointReach
-from rapidsim.motion.waypoints.solver_starts import Started
-from rapidsim.report.tables.follow_tables import AskedPoints, Attempt
+from rapidsim.motion.waypoints.solver_seeds import SeededSolve
+from rapidsim.report.tables.follow_tables import Attempt, RequestedPoints
 
 
-def follow_json(asked: AskedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
+def follow_json(requested: RequestedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
     """Points, and the one trajectory or why there is none."""
     (attempt,) = attempts
-    profile = None if asked.plan.way is Way.JOINT_QUINTIC else asked.plan.profile.value
-    said = {"path": asked.plan.way.value, "profile": profile}
-    return {**_asked(asked), **said, **_result(attempt.result)}
+    profile = None if requested.plan.kind is Way.JOINT_QUINTIC else requested.plan.profile.value
+    said = {"path": requested.plan.kind.value, "profile": profile}
+    return {**_request_json(requested), **said, **_result(attempt.result)}
 
 
-def starts_json(tried: Sequence[Started]) -> dict[str, object]:
+def starts_json(tried: Sequence[SeededSolve]) -> dict[str, object]:
     """What numerical solvers needed, from cold and from warm starts; nothing without them."""
     if not tried:
         return {}
@@ -34,7 +34,7 @@ def starts_json(tried: Sequence[Started]) -> dict[str, object]:
             "solver": one.solver,
             "start": "warm" if one.warm else "cold",
             "poses": one.poses,
-            "found": one.found,
+            "found": one.solved_count,
             "starts": one.starts,
             "iterations": one.iterations,
         }
@@ -43,34 +43,37 @@ def starts_json(tried: Sequence[Started]) -> dict[str, object]:
     return {"starts": rows}
 
 
-def compared_json(asked: AskedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
+def compared_json(requested: RequestedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
     """Points, and every trajectory or why there is none."""
-    profile = {"profile": asked.plan.profile.value}
-    compared = [{"path": one.plan.way.value, **_result(one.result)} for one in attempts]
-    return {**_asked(asked), **profile, "compared": compared}
+    profile = {"profile": requested.plan.profile.value}
+    compared = [{"path": one.plan.kind.value, **_result(one.result)} for one in attempts]
+    return {**_request_json(requested), **profile, "compared": compared}
 
 
-def _asked(asked: AskedPoints) -> dict[str, object]:
+def _request_json(requested: RequestedPoints) -> dict[str, object]:
     return {
         "schema": 1,
-        "robot": asked.robot.name,
-        "speed_mm_s": asked.plan.speed * 1000.0,
-        "acceleration_mm_s2": asked.plan.acceleration * 1000.0,
-        "euler": {"convention": asked.convention.value, "names": list(asked.convention.names)},
+        "robot": requested.robot.name,
+        "speed_mm_s": requested.plan.speed * 1000.0,
+        "acceleration_mm_s2": requested.plan.acceleration * 1000.0,
+        "euler": {
+            "convention": requested.convention.value,
+            "names": list(requested.convention.names),
+        },
         "points": [
             _point(position, point, quaternion, euler)
             for position, point, quaternion, euler in zip(
-                asked.positions_mm.tolist(),
-                asked.reached,
-                asked.quaternions.tolist(),
-                asked.euler_deg.tolist(),
+                requested.positions_mm.tolist(),
+                requested.reached,
+                requested.quaternions.tolist(),
+                requested.euler_deg.tolist(),
                 strict=True,
             )
         ],
     }
 
 
-def _result(result: Followed | Refused) -> dict[str, object]:
+def _result(result: FollowedTrajectory | Refused) -> dict[str, object]:
     if isinstance(result, Refused):
         return {
             "refused": {
@@ -78,7 +81,7 @@ def _result(result: Followed | Refused) -> dict[str, object]:
                 "help": result.help,
                 "other_configurations": [
                     {"conf": list(conf), "possible": message is None, "why": message}
-                    for conf, message in result.others
+                    for conf, message in result.other_branches
                 ],
             },
             "trajectory": None,
@@ -86,7 +89,7 @@ def _result(result: Followed | Refused) -> dict[str, object]:
     return {"refused": None, "trajectory": _trajectory(result)}
 
 
-def _trajectory(followed: Followed) -> dict[str, object]:
+def _trajectory(followed: FollowedTrajectory) -> dict[str, object]:
     """One trajectory: how long, how far off, how fast."""
     joints = followed.samples.joints
     return {
@@ -95,7 +98,7 @@ def _trajectory(followed: Followed) -> dict[str, object]:
         "path_mm": followed.path_length * 1000.0,
         "peak_tcp_speed_mm_s": followed.peak_speed * 1000.0,
         "deviation": {
-            "from": "path" if followed.plan.way.of_tcp else "straight lines",
+            "from": "path" if followed.plan.kind.of_tcp else "straight lines",
             "rms_mm": followed.deviation_rms * 1000.0,
             "max_mm": followed.deviation_max * 1000.0,
             "max_deg": degrees(followed.turn_deviation),
@@ -127,7 +130,7 @@ def _trajectory(followed: Followed) -> dict[str, object]:
 def _point(
     position: list[float], reached: PointReach, quaternion: list[float], euler: list[float]
 ) -> dict[str, object]:
-    why = reached.why
+    why = reached.reason
     ranges = None
     if reached.pitches is not None:
         ranges = [degrees(pitch) for pitch in reached.pitches]

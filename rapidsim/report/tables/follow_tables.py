@@ -13,13 +13,13 @@ from rich.text import Text
 from rapidsim.frames.euler import Convention, euler_from_rotation
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.motion.waypoints.follow import Followed
+from rapidsim.motion.waypoints.follow import FollowedTrajectory
 from rapidsim.motion.waypoints.plan import Plan, Refused, Way
 from rapidsim.motion.waypoints.points import Points, linear_turn_rates, posed, turn
 from rapidsim.motion.waypoints.reachability import PointReach
-from rapidsim.motion.waypoints.solver_starts import Started
-from rapidsim.report.uncut_table import UncutTable
-from rapidsim.values import dataclass
+from rapidsim.motion.waypoints.solver_seeds import SeededSolve
+from rapidsim.report.untruncated_table import UntruncatedTable
+from rapidsim.values import value_class
 
 _MOST_ROWS = 30
 """With more points, only those out of reach are listed."""
@@ -27,8 +27,8 @@ _LEAST_TURN_DEG = 0.5
 _MOST_TURNS = 10
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class AskedPoints:
+@value_class(frozen=True, slots=True, eq=False)
+class RequestedPoints:
     """Points as the user gave them, and what the arm can do about each."""
 
     robot: Robot
@@ -61,33 +61,33 @@ class AskedPoints:
         return (self.world_from_base @ posed(self.points.positions, self.attitudes)).rotation
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Attempt:
     """One way through the points, and what it has cost."""
 
     plan: Plan
-    result: Followed | Refused
+    result: FollowedTrajectory | Refused
     seconds: float
     """By the clock on the wall; nothing depends on it."""
 
     @property
     def possible(self) -> bool:
         """Whether the arm can do it, as fast as asked."""
-        return isinstance(self.result, Followed) and not over_speed(self.result)
+        return isinstance(self.result, FollowedTrajectory) and not over_speed(self.result)
 
 
-def points_page(asked: AskedPoints) -> RenderableType:
+def points_page(requested: RequestedPoints) -> RenderableType:
     """A row a point: where, and whether the arm gets there, or what is missing."""
-    reached, positions = asked.reached, asked.positions_mm
+    reached, positions = requested.reached, requested.positions_mm
     count = len(reached)
     missing = [number for number, point in enumerate(reached) if not point.reachable]
     facts = Text(f"{count - len(missing)} of {count} points reached", "red" if missing else "green")
     shown = range(count) if count <= _MOST_ROWS else missing[:_MOST_ROWS]
-    parts: list[RenderableType] = [Text(asked.robot.title, "bold"), facts]
+    parts: list[RenderableType] = [Text(requested.robot.title, "bold"), facts]
     if shown:
         free = any(point.pitch is not None for point in reached)
-        turned = asked.euler_deg
-        named = tuple(f"{name} [deg]" for name in asked.convention.names)
+        turned = requested.euler_deg
+        named = tuple(f"{name} [deg]" for name in requested.convention.names)
         attitude = ("pitch [deg]", "possible") if free else named
         table = _table("point", "x [mm]", "y [mm]", "z [mm]", *attitude)
         table.add_column("", no_wrap=False)
@@ -118,19 +118,19 @@ def trajectory_page(attempt: Attempt) -> RenderableType:
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
-    profile = "" if plan.way is Way.JOINT_QUINTIC else f", {plan.profile.value}"
-    facts.add_row("path", f"{plan.way.value}{profile}, {result.path_length * 1000.0:.1f} mm")
+    profile = "" if plan.kind is Way.JOINT_QUINTIC else f", {plan.profile.value}"
+    facts.add_row("path", f"{plan.kind.value}{profile}, {result.path_length * 1000.0:.1f} mm")
     facts.add_row("duration", f"{result.duration:.3f} s")
     facts.add_row(
         "TCP speed",
         f"at most {result.peak_speed * 1000.0:.1f} mm/s, requested {plan.speed * 1000.0:g} mm/s",
     )
-    off = "from the path" if plan.way.of_tcp else "from the straight lines between the points"
+    off = "from the path" if plan.kind.of_tcp else "from the straight lines between the points"
     facts.add_row(
         "deviation",
         f"rms {length(result.deviation_rms)}, at most {length(result.deviation_max)} {off}",
     )
-    if plan.way.of_tcp:
+    if plan.kind.of_tcp:
         facts.add_row("", f"at most {degrees(result.turn_deviation):.0e} deg of turn")
     facts.add_row(
         "solver", f"{result.poses_solved} poses solved in {attempt.seconds * 1000.0:.1f} ms"
@@ -145,11 +145,11 @@ def compare_page(attempts: Sequence[Attempt]) -> RenderableType:
     for attempt in attempts:
         result = attempt.result
         if isinstance(result, Refused):
-            refused.append(Text.assemble((f"{attempt.plan.way.value}: ", "red"), result.message))
+            refused.append(Text.assemble((f"{attempt.plan.kind.value}: ", "red"), result.message))
             continue
         known = [ratio for ratio in result.speed_ratios if ratio is not None]
         table.add_row(
-            attempt.plan.way.value,
+            attempt.plan.kind.value,
             str(result.poses_solved),
             f"{attempt.seconds * 1000.0:.1f} ms",
             length(result.from_chord),
@@ -184,14 +184,14 @@ def scaling_page(attempts: Sequence[Attempt]) -> RenderableType:
     return Group(table, *refused, Text(said, "dim"))
 
 
-def starts_page(tried: Sequence[Started]) -> RenderableType:
+def starts_page(tried: Sequence[SeededSolve]) -> RenderableType:
     """A row a solver and start: how often it found the pose, what that took."""
     table = _table("solver", "start", "found", "starts", "steps a pose", "time a pose")
     for one in tried:
         table.add_row(
             one.solver,
             "warm" if one.warm else "cold",
-            f"{one.found} of {one.poses}",
+            f"{one.solved_count} of {one.poses}",
             f"{one.starts / one.poses:.2f}",
             f"{one.iterations / one.poses:.1f}",
             f"{one.seconds * 1000.0 / one.poses:.1f} ms",
@@ -229,7 +229,7 @@ def turns_page(attitudes: Array) -> RenderableType | None:
     return Group(table, Text(said, "dim"))
 
 
-def over_speed(followed: Followed) -> tuple[str, ...]:
+def over_speed(followed: FollowedTrajectory) -> tuple[str, ...]:
     """A line for each joint that would have to be faster than it can."""
     return tuple(
         f"joint {number} would need {degrees(peak):.1f} {joint.measure}/s, "
@@ -246,12 +246,12 @@ def refused_text(refused: Refused) -> RenderableType:
     text = Text.assemble(("no trajectory: ", "red"), refused.message)
     if refused.help:
         text.append(f"\n help: {refused.help}")
-    if not refused.others:
+    if not refused.other_branches:
         return text
     table = Table.grid(padding=(0, 2))
     table.add_column(style="cyan", no_wrap=True)
     table.add_column()
-    for conf, message in refused.others:
+    for conf, message in refused.other_branches:
         words = Text("lasts all the way", "green") if message is None else Text(message)
         table.add_row(f"[{','.join(map(str, conf))}]", words)
     return Group(text, Text(), Text("other configurations", "bold"), table)
@@ -263,8 +263,8 @@ def length(metres: float) -> str:
     return f"{mm:.3f} mm" if mm >= 1e-3 else f"{mm:.0e} mm"
 
 
-def _joints(result: Followed) -> Table:
-    quintic = result.plan.way is Way.JOINT_QUINTIC
+def _joints(result: FollowedTrajectory) -> Table:
+    quintic = result.plan.kind is Way.JOINT_QUINTIC
     table = _table("joint", "peak speed", "limit", "", *(("overshoot",) if quintic else ()))
     for joint, peak, ratio, beyond in zip(
         result.robot.joints,
@@ -294,7 +294,7 @@ def _pitch(point: PointReach) -> tuple[str, str]:
 
 
 def _table(first: str, *others: str) -> Table:
-    table = UncutTable.without_lines()
+    table = UntruncatedTable.without_lines()
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

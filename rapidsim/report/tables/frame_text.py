@@ -49,14 +49,14 @@ def euler_zyx_deg(rotation: Orient) -> tuple[float, float, float]:
     return math.degrees(about_z), about_y, math.degrees(about_x)
 
 
-def _add(shown: Tree, frame: FrameNode) -> None:
+def _add(tree: Tree, frame: FrameNode) -> None:
     targets = 0
     for child in frame.children:
         targets += child.kind == "target"
         if targets <= _SHOWN_TARGETS or child.kind != "target":
-            _add(shown.add(_label(child)), child)
+            _add(tree.add(_label(child)), child)
     if targets > _SHOWN_TARGETS:
-        shown.add(Text(f"and {targets - _SHOWN_TARGETS} more targets", "dim"))
+        tree.add(Text(f"and {targets - _SHOWN_TARGETS} more targets", "dim"))
 
 
 def _label(frame: FrameNode) -> Text:

@@ -12,13 +12,13 @@ from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.frames import quaternion as rotations
 from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget, ToolData, WobjData
 from rapidsim.reach.dataflow.written_moves import NO_WOBJ, targets_by_wobj
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ValueOf = Callable[[DataSymbol], object]
 """The value of program data before the program runs."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FrameNode:
     """One frame with the frames that stand in it."""
 

@@ -14,14 +14,14 @@ from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.configurations.singularities import Differential, joint_speeds, rapid_speeds
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _DIGITS = 12
 """Of joints [deg], so that 30 comes back as 30."""
 
 
-@dataclass(frozen=True, slots=True)
-class Searched:
+@value_class(frozen=True, slots=True)
+class SearchCost:
     """What a search has cost."""
 
     starts: int
@@ -32,10 +32,10 @@ class Searched:
     """By the clock on the wall; nothing depends on it."""
 
 
-def forward_json(shown: Postures, convention: Convention) -> dict[str, object]:
+def forward_json(postures: Postures, convention: Convention) -> dict[str, object]:
     """Where the TCP and the links are; in the world, where the base is placed in it."""
-    robot, joints, stands = shown.robot, shown.rows[0].joints, shown.world_from_base
-    tcp = shown.world_from_tcp
+    robot, joints, stands = postures.robot, postures.rows[0].joints, postures.world_from_base
+    tcp = postures.world_from_tcp
     links = stands @ robot.kinematics.link_frames(joints)
     return {
         "schema": 1,
@@ -58,7 +58,7 @@ def forward_json(shown: Postures, convention: Convention) -> dict[str, object]:
 
 
 def inverse_json(
-    robot: Robot, solver: str, found: PoseSolutions, searched: Searched | None
+    robot: Robot, solver: str, solutions: PoseSolutions, searched: SearchCost | None
 ) -> dict[str, object]:
     """The joints that reach a pose, or why none do."""
     report: dict[str, object] = {
@@ -73,10 +73,10 @@ def inverse_json(
                 "residual_mm": solution.distance * 1000.0,
                 "residual_deg": degrees(solution.angle),
             }
-            for solution in found.solutions
+            for solution in solutions.solutions
         ],
-        "reachable": found.why is None,
-        "why": found.why,
+        "reachable": solutions.reason is None,
+        "why": solutions.reason,
     }
     if searched:
         report["search"] = {
@@ -89,24 +89,26 @@ def inverse_json(
     return report
 
 
-def jacobian_json(robot: Robot, found: Differential, twist: Array | None) -> dict[str, object]:
+def jacobian_json(
+    robot: Robot, differential: Differential, twist: Array | None
+) -> dict[str, object]:
     """The Jacobian and what follows from it; with a twist (6,) [m/s, rad/s] also joint speeds."""
     report: dict[str, object] = {
         "schema": 1,
         "robot": robot.name,
-        "jacobian": _plain(found.jacobian),
+        "jacobian": _plain(differential.jacobian),
         "frame": "base",
-        "singular_values": _plain(found.singular_values),
-        "manipulability": found.manipulability,
-        "near": list(found.near),
-        "rank": found.rank,
+        "singular_values": _plain(differential.singular_values),
+        "manipulability": differential.manipulability,
+        "near": list(differential.near),
+        "rank": differential.rank,
         "singularities": [
             {"name": s.name, "distance": s.distance, "near": s.near, "reason": s.reason}
-            for s in found.singularities
+            for s in differential.singularities
         ],
     }
     if twist is not None:
-        speeds, missed = joint_speeds(found.jacobian, twist)
+        speeds, missed = joint_speeds(differential.jacobian, twist)
         report["joint_speeds_deg_s"] = _plain(rapid_speeds(robot.kinematics, speeds))
         report["missed"] = {
             "velocity_mm_s": _plain(missed[:3] * 1000.0),

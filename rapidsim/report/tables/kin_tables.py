@@ -18,25 +18,25 @@ from rapidsim.motion.configurations.postures import Postures
 from rapidsim.motion.configurations.singularities import Differential, joint_speeds, rapid_speeds
 from rapidsim.motion.kinematics.axis_tables import dh_table_of, screws_of
 from rapidsim.motion.robot.robot import Robot
-from rapidsim.report.tables.kin_json import Searched
-from rapidsim.report.uncut_table import UncutTable
+from rapidsim.report.tables.kin_json import SearchCost
+from rapidsim.report.untruncated_table import UntruncatedTable
 
 _ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 _USUAL_JOINTS = 6
 _SMALL = 1e-9
 
 
-def forward_page(shown: Postures, convention: Convention, *, tables: bool) -> RenderableType:
+def forward_page(postures: Postures, convention: Convention, *, tables: bool) -> RenderableType:
     """Pose of the TCP as matrix, quaternion and Euler angles, configuration, links.
 
     Args:
-        shown: One posture.
+        postures: One posture.
         convention: Of the Euler angles.
         tables: Also the matrix of each link, and the screws and the DH table of the arm.
     """
-    robot, joints = shown.robot, shown.rows[0].joints
-    tcp = shown.world_from_tcp
-    links = shown.world_from_base @ robot.kinematics.link_frames(joints)
+    robot, joints = postures.robot, postures.rows[0].joints
+    tcp = postures.world_from_tcp
+    links = postures.world_from_base @ robot.kinematics.link_frames(joints)
     table = _table("frame", "x [mm]", "y [mm]", "z [mm]", "q1", "q2", "q3", "q4")
     for number in range(1, len(links) + 1):
         table.add_row(f"link_{number}", *_pose(links[number - 1]))
@@ -52,7 +52,9 @@ def forward_page(shown: Postures, convention: Convention, *, tables: bool) -> Re
         Text.assemble(("joints ", "cyan"), _list(np.degrees(joints)), f" {robot.units()}"),
         Text.assemble(("conf   ", "cyan"), f"[{conf}]"),
         Text.assemble(("euler  ", "cyan"), f"{convention.value}: {named} deg"),
-        Text.assemble(("frame  ", "cyan"), "base" if _is_unit(shown.world_from_base) else "world"),
+        Text.assemble(
+            ("frame  ", "cyan"), "base" if _is_unit(postures.world_from_base) else "world"
+        ),
         Text(),
         table,
         Text(),
@@ -107,28 +109,28 @@ def _added(offset: float) -> str:
     return f" {'-' if offset < 0.0 else '+'} {abs(offset):g}"
 
 
-def posture_markdown(shown: Postures) -> str:
+def posture_markdown(postures: Postures) -> str:
     """Joints, pose and matrix as Markdown, for the recording."""
     rows = [
         f"| {posture.name} | {', '.join(_number(a, 2) for a in np.degrees(posture.joints))} |"
-        for posture in shown.rows
+        for posture in postures.rows
     ]
-    matrix = shown.world_from_tcp.matrix
+    matrix = postures.world_from_tcp.matrix
     matrix[:3, 3] *= 1000.0
     lines = [
         [*(_number(value, 5) for value in row[:3]), _number(row[3], 3)] for row in matrix.tolist()
     ]
     cells = "\n".join(f"| {' | '.join(line)} |" for line in lines)
     place = ", ".join(_number(value, 3) for value in matrix[:3, 3].tolist())
-    quaternion = ", ".join(_number(q, 6) for q in shown.world_from_tcp.quaternion.tolist())
+    quaternion = ", ".join(_number(q, 6) for q in postures.world_from_tcp.quaternion.tolist())
     text = (
-        f"| posture | joints [{shown.robot.units()}] |\n|---|---|\n" + "\n".join(rows)
+        f"| posture | joints [{postures.robot.units()}] |\n|---|---|\n" + "\n".join(rows)
         + f"\n\nTCP at ({place}) mm, [{quaternion}]\n\n"
         + "| x | y | z | position [mm] |\n|---|---|---|---|\n" + cells
     )  # fmt: skip
-    if shown.differential is not None:
-        values = ", ".join(f"{value:.4g}" for value in shown.differential.singular_values)
-        near = ", ".join(shown.differential.near) or "none"
+    if postures.differential is not None:
+        values = ", ".join(f"{value:.4g}" for value in postures.differential.singular_values)
+        near = ", ".join(postures.differential.near) or "none"
         text += f"\n\nsingular values {values}\n\nnear: {near}"
     return text
 
@@ -136,18 +138,18 @@ def posture_markdown(shown: Postures) -> str:
 def inverse_page(
     robot: Robot,
     solver: str,
-    asked: Transform,
-    found: PoseSolutions,
-    searched: Searched | None,
+    target: Transform,
+    solutions: PoseSolutions,
+    searched: SearchCost | None,
 ) -> RenderableType:
     """The pose asked for, one row a solution, and why there is none."""
-    parts: list[RenderableType] = [_title(robot), Text(), _matrix("TCP", asked)]
-    if found.why is not None:
-        parts.append(Text.assemble(("unreachable: ", "red"), found.why))
-    if found.solutions:
+    parts: list[RenderableType] = [_title(robot), Text(), _matrix("TCP", target)]
+    if solutions.reason is not None:
+        parts.append(Text.assemble(("unreachable: ", "red"), solutions.reason))
+    if solutions.solutions:
         names = [f"j{number}" for number in range(1, len(robot.joints) + 1)]
         table = _table("conf", *names, "limits", padding=1 if len(names) > _USUAL_JOINTS else 2)
-        for solution in found.solutions:
+        for solution in solutions.solutions:
             table.add_row(
                 "[" + ",".join(map(str, solution.confdata)) + "]",
                 *(_number(angle, 2) for angle in np.degrees(solution.joints).tolist()),
@@ -162,27 +164,29 @@ def inverse_page(
             f"tolerance {searched.tolerance * 1000.0:g} mm and "
             f"{degrees(searched.tolerance):.1g} deg, {searched.seconds:.3f} s"
         )
-    if found.solutions:
-        distance = max(solution.distance for solution in found.solutions) * 1000.0
-        angle = degrees(max(solution.angle for solution in found.solutions))
+    if solutions.solutions:
+        distance = max(solution.distance for solution in solutions.solutions) * 1000.0
+        angle = degrees(max(solution.angle for solution in solutions.solutions))
         said += f"; largest residual {distance:.0e} mm, {angle:.0e} deg"
     parts += [Text(), Text(said, "dim")]
     return Group(*parts)
 
 
-def jacobian_page(robot: Robot, found: Differential, twist: Array | None) -> RenderableType:
+def jacobian_page(robot: Robot, differential: Differential, twist: Array | None) -> RenderableType:
     """The matrix, its singular values, how near singularities are, joint speeds."""
     names = [f"j{number}" for number in range(1, len(robot.joints) + 1)]
     matrix = _table("", *names)
-    for row, numbers in zip(_ROWS, found.jacobian.tolist(), strict=True):
+    for row, numbers in zip(_ROWS, differential.jacobian.tolist(), strict=True):
         matrix.add_row(row, *(_number(number, 4) for number in numbers))
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
-    facts.add_row("singular values", ", ".join(f"{v:.4g}" for v in found.singular_values.tolist()))
-    facts.add_row("manipulability", f"{found.manipulability:.4g}")
-    facts.add_row("rank", f"{found.rank} of {min(found.jacobian.shape)}")
-    for singularity in found.singularities:
+    facts.add_row(
+        "singular values", ", ".join(f"{v:.4g}" for v in differential.singular_values.tolist())
+    )
+    facts.add_row("manipulability", f"{differential.manipulability:.4g}")
+    facts.add_row("rank", f"{differential.rank} of {min(differential.jacobian.shape)}")
+    for singularity in differential.singularities:
         said = f"distance {singularity.distance:.4f}"
         if singularity.near:
             said = f"near, {said}: at 0 {singularity.reason}"
@@ -192,7 +196,7 @@ def jacobian_page(robot: Robot, found: Differential, twist: Array | None) -> Ren
     parts: list[RenderableType] = [_title(robot), Text(units, "dim")]
     parts += [Text(), matrix, Text(), facts]
     if twist is not None:
-        speeds, missed = joint_speeds(found.jacobian, twist)
+        speeds, missed = joint_speeds(differential.jacobian, twist)
         table = _table("joint", "speed", "limit")
         told = rapid_speeds(robot.kinematics, speeds).tolist()
         for joint, speed in zip(robot.joints, told, strict=True):
@@ -226,7 +230,7 @@ def _title(robot: Robot) -> Text:
 
 
 def _table(first: str, *others: str, padding: int = 2) -> Table:
-    table = UncutTable.without_lines(padding)
+    table = UntruncatedTable.without_lines(padding)
     table.add_column(first, no_wrap=True)
     for name in others:
         table.add_column(name, justify="right", no_wrap=True)

@@ -9,7 +9,7 @@ from rich.padding import Padding
 from rich.text import Text
 
 from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm
-from rapidsim.report.uncut_table import UncutTable
+from rapidsim.report.untruncated_table import UntruncatedTable
 
 _MOST_ROWS = 20
 _MEANING = (
@@ -20,7 +20,7 @@ _MEANING = (
 
 def ranking_table(targets: ProgramTargets, ranked: Sequence[RankedArm]) -> RenderableType:
     """One row an arm, best first."""
-    table = UncutTable.without_lines()
+    table = UntruncatedTable.without_lines()
     table.add_column("rank", justify="right", no_wrap=True)
     table.add_column("name", style="bold", no_wrap=True)
     for title in ("reach", "reached", "as stored"):
@@ -33,7 +33,7 @@ def ranking_table(targets: ProgramTargets, ranked: Sequence[RankedArm]) -> Rende
             arm.name,
             "?" if arm.reach_m is None else f"{1000.0 * arm.reach_m:.0f} mm",
             f"{arm.reached} of {arm.tried}",
-            f"{arm.held} of {arm.tried}",
+            f"{arm.satisfied} of {arm.tried}",
             ", ".join(note for note in notes if note),
         )
     more = len(ranked) - _MOST_ROWS
@@ -58,7 +58,7 @@ def ranking_json(
                 "reach_mm": None if arm.reach_m is None else arm.reach_m * 1000.0,
                 "tried": arm.tried,
                 "reached": arm.reached,
-                "held": arm.held,
+                "held": arm.satisfied,
                 "carries": arm.carries,
                 "named": arm.is_named,
             }

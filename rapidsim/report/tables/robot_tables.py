@@ -14,7 +14,7 @@ from rich.text import Text
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Joint, Robot
 from rapidsim.motion.waypoints.workspace import Workspace
-from rapidsim.report.uncut_table import UncutTable
+from rapidsim.report.untruncated_table import UntruncatedTable
 
 _UNKNOWN = "?"
 _MEANING = (
@@ -33,7 +33,7 @@ _LENT = (
 
 def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> RenderableType:
     """One row a robot with its short names, maker by maker."""
-    table = UncutTable.without_lines()
+    table = UntruncatedTable.without_lines()
     table.add_column("name", style="bold", no_wrap=True)
     table.add_column("short", no_wrap=True)
     table.add_column("payload", justify="right", no_wrap=True)
@@ -73,34 +73,34 @@ def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
         yield f"those of {lender}: {', '.join(names)}"
 
 
-def workspace_page(found: Workspace | str) -> RenderableType:
+def workspace_page(workspace: Workspace | str) -> RenderableType:
     """Volume and extents of what the flange reaches."""
-    if isinstance(found, str):
-        return Text(f"no workspace: {found}", "dim")
-    near, far, low, high = (f"{1000.0 * value:.0f} mm" for value in found.extent)
+    if isinstance(workspace, str):
+        return Text(f"no workspace: {workspace}", "dim")
+    near, far, low, high = (f"{1000.0 * value:.0f} mm" for value in workspace.extent)
     facts = Table.grid(padding=(0, 2))
     facts.add_column(style="cyan", no_wrap=True)
     facts.add_column()
-    facts.add_row("workspace", f"{found.volume:.2f} m3, of the flange in any orientation")
+    facts.add_row("workspace", f"{workspace.volume:.2f} m3, of the flange in any orientation")
     facts.add_row("from axis 1", f"{near} to {far}")
     facts.add_row("height", f"{low} to {high}")
-    facts.add_row("around", f"{degrees(found.swept):.0f} deg")
-    facts.add_row("found", f"by sampling postures, in cells of {1000.0 * found.cell:.1f} mm")
+    facts.add_row("around", f"{degrees(workspace.swept):.0f} deg")
+    facts.add_row("found", f"by sampling postures, in cells of {1000.0 * workspace.cell:.1f} mm")
     return facts
 
 
-def workspace_json(found: Workspace | str) -> dict[str, object] | None:
+def workspace_json(workspace: Workspace | str) -> dict[str, object] | None:
     """The same; null where there is none."""
-    if isinstance(found, str):
+    if isinstance(workspace, str):
         return None
-    near, far, low, high = (1000.0 * value for value in found.extent)
+    near, far, low, high = (1000.0 * value for value in workspace.extent)
     return {
         "of": "flange",
-        "volume_m3": found.volume,
+        "volume_m3": workspace.volume,
         "from_axis_1_mm": [near, far],
         "height_mm": [low, high],
-        "around_deg": degrees(found.swept),
-        "cell_mm": 1000.0 * found.cell,
+        "around_deg": degrees(workspace.swept),
+        "cell_mm": 1000.0 * workspace.cell,
     }
 
 
@@ -124,7 +124,7 @@ def robot_page(robot: Robot, aliases: Sequence[str]) -> RenderableType:
     ):
         for number, line in enumerate(lines):
             facts.add_row("" if number else label, line)
-    axes = UncutTable.without_lines()
+    axes = UntruncatedTable.without_lines()
     axes.add_column("axis", style="bold", no_wrap=True)
     axes.add_column("from", justify="right", no_wrap=True)
     axes.add_column("to", justify="right", no_wrap=True)

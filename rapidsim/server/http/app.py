@@ -16,19 +16,19 @@ from aiohttp import WSCloseCode, WSMsgType, web
 
 from rapidsim.server.http.bodies import event_text
 from rapidsim.server.http.dialect import Dialect
+from rapidsim.server.http.event_queue import EventQueue
 from rapidsim.server.http.guard import Guard
-from rapidsim.server.http.people import shown_to_people
+from rapidsim.server.http.operator_page import serve_operator_page
 from rapidsim.server.http.sessions import Session, Sessions
-from rapidsim.server.http.waiting import Waiting
 from rapidsim.server.link import EngineEndedError, Link
 from rapidsim.server.messages import (
     Answer,
-    Change,
-    Refusal,
+    ChangeEvent,
+    ErrorAnswer,
+    Notification,
     Request,
     SessionEnded,
     Subscribe,
-    Told,
     Unsubscribe,
 )
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND
@@ -70,13 +70,13 @@ class _Group:
 
     number: int
     session: int
-    waiting: Waiting = field(default_factory=Waiting)
-    told: asyncio.Event = field(default_factory=asyncio.Event)
+    waiting: EventQueue = field(default_factory=EventQueue)
+    changed: asyncio.Event = field(default_factory=asyncio.Event)
     is_over: bool = False
 
 
 @dataclass(eq=False)
-class Face:
+class HttpFrontend:
     """The part of Robot Web Services that one server takes."""
 
     link: Link
@@ -102,24 +102,24 @@ class Face:
         app.on_shutdown.append(self._close)
         return app
 
-    def told(self, told: Told) -> None:
+    def notify(self, notification: Notification) -> None:
         """Hand a change to the websocket of its group."""
-        if not isinstance(told, Change):
+        if not isinstance(notification, ChangeEvent):
             return
-        group = self._groups.get(told.group)
+        group = self._groups.get(notification.group)
         if group is not None:
-            group.waiting.add(told)
-            group.told.set()
+            group.waiting.add(notification)
+            group.changed.set()
 
     @property
-    def kept(self) -> tuple[int, int]:
+    def counts(self) -> tuple[int, int]:
         """How many sessions and subscriptions there are."""
         return len(self.sessions), len(self._groups)
 
     @web.middleware
     async def _admitted(self, request: web.Request, handler: Handler) -> web.StreamResponse:
         """Let a request in that means this server and comes from somebody who may."""
-        if not self.guard.lets_in(request.headers):
+        if not self.guard.admits(request.headers):
             return web.Response(status=403, text="this server has another name\n")
         session = self.sessions.find(request.cookies)
         fresh = session is None
@@ -162,7 +162,9 @@ class Face:
         first, _, rest = path.partition("/")
         if first == "ui":
             # Browsers are clients of neither generation, and send the headers they like.
-            return await shown_to_people(request, rest, request[_SESSION].number, self.link.ask)
+            return await serve_operator_page(
+                request, rest, request[_SESSION].number, self.link.request
+            )
         objection = dialect.objection(request)
         if objection is not None:
             return objection
@@ -173,7 +175,7 @@ class Face:
                 return await self._subscription(request, rest)
             case "logout" if request.method == "GET":
                 self.sessions.end(request[_SESSION])
-                return dialect.shown(request, Answer())
+                return dialect.represent(request, Answer())
         is_file = first == "fileservice"
         content, form = b"", dict[str, str]()
         if is_file and request.method == "PUT":
@@ -189,12 +191,12 @@ class Face:
             content,
             dialect.generation,
         )
-        reply = await self.link.ask(asked)
-        if is_file and isinstance(reply, Refusal):
+        reply = await self.link.request(asked)
+        if is_file and isinstance(reply, ErrorAnswer):
             return dialect.file_refused(request, reply)
         if is_file and request.method != "GET":
             return web.Response(status=reply.status)
-        return dialect.shown(request, reply)
+        return dialect.represent(request, reply)
 
     async def _subscription(self, request: web.Request, rest: str) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
@@ -203,8 +205,10 @@ class Face:
                 return await self._subscribe(request)
             case "DELETE", number if number.isdecimal() and int(number) in self._groups:
                 await self._end(self._groups[int(number)])
-                return dialect.shown(request, Answer())
-        return dialect.shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+                return dialect.represent(request, Answer())
+        return dialect.represent(
+            request, ErrorAnswer(*NOT_FOUND, f"there is no subscription {rest}")
+        )
 
     async def _subscribe(self, request: web.Request) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
@@ -212,27 +216,31 @@ class Face:
         # Whatever the numbers are, a resource is what has a priority.
         resources = tuple(value for key, value in form.items() if f"{key}-p" in form)
         if not resources or len(resources) > MOST_RESOURCES or len(self._groups) >= MOST_GROUPS:
-            refusal = Refusal(*BAD_PARAMETER, "none, or too many, subscriptions")
-            return dialect.shown(request, refusal)
+            refusal = ErrorAnswer(*BAD_PARAMETER, "none, or too many, subscriptions")
+            return dialect.represent(request, refusal)
         self._last_group += 1
         group = _Group(self._last_group, request[_SESSION].number)
         self._groups[group.number] = group
-        reply = await self.link.ask(Subscribe(group.number, resources))
-        if isinstance(reply, Refusal):
+        reply = await self.link.request(Subscribe(group.number, resources))
+        if isinstance(reply, ErrorAnswer):
             del self._groups[group.number]
-            return dialect.shown(request, reply)
+            return dialect.represent(request, reply)
         return dialect.subscribed(request, group.number)
 
     async def _poll(self, request: web.Request, rest: str) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
         group = self._groups.get(int(rest)) if rest.isdecimal() else None
         if group is None:
-            return dialect.shown(request, Refusal(*NOT_FOUND, f"there is no subscription {rest}"))
+            return dialect.represent(
+                request, ErrorAnswer(*NOT_FOUND, f"there is no subscription {rest}")
+            )
         protocols = (dialect.protocol,)
         socket = web.WebSocketResponse(timeout=_PARTING_S, protocols=protocols, heartbeat=30.0)
         ready = socket.can_prepare(request)
         if not ready.ok or (not dialect.clients_may_speak and ready.protocol is None):
-            return dialect.shown(request, Refusal(*BAD_PARAMETER, "this address is for websockets"))
+            return dialect.represent(
+                request, ErrorAnswer(*BAD_PARAMETER, "this address is for websockets")
+            )
         await socket.prepare(request)
         sending = asyncio.create_task(_send(group, socket))
         try:
@@ -248,9 +256,9 @@ class Face:
 
     async def _end(self, group: _Group) -> None:
         group.is_over = True
-        group.told.set()
+        group.changed.set()
         if self._groups.pop(group.number, None) is not None:
-            await self.link.ask(Unsubscribe(group.number))
+            await self.link.request(Unsubscribe(group.number))
 
     def _session_ended(self, number: int) -> None:
         """Release what a session holds, and end its subscriptions."""
@@ -258,7 +266,7 @@ class Face:
         async def end() -> None:
             for group in [one for one in self._groups.values() if one.session == number]:
                 await self._end(group)
-            await self.link.ask(SessionEnded(number))
+            await self.link.request(SessionEnded(number))
 
         task: asyncio.Task[object] = asyncio.get_running_loop().create_task(end())
         self._ending.add(task)
@@ -269,14 +277,14 @@ class Face:
         del app
         for group in self._groups.values():
             group.is_over = True
-            group.told.set()
+            group.changed.set()
 
 
 async def _send(group: _Group, socket: web.WebSocketResponse) -> None:
     """Send what a group is told, in order, until it is over."""
     while True:
-        await group.told.wait()
-        group.told.clear()
+        await group.changed.wait()
+        group.changed.clear()
         while group.waiting:
             await socket.send_str(event_text(group.number, group.waiting.next()))
         if group.is_over:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from html import escape
 from typing import Final
 
-from rapidsim.server.messages import Answer, Item, Refusal
+from rapidsim.server.messages import Answer, ErrorAnswer, Item
 
 JSON: Final = "application/json"
 XHTML: Final = "application/xhtml+xml"
@@ -28,7 +28,7 @@ def json_body(answer: Answer, base: str) -> str:
     return json.dumps({"_links": links, "_embedded": {"_state": items}})
 
 
-def json_refusal(refusal: Refusal, base: str) -> str:
+def json_refusal(refusal: ErrorAnswer, base: str) -> str:
     """An error as JSON."""
     status = {"code": refusal.code, "msg": refusal.message}
     embedded = {"status": status, "_state": list[object]()}
@@ -48,7 +48,7 @@ def hal_body(answer: Answer, base: str) -> str:
     return json.dumps(shown)
 
 
-def hal_refusal(refusal: Refusal, base: str) -> str:
+def hal_refusal(refusal: ErrorAnswer, base: str) -> str:
     """An error as HAL JSON."""
     status = {"code": refusal.code, "msg": refusal.message}
     return json.dumps({"_links": {"base": {"href": base}}, "status": status})
@@ -63,12 +63,12 @@ def xhtml_body(answer: Answer, base: str) -> str:
     return _page(base, f'<div class="state"><a href="" rel="self"/>{links}<ul>{items}</ul></div>')
 
 
-def xhtml_refusal(refusal: Refusal, base: str) -> str:
+def xhtml_refusal(refusal: ErrorAnswer, base: str) -> str:
     """An error as a page."""
     return _page(base, _status(refusal))
 
 
-def later_xhtml_refusal(refusal: Refusal, base: str) -> str:
+def later_xhtml_refusal(refusal: ErrorAnswer, base: str) -> str:
     """The same as RobotWare 7 writes it, whose pages of errors have no title."""
     return _page(base, _status(refusal), _BEGIN)
 
@@ -95,7 +95,7 @@ def event_text(group: int, items: Iterable[Item]) -> str:
     )
 
 
-def _status(refusal: Refusal) -> str:
+def _status(refusal: ErrorAnswer) -> str:
     message = escape(_plain(refusal.message))
     return (
         f'<div class="status"><span class="code">{refusal.code}</span>'

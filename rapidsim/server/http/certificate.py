@@ -37,7 +37,7 @@ def tls_context(folder: Path) -> ssl.SSLContext:
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     try:
         if not _is_valid(both):
-            _write(both, _made())
+            _write(both, _make_certificate())
         context.load_cert_chain(both)
     except (OSError, ValueError) as error:
         raise InputError(
@@ -64,7 +64,7 @@ def _is_valid(both: Path) -> bool:
     return end > datetime.now(UTC) + timedelta(days=1)
 
 
-def _made() -> bytes:
+def _make_certificate() -> bytes:
     """A new key and a certificate for it, as PEM."""
     key = ec.generate_private_key(ec.SECP256R1())
     name = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "rapidsim")])

@@ -7,7 +7,7 @@ from typing import Protocol
 
 from aiohttp import web
 
-from rapidsim.server.messages import Answer, Refusal, Reply
+from rapidsim.server.messages import Answer, ErrorAnswer, Reply
 
 
 class Users(Protocol):
@@ -56,11 +56,11 @@ class Dialect(Protocol):
         """The refusal of a request that is not even looked at; None if it is."""
         ...
 
-    def shown(self, request: web.Request, reply: Reply) -> web.Response:
+    def represent(self, request: web.Request, reply: Reply) -> web.Response:
         """A reply in the form that was asked for."""
         ...
 
-    def file_refused(self, request: web.Request, refusal: Refusal) -> web.Response:
+    def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
         """The refusal of a file, which controllers write in a form of its own."""
         ...
 
@@ -74,15 +74,15 @@ def base(request: web.Request) -> str:
     return f"{request.scheme}://{request.host}/"
 
 
-def shown(
+def represent(
     request: web.Request,
     reply: Reply,
     body: Callable[[Answer, str], str],
-    refusal: Callable[[Refusal, str], str],
+    refusal: Callable[[ErrorAnswer, str], str],
     content_type: str,
 ) -> web.Response:
     """A reply in a form, given the writers of its answers and refusals."""
-    if isinstance(reply, Refusal):
+    if isinstance(reply, ErrorAnswer):
         text = refusal(reply, base(request))
     elif reply.content is not None:
         return web.Response(body=reply.content, content_type="application/octet-stream")

@@ -14,13 +14,13 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Final
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 REALM: Final = "validusers@robapi.abb"
 _PARAMETER: Final = re.compile(r'(\w+)\s*=\s*(?:"((?:[^"\\]|\\.)*)"|([^\s,]+))')
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class DigestAuthentication:
     """The users that are admitted."""
 

@@ -10,17 +10,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from ipaddress import ip_address
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Guard:
     """The names this server goes by: numeric addresses, which nobody can point elsewhere."""
 
     host: str
     """The host it was told to listen on."""
 
-    def lets_in(self, headers: Mapping[str, str]) -> bool:
+    def admits(self, headers: Mapping[str, str]) -> bool:
         """Whether a request may come from a client that means this server."""
         host = headers.get("Host", "").lower()
         name = _name(host)

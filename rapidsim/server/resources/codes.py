@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from rapidsim.server.messages import RefusedRequest
-from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 
 NOT_FOUND: Final = (404, -1073414146)
 NO_SYMBOL: Final = (400, -1073414146)
@@ -27,30 +27,34 @@ NO_FILE_TO_LOAD: Final = (400, -1073438708)
 NO_MODULE_TO_UNLOAD: Final = (400, -1073442816)
 
 _OF: Final = {
-    Why.STATE: BAD_STATE,
-    Why.VALUE: BAD_PARAMETER,
-    Why.NO_TASK: NOT_FOUND,
-    Why.NO_SYMBOL: NO_SYMBOL,
-    Why.NO_SIGNAL: NO_SIGNAL,
-    Why.NO_UNIT: NOT_FOUND,
-    Why.NO_FILE: NO_FILE_TO_LOAD,
-    Why.NO_MODULE: NO_MODULE_TO_UNLOAD,
-    Why.READ_ONLY: READ_ONLY,
+    RefusalReason.STATE: BAD_STATE,
+    RefusalReason.VALUE: BAD_PARAMETER,
+    RefusalReason.NO_TASK: NOT_FOUND,
+    RefusalReason.NO_SYMBOL: NO_SYMBOL,
+    RefusalReason.NO_SIGNAL: NO_SIGNAL,
+    RefusalReason.NO_UNIT: NOT_FOUND,
+    RefusalReason.NO_FILE: NO_FILE_TO_LOAD,
+    RefusalReason.NO_MODULE: NO_MODULE_TO_UNLOAD,
+    RefusalReason.READ_ONLY: READ_ONLY,
 }
 
 
 def refused(
-    why: tuple[int, int], message: str, later: tuple[int, int] | None = None
+    reason: tuple[int, int], message: str, later: tuple[int, int] | None = None
 ) -> RefusedRequest:
     """The refusal of a request; `later` is what RobotWare 7 answers, where that is another."""
-    return RefusedRequest(*why, message, later)
+    return RefusedRequest(*reason, message, later)
 
 
-_OF_SECOND: Final = {**_OF, Why.NO_MODULE: LATER_NO_MODULE, Why.NO_SYMBOL: LATER_NO_SYMBOL}
+_OF_SECOND: Final = {
+    **_OF,
+    RefusalReason.NO_MODULE: LATER_NO_MODULE,
+    RefusalReason.NO_SYMBOL: LATER_NO_SYMBOL,
+}
 """The same in RobotWare 7."""
 
 
-def as_answered(refusal: Refused, generation: int) -> RefusedRequest:
+def as_answered(refusal: RequestRefused, generation: int) -> RefusedRequest:
     """A refusal of the controller as the answer to a request."""
     why = (_OF if generation == 1 else _OF_SECOND)[refusal.why]
     return RefusedRequest(*why, refusal.message)

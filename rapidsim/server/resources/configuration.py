@@ -8,13 +8,13 @@ from typing import Final
 
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
 
 _VALUE: Final = re.compile(r"\[(.*),\s*\d+\]", re.DOTALL)
 """How clients write the value of an attribute: `[value,1]`."""
 
 
-def domains(context: Context, request: Request) -> Answer:
+def domains(context: RequestContext, request: Request) -> Answer:
     """All domains."""
     del request
     names = context.live.cell.parameters.domains
@@ -22,7 +22,7 @@ def domains(context: Context, request: Request) -> Answer:
     return Answer(tuple(items))
 
 
-def types(context: Context, request: Request, domain: str) -> Answer:
+def types(context: RequestContext, request: Request, domain: str) -> Answer:
     """The types of a domain."""
     del request
     names = context.live.cell.parameters.types(domain)
@@ -32,35 +32,35 @@ def types(context: Context, request: Request, domain: str) -> Answer:
     return Answer(tuple(Item("cfg-dt-li", one, href=f"rw/cfg/{name}/{one}") for one in names))
 
 
-def type_(context: Context, request: Request, domain: str, of: str) -> Answer:
+def type_(context: RequestContext, request: Request, domain: str, of: str) -> Answer:
     """A type, with a link to its instances."""
     del request
     _instances(context, domain, of)
     return Answer((Item("cfg-dt", of.upper()),), links=("instances",))
 
 
-def instances(context: Context, request: Request, domain: str, of: str) -> Answer:
+def instances(context: RequestContext, request: Request, domain: str, of: str) -> Answer:
     """The instances of a type with their attributes."""
     del request
     found = _instances(context, domain, of)
     return Answer(tuple(_item(domain, of, n, one, "-li") for n, one in enumerate(found)))
 
 
-def instance(context: Context, request: Request, domain: str, of: str, name: str) -> Answer:
+def instance(context: RequestContext, request: Request, domain: str, of: str, name: str) -> Answer:
     """One instance."""
     del request
-    number, found = _found(context, domain, of, name)
+    number, found = _instance(context, domain, of, name)
     return Answer((_item(domain, of, number, found, ""),))
 
 
-def change(context: Context, request: Request, domain: str, of: str, name: str) -> Answer:
+def change(context: RequestContext, request: Request, domain: str, of: str, name: str) -> Answer:
     """Change attributes of an instance; a restart would put them into effect.
 
     Raises:
         RefusedRequest: If an attribute is missing or a value is not valid; then nothing changes.
     """
     context.require_mastership("cfg", request)
-    number, found = _found(context, domain, of, name)
+    number, found = _instance(context, domain, of, name)
     changed = {}
     for attribute, text in request.form.items():
         if attribute not in found:
@@ -74,28 +74,30 @@ def change(context: Context, request: Request, domain: str, of: str, name: str) 
     return DONE
 
 
-def _instances(context: Context, domain: str, of: str) -> Sequence[Mapping[str, str]]:
+def _instances(context: RequestContext, domain: str, of: str) -> Sequence[Mapping[str, str]]:
     found = context.live.cell.parameters.instances(domain, of)
     if found is None:
         raise refused(NOT_FOUND, f"the configuration has no type {domain}/{of}")
     return found
 
 
-def _found(context: Context, domain: str, of: str, name: str) -> tuple[int, Mapping[str, str]]:
+def _instance(
+    context: RequestContext, domain: str, of: str, name: str
+) -> tuple[int, Mapping[str, str]]:
     for number, one in enumerate(_instances(context, domain, of)):
         if _name(number, one).lower() == name.lower():
             return number, one
     raise refused(NOT_FOUND, f"{domain}/{of} has no instance {name}")
 
 
-def _name(number: int, one: Mapping[str, str]) -> str:
+def _name(number: int, record: Mapping[str, str]) -> str:
     """The name an instance is addressed by; its index if it has none."""
-    return one.get("name") or str(number)
+    return record.get("name") or str(number)
 
 
-def _item(domain: str, of: str, number: int, one: Mapping[str, str], suffix: str) -> Item:
-    name = _name(number, one)
-    attributes = (Item("cfg-ia-t-li", key, {"value": value}) for key, value in one.items())
+def _item(domain: str, of: str, number: int, record: Mapping[str, str], suffix: str) -> Item:
+    name = _name(number, record)
+    attributes = (Item("cfg-ia-t-li", key, {"value": value}) for key, value in record.items())
     return Item(
         f"cfg-dt-instance{suffix}",
         name,

@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 
 @dataclass(slots=True)
-class Context:
+class RequestContext:
     """The controller, and which session holds which mastership."""
 
     live: LiveController
@@ -53,7 +53,7 @@ class Context:
         if request.generation == 2:
             raise refused(NOT_HELD, f"this takes the mastership of {domain}")
 
-    def require_nobody_else(self, request: Request) -> None:
+    def require_unclaimed(self, request: Request) -> None:
         """Refuse to start what another session is master of, as RobotWare 7 does.
 
         Raises:
@@ -77,7 +77,7 @@ Resource: TypeAlias = Callable[..., Answer]
 """Called with the context, the request, and the parameters of its address by name."""
 
 
-def given(form: Fields, name: str) -> str:
+def required_value(form: Fields, name: str) -> str:
     """A value that a request must give.
 
     Raises:
@@ -90,12 +90,12 @@ def given(form: Fields, name: str) -> str:
 
 
 def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
-    """A value that must be one of a set of words; see `given`.
+    """A value that must be one of a set of words; see `required_value`.
 
     Raises:
         RefusedRequest: If it is not.
     """
-    text = given(form, name)
+    text = required_value(form, name)
     try:
         return words(text)
     except ValueError:
@@ -103,7 +103,7 @@ def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
 
 
 def number(form: Fields, name: str) -> float:
-    """A finite number that a request must give; see `given`.
+    """A finite number that a request must give; see `required_value`.
 
     Raises:
         RefusedRequest: If it is none.

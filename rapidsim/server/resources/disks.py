@@ -23,14 +23,14 @@ from rapidsim.server.resources.codes import (
     NOT_FOUND,
     refused,
 )
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
 """The folders that clients reach by `$NAME`."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FileService:
     """Reads and writes the home folder."""
 
@@ -52,7 +52,7 @@ class FileService:
                 return Answer()  # A folder for programs is made when the first writes into it.
             return place.read_bytes()
         except OSError:
-            raise _not_there(address) from None
+            raise _missing(address) from None
 
     def write(self, address: str, content: bytes) -> bool:
         """Write a file, whole or not at all; returns whether it is new.
@@ -92,7 +92,7 @@ class FileService:
             else:
                 place.unlink()
         except OSError:
-            raise _not_there(address) from None
+            raise _missing(address) from None
 
     def change(self, address: str, action: str, name: str) -> None:
         """Create a folder in a folder, or rename or copy a file beside itself.
@@ -120,7 +120,7 @@ class FileService:
                 case _:
                     raise refused(BAD_PARAMETER, f"files have no action {action}")
         except OSError:
-            raise _not_there(address) from None
+            raise _missing(address) from None
 
     def _roots(self) -> tuple[Path, ...]:
         return (self.home, *(self._folder(disk) for disk in DISKS))
@@ -141,12 +141,12 @@ class FileService:
         if root is None:
             raise refused(NOT_FOUND, f"{address} is not there", LATER_NO_VOLUME)
         if any(_leads_away(part) for part in parts):
-            raise _not_there(address)
+            raise _missing(address)
         place = root
         for part in parts:
             place = _without_case(place, part)
             if place.is_symlink():
-                raise _not_there(address)
+                raise _missing(address)
         return place
 
     def _root(self, disk: str) -> Path | None:
@@ -186,5 +186,5 @@ def _item(place: Path) -> Item:
     return Item("fs-file", place.name, {**fields, "fs-size": str(stat.st_size)}, href=place.name)
 
 
-def _not_there(address: str) -> RefusedRequest:
+def _missing(address: str) -> RefusedRequest:
     return refused(NOT_FOUND, f"{address} is not there", LATER_NO_FILE)

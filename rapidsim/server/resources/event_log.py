@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import NOT_FOUND, refused
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
 from rapidsim.simulation.live.event_log import DOMAINS, LogEntry
 
 
-def domains(context: Context, request: Request) -> Answer:
+def domains(context: RequestContext, request: Request) -> Answer:
     """All domains, with the number of entries of each."""
     del request
     log = context.live.log
@@ -24,14 +24,14 @@ def domains(context: Context, request: Request) -> Answer:
     return Answer(tuple(items))
 
 
-def entries(context: Context, request: Request, domain: str) -> Answer:
+def entries(context: RequestContext, request: Request, domain: str) -> Answer:
     """The entries of a domain."""
     del request
     found = context.live.log.entries(_domain(domain))
     return Answer(tuple(entry_item(context, domain, one) for one in found))
 
 
-def entry(context: Context, request: Request, domain: str, number: str) -> Answer:
+def entry(context: RequestContext, request: Request, domain: str, number: str) -> Answer:
     """One entry.
 
     Raises:
@@ -44,38 +44,38 @@ def entry(context: Context, request: Request, domain: str, number: str) -> Answe
     raise refused(NOT_FOUND, f"domain {domain} has no entry {number}")
 
 
-def clear(context: Context, request: Request, domain: str) -> Answer:
+def clear(context: RequestContext, request: Request, domain: str) -> Answer:
     """Forget the entries of a domain."""
     del request
     context.live.log.clear(_domain(domain))
     return DONE
 
 
-def clear_all(context: Context, request: Request) -> Answer:
+def clear_all(context: RequestContext, request: Request) -> Answer:
     """Forget all entries."""
     del request
     context.live.log.clear()
     return DONE
 
 
-def entry_item(context: Context, domain: str, one: LogEntry) -> Item:
+def entry_item(context: RequestContext, domain: str, record: LogEntry) -> Item:
     """An entry as clients see it."""
-    address = f"/rw/elog/{domain}/{one.number}"
+    address = f"/rw/elog/{domain}/{record.number}"
     # Two spaces, as controllers write it; a public client parses exactly this.
-    stamp = context.live.date_at(one.time_s).strftime("%Y-%m-%d T  %H:%M:%S")
+    stamp = context.live.date_at(record.time_s).strftime("%Y-%m-%d T  %H:%M:%S")
     fields = {
-        "msgtype": str(one.type),
-        "code": str(one.code),
+        "msgtype": str(record.type),
+        "code": str(record.code),
         "src-name": "rapidsim",
         "tstamp": stamp,
-        "title": one.title,
-        "desc": one.text,
+        "title": record.title,
+        "desc": record.text,
         "conseqs": "",
         "causes": "",
         "actions": "",
-        "argc": str(len(one.arguments)),
+        "argc": str(len(record.arguments)),
     }
-    return Item("elog-message-li", address, fields, one.arguments, href=address[1:])
+    return Item("elog-message-li", address, fields, record.arguments, href=address[1:])
 
 
 def _domain(text: str) -> int:

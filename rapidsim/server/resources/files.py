@@ -3,30 +3,30 @@
 from __future__ import annotations
 
 from rapidsim.server.messages import DONE, Answer, Request
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
 
 
-def read(context: Context, request: Request, address: str) -> Answer:
+def read(context: RequestContext, request: Request, address: str) -> Answer:
     """A file, or the entries of a folder."""
     del request
     found = context.files.read(address)
     return Answer(content=found) if isinstance(found, bytes) else found
 
 
-def write(context: Context, request: Request, address: str) -> Answer:
+def write(context: RequestContext, request: Request, address: str) -> Answer:
     """Write a file, whole or not at all."""
     is_new = context.files.write(address, request.content)
     return Answer(status=201 if is_new else 200)
 
 
-def remove(context: Context, request: Request, address: str) -> Answer:
+def remove(context: RequestContext, request: Request, address: str) -> Answer:
     """Remove a file, or a folder with everything in it."""
     del request
     context.files.remove(address)
     return DONE
 
 
-def change(context: Context, request: Request, address: str) -> Answer:
+def change(context: RequestContext, request: Request, address: str) -> Answer:
     """Create a folder in a folder, or rename or copy a file beside itself."""
     form = request.form
     context.files.change(address, form.get("fs-action", ""), form.get("fs-newname", ""))

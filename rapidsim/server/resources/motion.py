@@ -10,7 +10,7 @@ from rapidsim.motion.robot.external_axes import LETTERS
 from rapidsim.server.derived_parameters import robots
 from rapidsim.server.messages import Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
 from rapidsim.simulation.live import position
 from rapidsim.simulation.live.live_task import LiveTask
 from rapidsim.simulation.live.position import Coordinates
@@ -24,7 +24,7 @@ _FRAMES: Final = {
 }
 
 
-def motion_system(context: Context, request: Request) -> Answer:
+def motion_system(context: RequestContext, request: Request) -> Answer:
     """The parts of the motion system."""
     del context, request
     fields = {"change-count": "0"}
@@ -32,30 +32,30 @@ def motion_system(context: Context, request: Request) -> Answer:
     return Answer((Item("ms-motionsystem", "motionsystem", fields),), links=links)
 
 
-def error_state(context: Context, request: Request) -> Answer:
+def error_state(context: RequestContext, request: Request) -> Answer:
     """The state of the motion system: it has no errors of its own here."""
     del context, request
     fields = {"err-state": "HPJ_OK", "err-count": "0"}
     return Answer((Item("ms-errorstate", "errorstate", fields),))
 
 
-def non_motion_execution(context: Context, request: Request) -> Answer:
+def non_motion_execution(context: RequestContext, request: Request) -> Answer:
     """Whether programs run without moving the robots, which never happens here."""
     del context, request
     return Answer((Item("ms-nonmotionexecution", "nonmotionexecution", {"mode": "OFF"}),))
 
 
-def units(context: Context, request: Request) -> Answer:
+def units(context: RequestContext, request: Request) -> Answer:
     """All robots."""
     del request
     return Answer(tuple(_unit_item(name, "ms-mechunit-li") for name, _ in _robots(context)))
 
 
-def unit(context: Context, request: Request, unit: str) -> Answer:
+def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     """The fixed data of a robot (`resource=static`) and its state (`resource=dynamic`)."""
     name, task = _robot(context, unit)
     if request.query.get("resource") == "static":
-        axes = len(task.unit.own.robot.joints)
+        axes = len(task.unit.solo_queue.robot.joints)
         # A client raises an error at an empty text, and takes these words for "none".
         fields = {
             "task-name": task.name,
@@ -63,7 +63,7 @@ def unit(context: Context, request: Request, unit: str) -> Answer:
             "has-integrated-unit": "NoIntegratedUnit",
             "type": "TCPRobot",
             "axes": str(axes),
-            "axes-total": str(axes + len(task.unit.own.robot.external)),
+            "axes-total": str(axes + len(task.unit.solo_queue.robot.external)),
         }
     else:
         tool, wobj = position.active_frames(task)
@@ -81,7 +81,7 @@ def unit(context: Context, request: Request, unit: str) -> Answer:
     return Answer((item,), links=("jointtarget", "robtarget", "cartesian", "baseframe", "axes"))
 
 
-def joint_target(context: Context, request: Request, unit: str) -> Answer:
+def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
     """Where the axes of a robot are."""
     del request
     name, task = _robot(context, unit)
@@ -92,7 +92,7 @@ def joint_target(context: Context, request: Request, unit: str) -> Answer:
     return Answer((Item("ms-jointtarget", name, fields),))
 
 
-def rob_target(context: Context, request: Request, unit: str) -> Answer:
+def rob_target(context: RequestContext, request: Request, unit: str) -> Answer:
     """Where the TCP of a robot is."""
     query = request.query
     name, task = _robot(context, unit)
@@ -107,7 +107,7 @@ def rob_target(context: Context, request: Request, unit: str) -> Answer:
     return Answer((Item("ms-robtargets", name, fields),))
 
 
-def cartesian(context: Context, request: Request, unit: str) -> Answer:
+def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
     """Where the flange of a robot is, in its base."""
     name, task = _robot(context, unit)
     query = request.query
@@ -118,11 +118,11 @@ def cartesian(context: Context, request: Request, unit: str) -> Answer:
     return Answer((Item("ms-mechunit-cartesian", name, fields),))
 
 
-def axes(context: Context, request: Request, unit: str) -> Answer:
+def axes(context: RequestContext, request: Request, unit: str) -> Answer:
     """The axes of a robot."""
     del request
     name, task = _robot(context, unit)
-    count = len(task.unit.own.robot.joints)
+    count = len(task.unit.solo_queue.robot.joints)
     address = f"rw/motionsystem/mechunits/{name}/axes"
     items = (
         Item("ms-axis-li", str(number), href=f"{address}/{number}")
@@ -131,7 +131,7 @@ def axes(context: Context, request: Request, unit: str) -> Answer:
     return Answer(tuple(items))
 
 
-def base_frame(context: Context, request: Request, unit: str) -> Answer:
+def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:
     """Where a robot stands in the world."""
     del request
     name, task = _robot(context, unit)
@@ -141,12 +141,12 @@ def base_frame(context: Context, request: Request, unit: str) -> Answer:
     return Answer((Item("ms-mechunit-baseframe", name, fields),))
 
 
-def _robots(context: Context) -> Iterator[tuple[str, LiveTask]]:
+def _robots(context: RequestContext) -> Iterator[tuple[str, LiveTask]]:
     """Each task that moves a robot, with the name of its mechanical unit."""
     return ((unit, context.live.task(one.name)) for unit, one in robots(context.live.setups))
 
 
-def _robot(context: Context, unit: str) -> tuple[str, LiveTask]:
+def _robot(context: RequestContext, unit: str) -> tuple[str, LiveTask]:
     for name, task in _robots(context):
         if name.lower() == unit.lower():
             return name, task

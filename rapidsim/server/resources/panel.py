@@ -6,47 +6,47 @@ from typing import Final
 
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, refused
-from rapidsim.server.resources.context import Context, chosen, number
-from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.server.resources.context import RequestContext, chosen, number
+from rapidsim.simulation.live.states import Motors, OperatingMode
 
 _MODES: Final = {
-    "auto": Mode.AUTO,
-    "man": Mode.REDUCED,
-    "manr": Mode.REDUCED,
-    "manf": Mode.FULL,
-    "manfs": Mode.FULL,
+    "auto": OperatingMode.AUTO,
+    "man": OperatingMode.REDUCED,
+    "manr": OperatingMode.REDUCED,
+    "manf": OperatingMode.FULL,
+    "manfs": OperatingMode.FULL,
 }
 
 
-def state(context: Context, request: Request) -> Answer:
+def state(context: RequestContext, request: Request) -> Answer:
     """The state of the controller."""
     del request
     return Answer((state_item(context),))
 
 
-def state_item(context: Context) -> Item:
+def state_item(context: RequestContext) -> Item:
     """The same, as it is shown."""
     return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.motors.value})
 
 
-def set_state(context: Context, request: Request) -> Answer:
+def set_state(context: RequestContext, request: Request) -> Answer:
     """Switch the motors on or off."""
     context.live.set_motors(chosen(request.form, "ctrl-state", Motors))
     return DONE
 
 
-def mode(context: Context, request: Request) -> Answer:
+def mode(context: RequestContext, request: Request) -> Answer:
     """The operating mode."""
     del request
     return Answer((mode_item(context),))
 
 
-def mode_item(context: Context) -> Item:
+def mode_item(context: RequestContext) -> Item:
     """The same, as it is shown."""
     return Item("pnl-opmode", "opmode", {"opmode": context.live.mode.value})
 
 
-def set_mode(context: Context, request: Request) -> Answer:
+def set_mode(context: RequestContext, request: Request) -> Answer:
     """Turn the mode key, as a virtual controller lets clients do."""
     asked = request.form.get("opmode", "").lower()
     if asked not in _MODES:
@@ -55,18 +55,18 @@ def set_mode(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def speed_ratio(context: Context, request: Request) -> Answer:
+def speed_ratio(context: RequestContext, request: Request) -> Answer:
     """The speed ratio in percent."""
     del request
     return Answer((speed_item(context),))
 
 
-def speed_item(context: Context) -> Item:
+def speed_item(context: RequestContext) -> Item:
     """The same, as it is shown."""
     return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.speed_ratio)})
 
 
-def set_speed_ratio(context: Context, request: Request) -> Answer:
+def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
     """Set the speed ratio of the moves to come."""
     context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
@@ -74,7 +74,7 @@ def set_speed_ratio(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def collision_detection(context: Context, request: Request) -> Answer:
+def collision_detection(context: RequestContext, request: Request) -> Answer:
     """The state of collision detection, which never triggers here."""
     del context, request
     return Answer((Item("pnl-coldetstate", "coldetstate", {"coldetstate": "INIT"}),))

@@ -5,23 +5,23 @@ from __future__ import annotations
 from rapidsim.interpreter.linking.saved_text import text_of
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_MODULE, NOT_FOUND, refused
-from rapidsim.server.resources.context import Context, chosen, given
+from rapidsim.server.resources.context import RequestContext, chosen, required_value
 from rapidsim.server.resources.disks import path_of_programs
 from rapidsim.simulation.live import program_memory
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Cycle, Execution, StopMode, TaskState
+from rapidsim.simulation.live.states import Cycle, ExecutionMode, StopMode, TaskState
 from rapidsim.syntax import tree
 
 _NOT_SIMULATED = frozenset({"stepback", "steplast"})
 
 
-def execution(context: Context, request: Request) -> Answer:
+def execution(context: RequestContext, request: Request) -> Answer:
     """Whether programs are executing, and what happens after the end of main."""
     del request
     return Answer((execution_item(context),))
 
 
-def execution_item(context: Context) -> Item:
+def execution_item(context: RequestContext) -> Item:
     """The same, as it is shown."""
     live = context.live
     executes = "running" if live.executes else "stopped"
@@ -30,27 +30,27 @@ def execution_item(context: Context) -> Item:
     )
 
 
-def start(context: Context, request: Request) -> Answer:
+def start(context: RequestContext, request: Request) -> Answer:
     """Start the programs.
 
     Raises:
         RefusedRequest: For a mode of execution that is not simulated, or if another session holds
             the mastership.
     """
-    context.require_nobody_else(request)
+    context.require_unclaimed(request)
     if request.form.get("execmode") in _NOT_SIMULATED:
         mode = request.form["execmode"]
         raise refused(BAD_PARAMETER, f"{mode} is not simulated: steps only go forward")
-    how = Execution.CONTINUE
+    how = ExecutionMode.CONTINUE
     if "execmode" in request.form:
-        how = chosen(request.form, "execmode", Execution)
+        how = chosen(request.form, "execmode", ExecutionMode)
     asked = request.form.get("cycle", "asis")
     cycle = None if asked == "asis" else chosen(request.form, "cycle", Cycle)
     context.live.start(cycle, how)
     return DONE
 
 
-def start_production(context: Context, request: Request) -> Answer:
+def start_production(context: RequestContext, request: Request) -> Answer:
     """Start the programs from main."""
     del request
     context.live.reset_pointers()
@@ -58,7 +58,7 @@ def start_production(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def stop(context: Context, request: Request) -> Answer:
+def stop(context: RequestContext, request: Request) -> Answer:
     """Stop the programs."""
     how = StopMode.STOP
     if "stopmode" in request.form:
@@ -67,26 +67,26 @@ def stop(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def reset_pointers(context: Context, request: Request, task: str = "") -> Answer:
+def reset_pointers(context: RequestContext, request: Request, task: str = "") -> Answer:
     """Set the pointer of a task, or of all, to main."""
     context.require_mastership("rapid", request)
     context.live.reset_pointers(task)
     return DONE
 
 
-def set_cycle(context: Context, request: Request) -> Answer:
+def set_cycle(context: RequestContext, request: Request) -> Answer:
     """Set what happens after the end of main."""
     context.live.set_cycle(chosen(request.form, "cycle", Cycle))
     return DONE
 
 
-def tasks(context: Context, request: Request) -> Answer:
+def tasks(context: RequestContext, request: Request) -> Answer:
     """All tasks."""
     del request
     return Answer(tuple(_task_item(one) for one in context.live.task_states()))
 
 
-def task(context: Context, request: Request, task: str) -> Answer:
+def task(context: RequestContext, request: Request, task: str) -> Answer:
     """One task."""
     del request
     name = context.live.task(task).name
@@ -94,19 +94,19 @@ def task(context: Context, request: Request, task: str) -> Answer:
     return Answer(tuple(items), links=("pcp", "program"))
 
 
-def activate(context: Context, request: Request, task: str | None = None) -> Answer:
+def activate(context: RequestContext, request: Request, task: str | None = None) -> Answer:
     """Activate a task, or all."""
     context.live.activate(task or request.form.get("task"), active=True)
     return DONE
 
 
-def deactivate(context: Context, request: Request, task: str | None = None) -> Answer:
+def deactivate(context: RequestContext, request: Request, task: str | None = None) -> Answer:
     """Deactivate a task, or all."""
     context.live.activate(task or request.form.get("task"), active=False)
     return DONE
 
 
-def pointers(context: Context, request: Request, task: str) -> Answer:
+def pointers(context: RequestContext, request: Request, task: str) -> Answer:
     """Where the program pointer of a task is."""
     del request
     found = context.live.task(task)
@@ -123,7 +123,7 @@ def pointers(context: Context, request: Request, task: str) -> Answer:
     return Answer(items)
 
 
-def program(context: Context, request: Request, task: str) -> Answer:
+def program(context: RequestContext, request: Request, task: str) -> Answer:
     """The program of a task."""
     del request
     found = context.live.task(task)
@@ -131,13 +131,15 @@ def program(context: Context, request: Request, task: str) -> Answer:
     return Answer((Item("rap-program", "program", fields),))
 
 
-def modules(context: Context, request: Request, task: str | None = None) -> Answer:
+def modules(context: RequestContext, request: Request, task: str | None = None) -> Answer:
     """The modules of a task."""
-    found = context.live.task(task or given(request.query, "task"))
+    found = context.live.task(task or required_value(request.query, "task"))
     return Answer(tuple(_module_item(one) for one in program_memory.modules(found)))
 
 
-def module(context: Context, request: Request, module: str, task: str | None = None) -> Answer:
+def module(
+    context: RequestContext, request: Request, module: str, task: str | None = None
+) -> Answer:
     """One module of a task, or with `resource=module-text` its text.
 
     Raises:
@@ -145,19 +147,21 @@ def module(context: Context, request: Request, module: str, task: str | None = N
     """
     if request.query.get("resource") == "module-text":
         return module_text(context, request, module, task)
-    found = _module(context, module, task or given(request.query, "task"))
+    found = _module(context, module, task or required_value(request.query, "task"))
     return Answer((_module_item(found),), links=("text",) if request.generation == 2 else ())
 
 
-def module_text(context: Context, request: Request, module: str, task: str | None = None) -> Answer:
+def module_text(
+    context: RequestContext, request: Request, module: str, task: str | None = None
+) -> Answer:
     """The text of a module, as it was loaded."""
-    found = _module(context, module, task or given(request.query, "task"))
+    found = _module(context, module, task or required_value(request.query, "task"))
     text = text_of(found)
     fields = {"change-count": "0", "module-text": text, "module-length": str(len(text))}
     return Answer((Item("rap-module-text", found.name.text, fields),))
 
 
-def load_module(context: Context, request: Request, task: str) -> Answer:
+def load_module(context: RequestContext, request: Request, task: str) -> Answer:
     """Load a module from a file into a task."""
     context.require_mastership("rapid", request)
     form = request.form
@@ -168,7 +172,7 @@ def load_module(context: Context, request: Request, task: str) -> Answer:
     return DONE
 
 
-def load_program(context: Context, request: Request, task: str) -> Answer:
+def load_program(context: RequestContext, request: Request, task: str) -> Answer:
     """Load a program from a file in place of the present one."""
     context.require_mastership("rapid", request)
     program_memory.load_program(
@@ -177,35 +181,35 @@ def load_program(context: Context, request: Request, task: str) -> Answer:
     return DONE
 
 
-def put_pointer(context: Context, request: Request, task: str) -> Answer:
+def put_pointer(context: RequestContext, request: Request, task: str) -> Answer:
     """Set the pointer of a task to a routine."""
     context.require_mastership("rapid", request)
-    routine = given(request.form, "routine")
+    routine = required_value(request.form, "routine")
     context.live.put_pointer(task, request.form.get("module", ""), routine)
     return DONE
 
 
-def unload_module(context: Context, request: Request, task: str) -> Answer:
+def unload_module(context: RequestContext, request: Request, task: str) -> Answer:
     """Unload a module from a task."""
     context.require_mastership("rapid", request)
     program_memory.unload_module(context.live.stopped_task(task), request.form.get("module", ""))
     return DONE
 
 
-def _task_item(one: TaskState) -> Item:
-    stands = "stopped" if one.has_pointer else "uninitialized"
+def _task_item(task_state: TaskState) -> Item:
+    stands = "stopped" if task_state.has_pointer else "uninitialized"
     fields = {
-        "name": one.name,
-        "type": one.kind,
-        "taskstate": "linked" if one.is_loaded else "loaded",
-        "excstate": "started" if one.executes else stands,
-        "active": "On" if one.is_active else "Off",
-        "motiontask": "TRUE" if one.moves_robot else "FALSE",
+        "name": task_state.name,
+        "type": task_state.kind,
+        "taskstate": "linked" if task_state.is_loaded else "loaded",
+        "excstate": "started" if task_state.executes else stands,
+        "active": "On" if task_state.is_active else "Off",
+        "motiontask": "TRUE" if task_state.moves_robot else "FALSE",
     }
-    return Item("rap-task-li", one.name, fields, href=f"rw/rapid/tasks/{one.name}")
+    return Item("rap-task-li", task_state.name, fields, href=f"rw/rapid/tasks/{task_state.name}")
 
 
-def _module(context: Context, name: str, task: str) -> tree.Module:
+def _module(context: RequestContext, name: str, task: str) -> tree.Module:
     found = context.live.task(task)
     for one in program_memory.modules(found):
         if one.name.key == name.lower():

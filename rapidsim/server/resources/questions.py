@@ -5,10 +5,10 @@ from __future__ import annotations
 from rapidsim.controller.cell.pendant import Question
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
-from rapidsim.server.resources.context import Context, given
+from rapidsim.server.resources.context import RequestContext, required_value
 
 
-def active(context: Context, request: Request) -> Answer:
+def active(context: RequestContext, request: Request) -> Answer:
     """The questions that wait for an answer.
 
     Raises:
@@ -21,14 +21,14 @@ def active(context: Context, request: Request) -> Answer:
     return Answer(tuple(map(question_item, found)))
 
 
-def answer(context: Context, request: Request, parameter: str) -> Answer:
+def answer(context: RequestContext, request: Request, parameter: str) -> Answer:
     """Answer the question of the task whose stack an address begins with.
 
     Raises:
         RefusedRequest: If it asks nothing, or this is not a valid answer.
     """
     parts = parameter.lower().split("/")
-    text = given(request.form, "value")
+    text = required_value(request.form, "value")
     for question in context.live.pendant.questions.values():
         if question.task.lower() in parts:
             try:
@@ -39,15 +39,15 @@ def answer(context: Context, request: Request, parameter: str) -> Answer:
     raise refused(NOT_FOUND, f"no program asks anything at {parameter}")
 
 
-def question_item(one: Question) -> Item:
+def question_item(question: Question) -> Item:
     """A question as clients see it; its keys are answered by text or by number, from 1."""
-    stack = f"RAPID/{one.task}"
+    stack = f"RAPID/{question.task}"
     fields = {
-        "instr": one.instruction,
+        "instr": question.instruction,
         "event": "POST",
         "stack": stack,
         "execlv": "NORMAL",
-        "msg": one.prompt,
-        "keys": " / ".join(filter(None, one.choices)),
+        "msg": question.prompt,
+        "keys": " / ".join(filter(None, question.choices)),
     }
     return Item("rap-uiactive-li", stack, fields, href="rw/rapid/uiinstr/active")

@@ -11,7 +11,7 @@ from rapidsim.language.errors import RapidError
 from rapidsim.language.messages import NO_USER_DEF, Message
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
-from rapidsim.server.resources.context import Context, count, given, number
+from rapidsim.server.resources.context import RequestContext, count, number, required_value
 from rapidsim.simulation.live.messages import kind_of
 
 COMMAND: Final = "111"
@@ -21,20 +21,20 @@ _MOST_QUEUES: Final = 50
 _MOST_MESSAGES: Final = 10_000
 
 
-def queues(context: Context, request: Request) -> Answer:
+def queues(context: RequestContext, request: Request) -> Answer:
     """The queues of clients."""
     del request
     items = (Item("dipc-queue-li", name, {"dipc-queue-name": name}) for name in context.queues)
     return Answer(tuple(items))
 
 
-def create(context: Context, request: Request) -> Answer:
+def create(context: RequestContext, request: Request) -> Answer:
     """Create a queue for a client.
 
     Raises:
         RefusedRequest: If it exists, or there are too many.
     """
-    name = given(request.form, "dipc-queue-name")
+    name = required_value(request.form, "dipc-queue-name")
     there = context.live.cell.messages.find(name) is not None
     if there or not name or len(context.queues) >= _MOST_QUEUES:
         raise refused(BAD_PARAMETER, f"the queue {name} is there already, or there are too many")
@@ -44,18 +44,18 @@ def create(context: Context, request: Request) -> Answer:
     return Answer(status=201)
 
 
-def send(context: Context, request: Request, queue: str) -> Answer:
+def send(context: RequestContext, request: Request, queue: str) -> Answer:
     """Put a message into the queue of a task, or of a client.
 
     Raises:
         RefusedRequest: If there is no such queue, or it does not take the message.
     """
     form, messages = request.form, context.live.cell.messages
-    found = messages.find(queue, from_outside=True)
-    found = found or messages.find(f"RMQ_{queue}", from_outside=True)
+    found = messages.find(queue, is_external=True)
+    found = found or messages.find(f"RMQ_{queue}", is_external=True)
     if found is None:
         raise refused(NOT_FOUND, f"there is no queue {queue}")
-    matched = _TYPE.fullmatch(given(form, "dipc-data"))
+    matched = _TYPE.fullmatch(required_value(form, "dipc-data"))
     if matched is None:
         raise refused(BAD_PARAMETER, "`dipc-data` is a type and a value: `num;5`")
     user = number(form, "dipc-userdef") if "dipc-userdef" in form else NO_USER_DEF
@@ -68,11 +68,11 @@ def send(context: Context, request: Request, queue: str) -> Answer:
     except RapidError as error:
         why = NOT_FOUND if error.errno == ERR_RMQ_INVALID else BAD_PARAMETER
         raise refused(why, error.message) from None
-    context.live.tell()
+    context.live.wake_programs()
     return DONE
 
 
-def read(context: Context, request: Request, queue: str) -> Answer:
+def read(context: RequestContext, request: Request, queue: str) -> Answer:
     """The messages waiting for a client, which are removed.
 
     Raises:
@@ -89,7 +89,7 @@ def read(context: Context, request: Request, queue: str) -> Answer:
     return Answer(tuple(message_item(queue, one, kind) for one in waiting))
 
 
-def queue(context: Context, request: Request, queue: str) -> Answer:
+def queue(context: RequestContext, request: Request, queue: str) -> Answer:
     """A queue of a client.
 
     Raises:

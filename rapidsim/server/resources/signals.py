@@ -6,34 +6,34 @@ from typing import Final
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.server.messages import DONE, Answer, Item, Request
-from rapidsim.server.resources import io_places
+from rapidsim.server.resources import io_addresses
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, READ_ONLY, refused
-from rapidsim.server.resources.context import Context, count, given, number
-from rapidsim.server.resources.io_places import SignalPlaces
+from rapidsim.server.resources.context import RequestContext, count, number, required_value
+from rapidsim.server.resources.io_addresses import SignalAddresses
 from rapidsim.simulation.live import signals as live_signals
 
 _PAGE: Final = 100
 """The most signals that RobotWare 7 returns at once."""
 
 
-def signals(context: Context, request: Request) -> Answer:
+def signals(context: RequestContext, request: Request) -> Answer:
     """All signals, or a page of them."""
     found = live_signals.declared(context.live)
     first, most = count(request.query, "start", 0), count(request.query, "limit", len(found))
     if request.generation == 2:
         most = min(most, _PAGE)
-    places = SignalPlaces(context)
+    places = SignalAddresses(context)
     shown = tuple(signal_item(context, one, places) for one in found[first : first + most])
     is_last = request.generation == 1 or not most or first + most >= len(found)
     following = "" if is_last else f"rw/iosystem/signals?start={first + most}&limit={most}"
     return Answer(shown, following=following)
 
 
-def search(context: Context, request: Request) -> Answer:
+def search(context: RequestContext, request: Request) -> Answer:
     """The signals whose names contain a text."""
     part = request.form.get("name", "").lower()
     kind = request.form.get("type", "").lower()
-    places = SignalPlaces(context)
+    places = SignalAddresses(context)
     return Answer(
         tuple(
             signal_item(context, one, places)
@@ -44,7 +44,7 @@ def search(context: Context, request: Request) -> Answer:
 
 
 def signal(
-    context: Context, request: Request, name: str, network: str = "", device: str = ""
+    context: RequestContext, request: Request, name: str, network: str = "", device: str = ""
 ) -> Answer:
     """One signal; a signal without a device answers under any."""
     del request, network, device
@@ -52,27 +52,29 @@ def signal(
 
 
 def set_signal(
-    context: Context, request: Request, name: str, network: str = "", device: str = ""
+    context: RequestContext, request: Request, name: str, network: str = "", device: str = ""
 ) -> Answer:
     """Change a signal."""
     del network, device
     found = live_signals.find(context.live, name)
     # Nothing else drives inputs here.
     is_output = found.kind.value.endswith("o")
-    if is_output and not SignalPlaces(context).may_be_written(name):
+    if is_output and not SignalAddresses(context).may_be_written(name):
         raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
     live_signals.write(context.live, name, number(request.form, "lvalue"))
     return DONE
 
 
-def set_device_inputs(context: Context, request: Request, network: str, device: str) -> Answer:
+def set_device_inputs(
+    context: RequestContext, request: Request, network: str, device: str
+) -> Answer:
     """Set the inputs that a device maps to given bytes, from the highest bit of each."""
     del network
-    named = {one.get("Name", "").lower() for _, one in io_places.devices(context)}
+    named = {one.get("Name", "").lower() for _, one in io_addresses.devices(context)}
     if device.lower() not in named:
         raise refused(NOT_FOUND, f"there is no device {device}")
     first, mask = 8 * count(request.form, "startbyte", 0), count(request.form, "datamask", 255)
-    data = given(request.form, "signaldata")
+    data = required_value(request.form, "signaldata")
     if not data or set(data) - set("01") or len(data) % 8:
         raise refused(BAD_PARAMETER, "`signaldata` takes bytes of eight bits, such as 01111111")
     bits = {
@@ -81,7 +83,7 @@ def set_device_inputs(context: Context, request: Request, network: str, device: 
         for bit in range(8)
         if mask >> bit & 1
     }
-    for name, places in io_places.inputs_of(context, device):
+    for name, places in io_addresses.inputs_of(context, device):
         if not bits.keys().isdisjoint(places):
             old = int(live_signals.value_of(context.live, name))
             told = (bits.get(at, bool(old >> k & 1)) for k, at in enumerate(places))
@@ -91,22 +93,22 @@ def set_device_inputs(context: Context, request: Request, network: str, device: 
     return DONE
 
 
-def networks(context: Context, request: Request) -> Answer:
+def networks(context: RequestContext, request: Request) -> Answer:
     """The networks of the configuration, and the one of signals without a device."""
     del request
     fields = {"pstate": "running", "lstate": "started"}
     items = (
         Item("ios-network-li", one, {"name": one, **fields}, href=f"rw/iosystem/networks/{one}")
-        for one in io_places.networks(context)
+        for one in io_addresses.networks(context)
     )
     return Answer(tuple(items))
 
 
-def devices(context: Context, request: Request) -> Answer:
+def devices(context: RequestContext, request: Request) -> Answer:
     """The I/O devices of the configuration, or those of one network."""
     wanted = request.query.get("network", "").lower()
     items = []
-    for network, one in io_places.devices(context):
+    for network, one in io_addresses.devices(context):
         if wanted in ("", network.lower()):
             name = one.get("Name", "")
             enabled = name.lower() not in context.live.cell.disabled_devices
@@ -122,23 +124,23 @@ def devices(context: Context, request: Request) -> Answer:
 
 
 def signal_item(
-    context: Context, one: SignalDeclaration, places: SignalPlaces | None = None
+    context: RequestContext, declaration: SignalDeclaration, places: SignalAddresses | None = None
 ) -> Item:
     """A signal as clients see it."""
-    value = value_text(one, live_signals.value_of(context.live, one.name))
+    value = value_text(declaration, live_signals.value_of(context.live, declaration.name))
     fields = {
-        "name": one.name,
-        "type": one.kind.value.upper(),
+        "name": declaration.name,
+        "type": declaration.kind.value.upper(),
         "category": "",
         "lvalue": value,
         "lstate": "not simulated",
     }
-    places = places or SignalPlaces(context)
-    address = f"{places.prefix(one.name)}{one.name}"
+    places = places or SignalAddresses(context)
+    address = f"{places.prefix(declaration.name)}{declaration.name}"
     return Item("ios-signal-li", address, fields, href=f"rw/iosystem/signals/{address}")
 
 
-def value_text(one: SignalDeclaration, value: float) -> str:
+def value_text(declaration: SignalDeclaration, value: float) -> str:
     """A value as a controller writes it: an integer unless the signal is analog."""
-    analog = one.kind in (SignalKind.AI, SignalKind.AO)
+    analog = declaration.kind in (SignalKind.AI, SignalKind.AO)
     return f"{value:.10g}" if analog else str(int(value))

@@ -9,11 +9,11 @@ from typing import Final
 from rapidsim.analysis.program import Storage
 from rapidsim.server.messages import DONE, Answer, Item, Request
 from rapidsim.server.resources.codes import BAD_PARAMETER, LATER_NO_SYMBOL, NO_SYMBOL, refused
-from rapidsim.server.resources.context import Context, given
+from rapidsim.server.resources.context import RequestContext, required_value
 from rapidsim.simulation.live import symbols
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Refused
-from rapidsim.simulation.live.symbols import Datum
+from rapidsim.simulation.live.states import RequestRefused
+from rapidsim.simulation.live.symbols import TaskDatum
 
 _STORAGES: Final = {Storage.VAR: "var", Storage.PERS: "per", Storage.CONST: "con"}
 _KINDS: Final = {
@@ -23,13 +23,13 @@ _KINDS: Final = {
 }
 
 
-def value(context: Context, request: Request, symbol: str) -> Answer:
+def value(context: RequestContext, request: Request, symbol: str) -> Answer:
     """The value of data, as RAPID would write it."""
     del request
     return Answer((value_item(context, symbol),))
 
 
-def value_item(context: Context, symbol: str) -> Item:
+def value_item(context: RequestContext, symbol: str) -> Item:
     """The same, as it is shown."""
     address = symbol.removesuffix(";value")
     task, datum = _find(context, address)
@@ -37,23 +37,23 @@ def value_item(context: Context, symbol: str) -> Item:
     return Item("rap-data", title, {"value": symbols.read(task, datum)})
 
 
-def set_value(context: Context, request: Request, symbol: str) -> Answer:
+def set_value(context: RequestContext, request: Request, symbol: str) -> Answer:
     """Change the value of data."""
     task, datum = _find(context, symbol.removesuffix(";value"))
     context.require_mastership("rapid", request)
-    symbols.write(task, datum, given(request.form, "value"))
-    context.live.tell()
+    symbols.write(task, datum, required_value(request.form, "value"))
+    context.live.wake_programs()
     return DONE
 
 
-def properties(context: Context, request: Request, symbol: str) -> Answer:
+def properties(context: RequestContext, request: Request, symbol: str) -> Answer:
     """The properties of data: storage class and type."""
     del request
     task, datum = _find(context, symbol)
     return Answer((_properties_item(task, datum, ""),))
 
 
-def search(context: Context, request: Request) -> Answer:
+def search(context: RequestContext, request: Request) -> Answer:
     """The data declared in modules that match by kind, type and name."""
     form = request.form
     _, _, address = form.get("blockurl", "RAPID").partition("/")
@@ -78,20 +78,20 @@ def search(context: Context, request: Request) -> Answer:
     )
 
 
-def validate(context: Context, request: Request) -> Answer:
+def validate(context: RequestContext, request: Request) -> Answer:
     """Whether a text is a value of a type.
 
     Raises:
         RefusedRequest: If it is not, or there is no such type.
     """
-    context.live.task(given(request.form, "task"))
-    name, text = given(request.form, "datatype"), given(request.form, "value")
+    context.live.task(required_value(request.form, "task"))
+    name, text = required_value(request.form, "datatype"), required_value(request.form, "value")
     if not symbols.is_value(text, name):
         raise refused(BAD_PARAMETER, f"`{text}` is no {name}")
     return DONE
 
 
-def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
+def _find(context: RequestContext, address: str) -> tuple[LiveTask, TaskDatum]:
     """Data and their task; if the address names no task, the first that has the data.
 
     Raises:
@@ -101,12 +101,12 @@ def _find(context: Context, address: str) -> tuple[LiveTask, Datum]:
     for task, module in _places(context, outer):
         try:
             return task, symbols.find(task, name, module)
-        except Refused:
+        except RequestRefused:
             continue
     raise refused(NO_SYMBOL, f"there are no data RAPID/{address}", LATER_NO_SYMBOL)
 
 
-def _places(context: Context, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:
+def _places(context: RequestContext, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:
     """The places where data may be that are addressed with a task, a module, both or neither."""
     tasks = context.live.tasks
     match outer:
@@ -122,7 +122,7 @@ def _places(context: Context, outer: list[str]) -> Iterator[tuple[LiveTask, str 
             return
 
 
-def _properties_item(task: LiveTask, datum: Datum, suffix: str) -> Item:
+def _properties_item(task: LiveTask, datum: TaskDatum, suffix: str) -> Item:
     parts = ("RAPID", task.name, datum.module, datum.name)
     address = "/".join(part for part in parts if part)
     shape = datum.dimensions

@@ -14,28 +14,28 @@ from rapidsim.server.resources.codes import (
     NOT_FOUND,
     refused,
 )
-from rapidsim.server.resources.context import MASTERSHIPS, Context, count
+from rapidsim.server.resources.context import MASTERSHIPS, RequestContext, count
 from rapidsim.server.resources.disks import DISKS
 
 ROBOTWARE: Final = "6.16.2027"
 ROBOTWARE_NAME: Final = "6.16.02.00"
 
 
-def controller(context: Context, request: Request) -> Answer:
+def controller(context: RequestContext, request: Request) -> Answer:
     """The identity of the controller."""
     del context, request
     fields = {"ctrl-type": "Virtual Controller", "ctrl-name": "rapidsim"}
     return Answer((Item("ctrl-identity-info", "identity", fields),), links=("identity", "clock"))
 
 
-def clock(context: Context, request: Request) -> Answer:
+def clock(context: RequestContext, request: Request) -> Answer:
     """Date and time of day, virtual."""
     del request
     stamp = context.live.date.strftime("%Y-%m-%d T %H:%M:%S")
     return Answer((Item("ctrl-clock-info", "clock", {"datetime": stamp}),))
 
 
-def set_clock(context: Context, request: Request) -> Answer:
+def set_clock(context: RequestContext, request: Request) -> Answer:
     """Set date and time of day."""
     names = ("year", "month", "day", "hour", "min", "sec")
     parts = [count(request.form, f"sys-clock-{one}", -1) for one in names]
@@ -46,7 +46,7 @@ def set_clock(context: Context, request: Request) -> Answer:
     return DONE
 
 
-def disk(context: Context, request: Request, name: str) -> Answer:
+def disk(context: RequestContext, request: Request, name: str) -> Answer:
     """The path that a disk's name stands for in addresses of files.
 
     Raises:
@@ -58,7 +58,7 @@ def disk(context: Context, request: Request, name: str) -> Answer:
     return Answer((Item("ctrl-env", f"${name}", {"_value": f"${name}"}),))
 
 
-def system(context: Context, request: Request) -> Answer:
+def system(context: RequestContext, request: Request) -> Answer:
     """Name, version and options."""
     started = context.live.cell.starts_at.strftime("%Y-%m-%d T %H:%M:%S")
     del request
@@ -72,31 +72,31 @@ def system(context: Context, request: Request) -> Answer:
     return Answer((Item("sys-system-li", "system", fields), *_options(context)), links=("options",))
 
 
-def options(context: Context, request: Request) -> Answer:
+def options(context: RequestContext, request: Request) -> Answer:
     """The options of the system."""
     del request
     return Answer(_options(context))
 
 
-def mastership(context: Context, request: Request) -> Answer:
+def mastership(context: RequestContext, request: Request) -> Answer:
     """Which session holds the mastership of each domain."""
     names = MASTERSHIPS if request.generation == 1 else _SECOND_NAMES
     items = tuple(_domain_item(context, request, one) for one in names)
     return Answer(items, links=("request", "release") if request.generation == 2 else ())
 
 
-def mastership_of(context: Context, request: Request, domain: str) -> Answer:
+def mastership_of(context: RequestContext, request: Request, domain: str) -> Answer:
     """Which session holds the mastership of a domain."""
     return Answer((_domain_item(context, request, domain.lower()),))
 
 
-def take_mastership(context: Context, request: Request, domain: str | None = None) -> Answer:
+def take_mastership(context: RequestContext, request: Request, domain: str | None = None) -> Answer:
     """Take the mastership of a domain, or of all.
 
     Raises:
         RefusedRequest: If another session holds it.
     """
-    wanted = _known(domain, request)
+    wanted = _domains(domain, request)
     for one in wanted:
         if context.masters.get(one, request.session) != request.session:
             raise refused(HELD_BY_ANOTHER, f"another session has the mastership of {one}")
@@ -104,21 +104,21 @@ def take_mastership(context: Context, request: Request, domain: str | None = Non
     return DONE
 
 
-def give_mastership(context: Context, request: Request, domain: str | None = None) -> Answer:
+def give_mastership(context: RequestContext, request: Request, domain: str | None = None) -> Answer:
     """Release the mastership of a domain, or of all."""
-    for one in _known(domain, request):
+    for one in _domains(domain, request):
         if context.masters.get(one) == request.session:
             del context.masters[one]
     return DONE
 
 
-def nothing_to_end(context: Context, request: Request) -> Answer:
+def nothing_to_end(context: RequestContext, request: Request) -> Answer:
     """End a stream; there is none."""
     del context, request
     return DONE
 
 
-def user(context: Context, request: Request) -> Answer:
+def user(context: RequestContext, request: Request) -> Answer:
     """Who a client is."""
     del context
     return Answer(
@@ -126,25 +126,25 @@ def user(context: Context, request: Request) -> Answer:
     )
 
 
-def register(context: Context, request: Request) -> Answer:
+def register(context: RequestContext, request: Request) -> Answer:
     """Register a client as a user."""
     del context, request
     return Answer(status=201)
 
 
-def remote_rights(context: Context, request: Request) -> Answer:
+def remote_rights(context: RequestContext, request: Request) -> Answer:
     """Ask for the right to modify in manual mode, which is always granted here."""
     del context, request
     return Answer(status=202)
 
 
-def rights_granted(context: Context, request: Request) -> Answer:
+def rights_granted(context: RequestContext, request: Request) -> Answer:
     """Whether that right was granted."""
     del context, request
     return Answer((Item("user-rmmp-poll", "poll", {"status": "GRANTED"}),))
 
 
-def rights_given_back(context: Context, request: Request) -> Answer:
+def release_rights(context: RequestContext, request: Request) -> Answer:
     """Release that right."""
     del context, request
     return DONE
@@ -154,7 +154,7 @@ _SECOND_NAMES: Final = {"edit": ("cfg", "rapid"), "motion": ("motion",)}
 """The domains of RobotWare 7, by their names in RobotWare 6."""
 
 
-def _known(domain: str | None, request: Request) -> tuple[str, ...]:
+def _domains(domain: str | None, request: Request) -> tuple[str, ...]:
     """The domains that a name stands for; all if there is none."""
     if domain is None:
         return MASTERSHIPS
@@ -166,13 +166,13 @@ def _known(domain: str | None, request: Request) -> tuple[str, ...]:
     return (name,)
 
 
-def _domain_item(context: Context, request: Request, domain: str) -> Item:
-    is_held = any(one in context.masters for one in _known(domain, request))
+def _domain_item(context: RequestContext, request: Request, domain: str) -> Item:
+    is_held = any(one in context.masters for one in _domains(domain, request))
     held = "mastership held" if is_held else "nomaster"
     return Item("msh-resource-li", domain, {"mastership": held}, href=f"rw/mastership/{domain}")
 
 
-def _options(context: Context) -> tuple[Item, ...]:
+def _options(context: RequestContext) -> tuple[Item, ...]:
     found = context.live.cell.parameters.instances("SYS", "PRESENT_OPTIONS") or ()
     parts = tuple(
         Item("sys-option-li", str(number), {"option": one.get("desc") or one.get("name", "")})
@@ -181,7 +181,7 @@ def _options(context: Context) -> tuple[Item, ...]:
     return (Item("sys-options-li", "options", parts=parts),)
 
 
-def for_administrators(context: Context, request: Request) -> Answer:
+def for_administrators(context: RequestContext, request: Request) -> Answer:
     """Refuse: how users come in is shown to nobody here, as to the default user of a controller.
 
     Raises:

@@ -24,9 +24,9 @@ from rapidsim.server.resources import (
     system,
 )
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, as_answered, refused
-from rapidsim.server.resources.context import Context
+from rapidsim.server.resources.context import RequestContext
 from rapidsim.server.resources.route import Route
-from rapidsim.simulation.live.states import Refused
+from rapidsim.simulation.live.states import RequestRefused
 
 _SIGNAL: Final = ("rw/iosystem/signals/{name}", "rw/iosystem/signals/{network}/{device}/{name}")
 _UNIT: Final = "rw/motionsystem/mechunits/{unit}"
@@ -136,7 +136,7 @@ _FIRST: Final = (
     Route("POST", "rw/mastership", system.give_mastership, "release"),
     Route("POST", "rw/mastership/{domain}", system.take_mastership, "request"),
     Route("POST", "rw/mastership/{domain}", system.give_mastership, "release"),
-    Route("POST", "users/rmmp", system.rights_given_back, "cancel"),
+    Route("POST", "users/rmmp", system.release_rights, "cancel"),
 )
 
 _SECOND: Final = (
@@ -181,7 +181,7 @@ _SECOND: Final = (
     Route("POST", "rw/mastership/release", system.give_mastership),
     Route("POST", "rw/mastership/{domain}/request", system.take_mastership),
     Route("POST", "rw/mastership/{domain}/release", system.give_mastership),
-    Route("POST", "users/rmmp/cancel", system.rights_given_back),
+    Route("POST", "users/rmmp/cancel", system.release_rights),
     Route("GET", "uas/ldap/enabled", system.for_administrators),
     # Older clients ask streams to end; there are none here.
     Route("POST", "rw/infostream/disconnectclient", system.nothing_to_end),
@@ -192,7 +192,7 @@ ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SE
 """By generation; if several match an address, the first counts."""
 
 
-def answered(context: Context, request: Request) -> Answer:
+def answered(context: RequestContext, request: Request) -> Answer:
     """Answer a request.
 
     Raises:
@@ -209,7 +209,7 @@ def answered(context: Context, request: Request) -> Answer:
         if route.method == request.method and route.action == request.action:
             try:
                 return route.resource(context, request, **places)
-            except Refused as refusal:
+            except RequestRefused as refusal:
                 raise as_answered(refusal, request.generation) from None
     if there:
         raise refused(BAD_PARAMETER, f"{request.method} {request.path}: no such action here")

@@ -34,7 +34,7 @@ from rapidsim.simulation.calibration.log_comparison import MotionByPlace
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End, RobotRun
 from rapidsim.simulation.simulate import simulate
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Residuals = Callable[[Array], Array]
 
@@ -58,7 +58,7 @@ _CONTRADICTS = 2.0
 """So many spreads from what was measured."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LoggedRun:
     """A program, and what was logged while a controller ran it from the first row's pose."""
 
@@ -66,7 +66,7 @@ class LoggedRun:
     log: JointLog
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Fitted:
     """One parameter of the motion model."""
 
@@ -78,7 +78,7 @@ class Fitted:
     value: float
     uncertainty: float
     """Standard deviation."""
-    known: float
+    start: float
     """What it was before."""
     seen: bool
     """Whether the logs say more about it than was known."""
@@ -87,7 +87,7 @@ class Fitted:
     in_seconds: bool
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LogFit:
     """How well a log is met, in times at the same places."""
 
@@ -105,7 +105,7 @@ class LogFit:
     end_left_out_s: float | None
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Calibration:
     """What the logs say."""
 
@@ -114,12 +114,12 @@ class Calibration:
     logs: tuple[LogFit, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Parameter:
     name: str
     table: str
     key: str
-    known: float
+    start: float
     spread: float
     """How far from that the value may well be."""
     least: float
@@ -128,7 +128,7 @@ class _Parameter:
     in_seconds: bool = False
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Rows:
     """The rows of one log in which the arm moves."""
 
@@ -150,7 +150,7 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
     """
     parameters = _parameters(robot, model)
     rows = [_rows(run, robot, model, len(parameters)) for run in runs]
-    known = np.array([parameter.known for parameter in parameters])
+    known = np.array([parameter.start for parameter in parameters])
     spread = np.array([parameter.spread for parameter in parameters])
     least = np.array([parameter.least for parameter in parameters])
 
@@ -194,10 +194,10 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
                 key=parameter.key,
                 value=value,
                 uncertainty=s,
-                known=parameter.known,
+                start=parameter.start,
                 seen=s < _SEEN * parameter.spread,
                 contradicts=parameter.measured
-                and abs(value - parameter.known) > _CONTRADICTS * parameter.spread,
+                and abs(value - parameter.start) > _CONTRADICTS * parameter.spread,
                 in_seconds=parameter.in_seconds,
             )
             for parameter, value, s in zip(parameters, values.tolist(), sigma.tolist(), strict=True)
@@ -263,9 +263,9 @@ def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
 
 
 def _time(
-    key: str, known: float, spread: float, put: Callable[[MotionModel, float], MotionModel]
+    key: str, start: float, spread: float, put: Callable[[MotionModel, float], MotionModel]
 ) -> _Parameter:
-    return _Parameter(key, "motion", key, known, spread, _LEAST_S, put, in_seconds=True)
+    return _Parameter(key, "motion", key, start, spread, _LEAST_S, put, in_seconds=True)
 
 
 def _with_torque(axis: int, model: MotionModel, value: float) -> MotionModel:

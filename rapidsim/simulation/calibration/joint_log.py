@@ -11,7 +11,7 @@ import numpy as np
 
 from rapidsim.files import InputError, input_text
 from rapidsim.frames.transform import Array
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _TIME = re.compile(r"(time|t|timestamp|tm)(_?(s|sec|ms))?", re.IGNORECASE)
 _JOINT = re.compile(r"(?:rob1_|r1_)?(?:j|joint|q|axis|rax)_?(\d)(?:_?(deg|rad))?", re.IGNORECASE)
@@ -21,7 +21,7 @@ _SEPARATORS = re.compile(r"[;,\t]")
 _FEWEST_ROWS = 10
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class JointLog:
     """What was logged; times ascend."""
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.trajectory.trajectory import Trajectory
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 STEP_M = 0.5e-3
 """Places of our path are this far apart; between them joints run straight."""
@@ -22,7 +22,7 @@ _AS_NEAR_RAD = 1e-3
 _EQUAL_RAD = 1e-9
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class MotionByPlace:
     """Our motion from an instant on, as places S (k,) [m] of the run and the joints there."""
 

@@ -1,7 +1,7 @@
 """A controller that stays on: what an operator, or a client over the network, can do with it.
 
-Nothing here knows the wall clock, the network or processes. Whoever holds one lets virtual time
-come (`advance`) and asks in between; what is asked takes effect at the time that has come.
+It knows neither the wall clock nor the network. Its owner advances virtual time (`advance`) and
+makes requests in between, which take effect at the time reached.
 """
 
 from __future__ import annotations
@@ -12,36 +12,36 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
 
-from rapidsim.controller.cell.cell import OUTSIDE, Cause, Cell
+from rapidsim.controller.cell.cell import CELL_TASK, Cause, Cell
+from rapidsim.controller.cell.external_streams import ExternalStreams, NullWire, Wire
 from rapidsim.controller.cell.outside_datagrams import OutsideMailboxes
-from rapidsim.controller.cell.outside_streams import NoWire, OutsideStreams, Wire
 from rapidsim.controller.cell.pendant import Pendant
-from rapidsim.controller.cell.rendezvous import Meetings
-from rapidsim.controller.cell.sensors import NoSensors, Sensors
+from rapidsim.controller.cell.rendezvous import RendezvousTable
+from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.controller.journal.events import Event, EventKind
 from rapidsim.controller.journal.journal import Instant, Journal, Moment
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents, shared_persistents
 from rapidsim.language.errors import Stopped
-from rapidsim.simulation.board import TurnsBoard
-from rapidsim.simulation.collected import FinishedRun, collected
 from rapidsim.simulation.live import event_log
 from rapidsim.simulation.live.event_log import EventLog, LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.scheduler import LiveScheduler
 from rapidsim.simulation.live.states import (
     Cycle,
-    Execution,
-    Mode,
+    ExecutionMode,
     Motors,
-    Refused,
+    OperatingMode,
+    RefusalReason,
+    RequestRefused,
     StopMode,
     TaskState,
-    Why,
 )
 from rapidsim.simulation.live.system_outputs import status_value
-from rapidsim.simulation.live.turns import LiveTurns
 from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.result_builder import FinishedRun, build_result
+from rapidsim.simulation.shared_access import ScheduledAccess
 from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
@@ -51,7 +51,7 @@ LEAST_RATIO = 1
 """The speed ratio [%] used in place of 0 %: a robot that stands still is not modelled."""
 
 
-def _untold(what: LogEntry | Event | Diagnostic) -> None:
+def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
     """A listener that ignores everything."""
 
 
@@ -61,20 +61,19 @@ class LiveController:
 
     setups: Sequence[TaskSetup]
     options: RunOptions
-    told: Callable[[LogEntry], None] = _untold
+    on_log_entry: Callable[[LogEntry], None] = _ignore
     """Called with each entry of the event log."""
-    happened: Callable[[Event], None] = _untold
+    happened: Callable[[Event], None] = _ignore
     """Called with each event of the run, once its time is known."""
-    found: Callable[[Diagnostic], None] = _untold
+    on_finding: Callable[[Diagnostic], None] = _ignore
     """Called with each finding that does not end a run, once for each rule and place."""
     motors: Motors = Motors.ON
-    mode: Mode = Mode.AUTO
+    mode: OperatingMode = OperatingMode.AUTO
     cycle: Cycle = Cycle.FOREVER
     speed_ratio: int = 100
-    wire: Wire = field(default_factory=NoWire)
+    wire: Wire = field(default_factory=NullWire)
     """The network of the programs' sockets."""
-    sensors: Sensors = field(default_factory=NoSensors)
-    """The sensors that guide robots."""
+    sensors: GuidanceSensors = field(default_factory=NoSensors)
     keeps_all: bool = False
     """Whether all that happened is kept for `finished`, which grows without bound."""
     cell: Cell = field(init=False)
@@ -82,20 +81,18 @@ class LiveController:
     """The questions that wait for an answer."""
     screen: deque[str] = field(init=False, default_factory=lambda: deque(maxlen=_SCREEN_LINES))
     """What programs have written on the FlexPendant, the newest line last."""
-    outside: OutsideStreams = field(init=False)
-    """The peers of the programs' sockets."""
+    external_streams: ExternalStreams = field(init=False)
     mailboxes: OutsideMailboxes = field(init=False)
-    """The programs' sockets for datagrams."""
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """By folded name, in the order of the station."""
-    _turns: LiveTurns = field(init=False)
+    _turns: LiveScheduler = field(init=False)
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
     _forgets_s: float = 0.0
     """When the robots' past is next forgotten [s]."""
-    _kept: list[Event] = field(default_factory=list)
+    _events: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         """Switch on.
@@ -105,17 +102,17 @@ class LiveController:
         """
         self.options = replace(self.options, max_time_s=math.inf, max_wall_s=None)
         self._journal = Journal(
-            self.setups[0].name, self.keeps_all, hears=lambda found: self.found(found)
+            self.setups[0].name, self.keeps_all, on_finding=lambda found: self.on_finding(found)
         )
         self.cell = Cell(self.options.cell, self._journal)
-        self.cell.outsiders_act = True
+        self.cell.has_clients = True
         self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
-        self.log = EventLog(lambda entry: self.told(entry))
-        self._turns = LiveTurns(self.cell)
-        self.cell.share(self._turns)
-        self.outside = OutsideStreams(self.wire)
-        self.cell.sockets.outside = self.outside
+        self.log = EventLog(lambda entry: self.on_log_entry(entry))
+        self._turns = LiveScheduler(self.cell)
+        self.cell.attach_scheduler(self._turns)
+        self.external_streams = ExternalStreams(self.wire)
+        self.cell.sockets.external = self.external_streams
         self.mailboxes = OutsideMailboxes(self.wire)
         self.cell.datagrams.outside = self.mailboxes
         self.cell.sensors = self.sensors
@@ -126,7 +123,7 @@ class LiveController:
             require_limits(arm, self.options)
         shared = self._shared()
         for number, setup in enumerate(self.setups):
-            journal = self._journal if number == 0 else self._journal.beside(setup.name)
+            journal = self._journal if number == 0 else self._journal.for_task(setup.name)
             self.tasks[setup.name.lower()] = LiveTask(
                 number,
                 setup,
@@ -140,7 +137,7 @@ class LiveController:
             )
         for task in self.tasks.values():
             task.begin(0.0, self._refresh)
-        self._acquaint()
+        self._link_tasks()
         self._show_states()
         # A log is never empty: public clients remember the number of its newest entry.
         self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
@@ -170,9 +167,9 @@ class LiveController:
         self.cell.starts_at = date - timedelta(seconds=math.floor(self.now_s))
 
     @property
-    def wants_s(self) -> float:
+    def next_due_s(self) -> float:
         """When the next thing is due [s]; infinite if nothing is."""
-        return self._turns.wants_s()
+        return self._turns.due_s()
 
     def step(self, until_s: float) -> bool:
         """Do one thing that is due by a time [s]; returns whether there was any."""
@@ -183,7 +180,7 @@ class LiveController:
                 task.forget(self.now_s - _REMEMBERED_S)
         events = self._journal.take()
         if self.keeps_all:
-            self._kept.extend(events)
+            self._events.extend(events)
         for event in events:
             if event.kind is EventKind.TEXT:
                 self._show(event)
@@ -219,7 +216,9 @@ class LiveController:
         """Whether any of these is executing."""
         return any(one.executes for one in self.normal_tasks)
 
-    def start(self, cycle: Cycle | None = None, how: Execution = Execution.CONTINUE) -> None:
+    def start(
+        self, cycle: Cycle | None = None, how: ExecutionMode = ExecutionMode.CONTINUE
+    ) -> None:
         """Start the programs, from main or from where they stopped.
 
         Args:
@@ -227,21 +226,21 @@ class LiveController:
             how: Until they are stopped, or for a step of each task.
 
         Raises:
-            Refused: In a state that forbids it.
+            RequestRefused: In a state that forbids it.
         """
         tasks = list(self.normal_tasks)
         if self.motors is not Motors.ON:
-            raise Refused(Why.STATE, "the motors are off")
+            raise RequestRefused(RefusalReason.STATE, "the motors are off")
         if self.executes:
-            raise Refused(Why.STATE, "the program executes already")
+            raise RequestRefused(RefusalReason.STATE, "the program executes already")
         if not tasks:
-            raise Refused(Why.STATE, "no normal task is active")
+            raise RequestRefused(RefusalReason.STATE, "no normal task is active")
         if any(not one.has_pointer for one in tasks):
-            raise Refused(Why.STATE, "the program pointer is lost; set it to main")
+            raise RequestRefused(RefusalReason.STATE, "the program pointer is lost; set it to main")
         self.cycle = cycle or self.cycle
         self._ends_with_cycle = False
         for task in tasks:
-            code = event_log.STARTED_AGAIN if task.is_begun else event_log.STARTED_FROM_MAIN
+            code = event_log.STARTED_AGAIN if task.has_started else event_log.STARTED_FROM_MAIN
             self.log.operational(code, self.now_s, f"{task.name} has been started.", task.name)
             task.start(how)
         self._show_states()
@@ -265,15 +264,15 @@ class LiveController:
         """Put the pointers of all normal tasks to main, or that of one.
 
         Raises:
-            Refused: While a program executes, or if there is no such task.
+            RequestRefused: While a program executes, or if there is no such task.
         """
         self._require_stopped()
         if not name:
-            self.cell.meetings = Meetings()
+            self.cell.rendezvous = RendezvousTable()
         for task in [self.task(name)] if name else self.tasks.values():
             if task.is_normal:
                 task.begin(self.now_s, self._refresh)
-        self._acquaint()
+        self._link_tasks()
         self._show_states()
 
     def switch_off(self) -> None:
@@ -287,31 +286,33 @@ class LiveController:
 
     def finished(self) -> FinishedRun:
         """What the robots did and what happened, if all of it was kept; after `switch_off`."""
-        self._journal.put_back(self._kept)
+        self._journal.restore(self._events)
         runs = [one.run for one in self.tasks.values()]
         outcomes = [one.outcome for one in self.tasks.values()]
-        self.cell.end_sharing()
-        return collected(runs, outcomes, self.cell, self.now_s, self.options)
+        self.cell.detach_scheduler()
+        return build_result(runs, outcomes, self.cell, self.now_s, self.options)
 
     def put_pointer(self, task: str, module: str, routine: str) -> None:
         """Put the pointer of a normal task to a routine of a module, or of any.
 
         Raises:
-            Refused: While a program executes, or if there is no such procedure.
+            RequestRefused: While a program executes, or if there is no such procedure.
         """
         self._require_stopped()
         found = self.task(task)
         if not found.is_normal:
-            raise Refused(Why.STATE, f"{found.name} is neither started nor stopped")
+            raise RequestRefused(
+                RefusalReason.STATE, f"{found.name} is neither started nor stopped"
+            )
         found.put_pointer(module, routine, self.now_s, self._refresh)
-        self._acquaint()
+        self._link_tasks()
         self._show_states()
 
     def stopped_task(self, name: str) -> LiveTask:
         """A task whose program may be changed: see `program_memory`.
 
         Raises:
-            Refused: While a program executes, or if there is no such task.
+            RequestRefused: While a program executes, or if there is no such task.
         """
         self._require_stopped()
         return self.task(name)
@@ -324,18 +325,18 @@ class LiveController:
         """A task by name, in any case.
 
         Raises:
-            Refused: If there is none.
+            RequestRefused: If there is none.
         """
         task = self.tasks.get(name.lower())
         if task is None:
-            raise Refused(Why.NO_TASK, f"there is no task {name}")
+            raise RequestRefused(RefusalReason.NO_TASK, f"there is no task {name}")
         return task
 
     def activate(self, name: str | None, *, active: bool) -> None:
         """Activate or deactivate a normal task; None means all.
 
         Raises:
-            Refused: If there is none, or while a program executes.
+            RequestRefused: If there is none, or while a program executes.
         """
         chosen = list(self.tasks.values()) if name is None else [self.task(name)]
         self._require_stopped()
@@ -345,18 +346,7 @@ class LiveController:
 
     def task_states(self) -> tuple[TaskState, ...]:
         """The state of each task, as clients see it."""
-        return tuple(
-            TaskState(
-                one.name,
-                one.setup.kind.value,
-                one.failure is None,
-                one.has_pointer,
-                one.executes,
-                one.is_active,
-                one.setup.robot is not None,
-            )
-            for one in self.tasks.values()
-        )
+        return tuple(task.state() for task in self.tasks.values())
 
     # The panel.
 
@@ -370,18 +360,20 @@ class LiveController:
         self.log.operational(event_log.OF_MOTORS[self.motors], self.now_s, "")
         self._show_states()
 
-    def set_mode(self, mode: Mode) -> None:
+    def set_mode(self, mode: OperatingMode) -> None:
         """Turn the key: a change of mode stops the programs and switches the motors off.
 
         Raises:
-            Refused: From automatic to full speed in one go.
+            RequestRefused: From automatic to full speed in one go.
         """
         if mode is self.mode:
             return
-        if {mode, self.mode} == {Mode.AUTO, Mode.FULL}:
-            raise Refused(Why.STATE, "between AUTO and MANF the key goes through MANR")
+        if {mode, self.mode} == {OperatingMode.AUTO, OperatingMode.FULL}:
+            raise RequestRefused(
+                RefusalReason.STATE, "between AUTO and MANF the key goes through MANR"
+            )
         self.stop(StopMode.QUICK)
-        if Mode.AUTO in (mode, self.mode):
+        if OperatingMode.AUTO in (mode, self.mode):
             self.set_motors(Motors.OFF)
         self.mode = mode
         self.log.operational(event_log.OF_MODE[self.mode], self.now_s, "")
@@ -391,12 +383,16 @@ class LiveController:
         """Set the speed of the moves to come, in percent of the programmed speed.
 
         Raises:
-            Refused: Beyond 0..100, or out of automatic mode.
+            RequestRefused: Beyond 0..100, or out of automatic mode.
         """
         if not 0 <= percent <= 100:
-            raise Refused(Why.VALUE, f"a speed ratio of {percent} %; 0..100 are possible")
-        if self.mode is not Mode.AUTO:
-            raise Refused(Why.STATE, "the speed ratio is set in automatic mode only")
+            raise RequestRefused(
+                RefusalReason.VALUE, f"a speed ratio of {percent} %; 0..100 are possible"
+            )
+        if self.mode is not OperatingMode.AUTO:
+            raise RequestRefused(
+                RefusalReason.STATE, "the speed ratio is set in automatic mode only"
+            )
         self.speed_ratio = percent
         for task in self.tasks.values():
             task.set_speed_ratio(self._refresh)
@@ -411,28 +407,28 @@ class LiveController:
             ValueError: If the text is no answer to it.
         """
         self.pendant.answer(task, text)
-        self.tell()
+        self.wake_programs()
 
-    def tell(self) -> None:
+    def wake_programs(self) -> None:
         """Wake the programs: something they may be waiting for has changed from outside."""
-        self.cell.tell(Moment(Instant(self.now_s)))
+        self.cell.notify(Moment(Instant(self.now_s)))
         self.settle()
 
     def change_signal(self, name: str, value: float) -> None:
         """Change a signal now.
 
         Raises:
-            Refused: If traps storm, which stops the programs.
+            RequestRefused: If traps storm, which stops the programs.
         """
-        cause = Cause(self._journal.beside(OUTSIDE))
+        cause = Cause(self._journal.for_task(CELL_TASK))
         moment = Moment(Instant(self.now_s))
         try:
             self.cell.set_signal(cause, moment, name, value)
         except Stopped as storm:
             self.stop(StopMode.STOP)
-            raise Refused(Why.STATE, storm.reason) from None
+            raise RequestRefused(RefusalReason.STATE, storm.reason) from None
 
-    # What is told by tasks: implements `live_task.Chief`.
+    # What is told by tasks: implements `live_task.TaskSupervisor`.
 
     def stop_all(self, reason: str) -> None:
         """A program stops all tasks."""
@@ -451,9 +447,9 @@ class LiveController:
         text = f"{task.name} is ready with this step."
         self.log.operational(event_log.STEPPED, self.now_s, text, task.name)
 
-    def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
+    def task_failed(self, task: LiveTask, findings: tuple[Diagnostic, ...], message: str) -> None:
         """A program cannot continue: all tasks stop, and the event log says why."""
-        for one in found:
+        for one in findings:
             entry = self.log.finding(one, self.now_s, task.name)
             self.cell.error_logged(entry, self.now_s)
         self.log.execution_error(self.now_s, task.name, message)
@@ -470,15 +466,15 @@ class LiveController:
 
     def _require_stopped(self) -> None:
         if self.executes:
-            raise Refused(Why.STATE, "the program executes")
+            raise RequestRefused(RefusalReason.STATE, "the program executes")
 
     def _shared(self) -> SharedPersistents:
         programs = [setup.program for setup in self.setups]
         # Somebody outside may write all of them.
-        return shared_persistents(programs, TurnsBoard(self._turns), [None for _ in programs])
+        return shared_persistents(programs, ScheduledAccess(self._turns), [None for _ in programs])
 
-    def _acquaint(self) -> None:
-        others = {key: one.run.controller.others for key, one in self.tasks.items()}
+    def _link_tasks(self) -> None:
+        others = {key: one.run.controller.coordination for key, one in self.tasks.items()}
         for one in others.values():
             one.neighbours = others
 

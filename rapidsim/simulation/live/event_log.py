@@ -16,8 +16,8 @@ from typing import Final
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.language.error_log import ERROR, STATE, LoggedError
 from rapidsim.library.text import MAX_STRING
-from rapidsim.simulation.live.states import Mode, Motors
-from rapidsim.values import dataclass
+from rapidsim.simulation.live.states import Motors, OperatingMode
+from rapidsim.values import value_class
 
 KEPT: Final = 1000
 """Entries of a domain that are kept, as on a controller."""
@@ -29,7 +29,7 @@ _CF: Final = re.compile(r"\d+")
 MOTORS_OFF, MOTORS_ON = 10010, 10011
 MANUAL, AUTOMATIC = 10015, 10017
 OF_MOTORS: Final = {Motors.OFF: MOTORS_OFF, Motors.ON: MOTORS_ON}
-OF_MODE: Final = {one: AUTOMATIC if one is Mode.AUTO else MANUAL for one in Mode}
+OF_MODE: Final = {one: AUTOMATIC if one is OperatingMode.AUTO else MANUAL for one in OperatingMode}
 STARTED_FROM_MAIN, STARTED_AGAIN = 10150, 10151
 STOPPED = 10125
 STEPPED = 10123
@@ -47,7 +47,7 @@ _TITLES: Final = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class LogEntry:
     """One entry."""
 
@@ -67,9 +67,9 @@ class LogEntry:
 class EventLog:
     """The entries of all domains, the newest first."""
 
-    def __init__(self, told: Callable[[LogEntry], None]) -> None:
+    def __init__(self, notify: Callable[[LogEntry], None]) -> None:
         """Begin empty; `told` is called with each entry."""
-        self._told = told
+        self._notify = notify
         self._entries: dict[int, deque[LogEntry]] = {}
         self._last = 0
 
@@ -94,20 +94,20 @@ class EventLog:
         text = f"The program of {task} has stopped: {message}"
         self._note(1, int(ERROR), EXECUTION_ERROR, time_s, title, text, (task,))
 
-    def finding(self, found: Diagnostic, time_s: float, task: str) -> LoggedError:
+    def finding(self, diagnostic: Diagnostic, time_s: float, task: str) -> LoggedError:
         """Log what stopped a program, under the controller's number where it has one.
 
         Returns:
             What traps hear of it, in texts as long as a string of RAPID may be.
         """
-        given = _CF.search(found.violation.cf or "")
-        where = f" ({found.file}, line {found.line})" if found.file else ""
-        rule = found.violation.rule.name.replace("-", " ")
+        given = _CF.search(diagnostic.violation.cf or "")
+        where = f" ({diagnostic.file}, line {diagnostic.line})" if diagnostic.file else ""
+        rule = diagnostic.violation.rule.name.replace("-", " ")
         code = int(given[0]) if given else _WITHOUT_NUMBER
         title = rule[:1].upper() + rule[1:]
         domain, number = divmod(code, 10_000)
-        self._note(domain, int(ERROR), code, time_s, title, found.message + where, ())
-        texts = (task, found.message[:MAX_STRING])
+        self._note(domain, int(ERROR), code, time_s, title, diagnostic.message + where, ())
+        texts = (task, diagnostic.message[:MAX_STRING])
         return LoggedError(float(domain), float(number), ERROR, title, texts)
 
     def written(self, entry: LoggedError, time_s: float) -> None:
@@ -131,7 +131,7 @@ class EventLog:
         entry = LogEntry(self._last, domain, type_, code, time_s, title, text, arguments)
         for one in (COMMON, domain):
             self._entries.setdefault(one, deque(maxlen=KEPT)).append(entry)
-        self._told(entry)
+        self._notify(entry)
 
 
 _WITHOUT_NUMBER: Final = 40_000

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Protocol
 
 from rapidsim.analysis.program import Program, RoutineSymbol
-from rapidsim.controller.cell.cell import Cell, Listener
+from rapidsim.controller.cell.cell import Cell, SignalListener
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.queued_move import MotionError
@@ -15,19 +15,24 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
-from rapidsim.interpreter.tools.stepping import Reach, Stepper
+from rapidsim.interpreter.tools.stepping import StepGranularity, Stepper
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
-from rapidsim.simulation.live.states import Execution, Refused, Why
-from rapidsim.simulation.live.turns import LiveTurns
+from rapidsim.simulation.live.scheduler import LiveScheduler
+from rapidsim.simulation.live.states import (
+    ExecutionMode,
+    RefusalReason,
+    RequestRefused,
+    TaskState,
+)
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import End
-from rapidsim.simulation.task_run import Outcome, TaskRun, TaskSetup, begun, outcome_of
+from rapidsim.simulation.task_run import TaskOutcome, TaskRun, TaskSetup, new_task_run, outcome_of
 from rapidsim.station.task_kind import TaskKind
 from rapidsim.syntax import tree
 
 
-class Chief(Protocol):
+class TaskSupervisor(Protocol):
     """What decides when tasks run."""
 
     def stop_all(self, reason: str) -> None:
@@ -42,16 +47,16 @@ class Chief(Protocol):
         """A step has ended: a program stands before its next statement."""
         ...
 
-    def task_failed(self, task: LiveTask, found: tuple[Diagnostic, ...], message: str) -> None:
+    def task_failed(self, task: LiveTask, findings: tuple[Diagnostic, ...], message: str) -> None:
         """A program has stopped and cannot continue: the finding, and the same in one line."""
         ...
 
 
 _REACH = {
-    Execution.STEP_IN: Reach.ANY,
-    Execution.STEP_OVER: Reach.SAME_ROUTINE,
-    Execution.STEP_OUT: Reach.CALLER,
-    Execution.STEP_MOTION: Reach.SAME_ROUTINE,
+    ExecutionMode.STEP_IN: StepGranularity.ANY,
+    ExecutionMode.STEP_OVER: StepGranularity.SAME_ROUTINE,
+    ExecutionMode.STEP_OUT: StepGranularity.CALLER,
+    ExecutionMode.STEP_MOTION: StepGranularity.SAME_ROUTINE,
 }
 
 
@@ -62,12 +67,12 @@ class LiveTask:
     number: int
     setup: TaskSetup
     cell: Cell
-    turns: LiveTurns
+    scheduler: LiveScheduler
     journal: Journal
     options: RunOptions
     unit: MechanicalUnit
     shared: SharedPersistents
-    chief: Chief
+    supervisor: TaskSupervisor
     run: TaskRun = field(init=False)
     task: Task | None = None
     """The program with its data; None if initial values fail."""
@@ -77,13 +82,13 @@ class LiveTask:
     """Whether it takes part when programs are started."""
     has_pointer: bool = True
     """Whether the program pointer is somewhere the program can continue from."""
-    _begun: bool = False
-    _execution: Execution = Execution.CONTINUE
+    _has_started: bool = False
+    _execution: ExecutionMode = ExecutionMode.CONTINUE
     _stepper: Stepper = field(init=False)
     _routine: str = ""
     """The routine the pointer was set to; empty for the entry."""
-    _own: tuple[Listener, ...] = ()
-    _found: tuple[Diagnostic, ...] = ()
+    _own_listeners: tuple[SignalListener, ...] = ()
+    _findings: tuple[Diagnostic, ...] = ()
     _failed_moves: tuple[FailedMove, ...] = ()
 
     def __post_init__(self) -> None:
@@ -101,20 +106,20 @@ class LiveTask:
         return self.setup.kind is TaskKind.NORMAL
 
     @property
-    def is_begun(self) -> bool:
+    def has_started(self) -> bool:
         """Whether it has passed main's first statement since its pointer was set there."""
-        return self._begun
+        return self._has_started
 
     @property
     def executes(self) -> bool:
         """Whether its program is executing."""
-        return self._begun and not self.run.controller.execution.stands
+        return self._has_started and not self.run.controller.execution.is_halted
 
     @property
-    def outcome(self) -> Outcome:
+    def outcome(self) -> TaskOutcome:
         """How it would have ended if the controller were switched off now."""
         end = End.STOPPED if self.has_pointer else End.ERROR
-        return Outcome(end, self._found, self._failed_moves, self.task)
+        return TaskOutcome(end, self._findings, self._failed_moves, self.task)
 
     @property
     def place(self) -> Place:
@@ -131,6 +136,18 @@ class LiveTask:
         """The procedure it begins with."""
         return self.setup.entry or self.options.entry
 
+    def state(self) -> TaskState:
+        """The state of the task, as clients see it."""
+        return TaskState(
+            self.name,
+            self.setup.kind.value,
+            self.failure is None,
+            self.has_pointer,
+            self.executes,
+            self.is_active,
+            self.setup.robot is not None,
+        )
+
     def begin(self, now_s: float, refresh_percent: float) -> None:
         """Set the pointer to main at a time [s]: variables are initialised, persistents kept.
 
@@ -141,12 +158,12 @@ class LiveTask:
         self.end(now_s)
         self._routine = ""
         before = len(self.cell.listeners)
-        self.run = begun(self.setup, self.unit, self.cell, self.journal, self.options)
-        self._own = tuple(self.cell.listeners[before:])
+        self.run = new_task_run(self.setup, self.unit, self.cell, self.journal, self.options)
+        self._own_listeners = tuple(self.cell.listeners[before:])
         controller = self.run.controller
         controller.clock.set(now_s)
-        controller.execution.stops_all = self.chief.stop_all
-        controller.execution.resumed = self._go_on
+        controller.execution.stops_all = self.supervisor.stop_all
+        controller.execution.resumed = self._continue_execution
         self.set_speed_ratio(refresh_percent)
         old, self.failure = self.task, None
         try:
@@ -168,11 +185,11 @@ class LiveTask:
             refresh_percent: The operator's speed ratio.
 
         Raises:
-            Refused: If there is no such procedure without parameters.
+            RequestRefused: If there is no such procedure without parameters.
         """
         symbol = self._procedure(routine)
         if symbol is None or module.lower() not in ("", symbol.module.name.key):
-            raise Refused(Why.NO_SYMBOL, self._nothing_to_begin_with(routine))
+            raise RequestRefused(RefusalReason.NO_SYMBOL, self._nothing_to_begin_with(routine))
         self.begin(now_s, refresh_percent)
         self._routine, self.has_pointer = symbol.name, True
         place = Place(symbol.module.span(symbol.node.name), symbol.name)
@@ -180,21 +197,21 @@ class LiveTask:
 
     def end(self, now_s: float) -> None:
         """Unload the program; its robot drops what is left of its path."""
-        self._begun = self.has_pointer = False
+        self._has_started = self.has_pointer = False
         if not hasattr(self, "run"):
             return
         clock = self.run.controller.clock
-        self.turns.remove(clock)
+        self.scheduler.remove(clock)
         self.run.controller.files.close_all()
         self.run.controller.sockets.close_all(now_s)
-        self.unit.own.end_guidance()
+        self.unit.solo_queue.end_guidance()
         self.run.controller.guidance.forget_all()
         self.cell.watchdog.forget(clock)
         # By identity: two tables without interrupts are equal.
-        own, self._own = {id(one) for one in self._own}, ()
+        own, self._own_listeners = {id(one) for one in self._own_listeners}, ()
         self.cell.forget(own)
         self.unit.part()
-        queue = self.unit.own
+        queue = self.unit.solo_queue
         with suppress(MotionError):
             if queue.is_open and not queue.is_halted:
                 queue.halt(now_s)
@@ -202,23 +219,23 @@ class LiveTask:
         queue.clear()
         queue.resume(now_s)
 
-    def start(self, how: Execution = Execution.CONTINUE) -> None:
+    def start(self, how: ExecutionMode = ExecutionMode.CONTINUE) -> None:
         """Start at main, or continue where the program stopped: for one step, or until it stops."""
         self._execution = how
         execution, clock = self.run.controller.execution, self.run.controller.clock
-        if self._begun:
-            execution.go_on()
-            self.turns.wake(clock)
+        if self._has_started:
+            execution.resume()
+            self.scheduler.wake(clock)
             return
-        self._begun = True
-        clock.set(max(self.turns.now_s, clock.pointer_s()))
-        self.turns.add(self.number, clock, self._execute)
+        self._has_started = True
+        clock.set(max(self.scheduler.now_s, clock.pointer_s()))
+        self.scheduler.add(self.number, clock, self._execute)
 
     def stop(self, *, on_path: bool) -> None:
-        """Stop now; see `TaskExecution.ask_to_stop`."""
-        if self._begun:
-            self.run.controller.execution.ask_to_stop(self.turns.now_s, on_path=on_path)
-            self.turns.wake(self.run.controller.clock)
+        """Stop now; see `TaskExecution.request_stop`."""
+        if self._has_started:
+            self.run.controller.execution.request_stop(self.scheduler.now_s, on_path=on_path)
+            self.scheduler.wake(self.run.controller.clock)
 
     def forget(self, before_s: float) -> None:
         """Forget what its robot did before a time [s], unless it may still move back along it."""
@@ -230,25 +247,25 @@ class LiveTask:
         motion = self.run.controller.motion
         motion.settings = replace(motion.settings, speed_refresh_percent=percent)
 
-    def _go_on(self) -> None:
+    def _continue_execution(self) -> None:
         """Continue, for one step or until stopped; called where the program stood."""
-        if self._execution is Execution.CONTINUE:
+        if self._execution is ExecutionMode.CONTINUE:
             self._stepper.end()
             return
-        given, moves = len(self.unit.own.moves), self.unit.own.moves
-        to_move = self._execution is Execution.STEP_MOTION and self.setup.robot is not None
+        given, moves = len(self.unit.solo_queue.moves), self.unit.solo_queue.moves
+        to_move = self._execution is ExecutionMode.STEP_MOTION and self.setup.robot is not None
         self._stepper.begin(
             _REACH[self._execution], (lambda: len(moves) > given) if to_move else None
         )
 
     def _halt(self, before: Place) -> None:
         """A step has ended: the robot finishes its moves, and the program stands."""
-        clock, left = self.run.controller.clock, self.run.controller.clock.left
-        clock.observe()
+        clock, left = self.run.controller.clock, self.run.controller.clock.ticks_left
+        clock.resolve_time()
         clock.drive_to_stop()
         clock.place = before
-        self.chief.step_ended(self)
-        self.run.controller.execution.stand()
+        self.supervisor.step_ended(self)
+        self.run.controller.execution.await_restart()
         clock.leave_ticks(left)
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
@@ -271,7 +288,7 @@ class LiveTask:
                 raise self.failure
             assert self.task is not None
             with running():
-                self._go_on()
+                self._continue_execution()
                 while True:
                     routine, self._routine = self._routine, ""
                     if not routine and self._procedure(self.entry) is None:
@@ -281,18 +298,18 @@ class LiveTask:
                     with suppress(CycleEnded):
                         self.task.run(routine or self.entry)
                     # Nothing follows a routine that a client has chosen.
-                    goes_on = self.chief.cycle_ended() and not routine
+                    goes_on = self.supervisor.cycle_ended() and not routine
                     clock.tick()
                     if goes_on or not self.is_normal:
                         continue
                     with suppress(CycleEnded):
                         self.run.controller.motion.finish()
-                    execution.stand()
+                    execution.await_restart()
         except (FatalError, MotionError, Stopped) as error:
             ended = outcome_of(error, self.run)
             found = ended.findings
-            if self.journal.keeps_all:
-                self._found += found
+            if self.journal.retains_all:
+                self._findings += found
                 self._failed_moves += ended.failed_moves
             message = found[0].message if found else str(error)
         except Exception as error:
@@ -300,5 +317,5 @@ class LiveTask:
             message = f"rapidsim has a defect: {type(error).__name__}: {error}"
         finally:
             self._stepper.end()
-        self._begun = self.has_pointer = False
-        self.chief.task_failed(self, found, message)
+        self._has_started = self.has_pointer = False
+        self.supervisor.task_failed(self, found, message)

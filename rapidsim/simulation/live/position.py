@@ -21,9 +21,9 @@ from rapidsim.language.data import (
 from rapidsim.language.moves import Place
 from rapidsim.motion.configurations import targets
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 from rapidsim.simulation.live.symbols import find, value_of
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Coordinates(StrEnum):
@@ -36,8 +36,8 @@ class Coordinates(StrEnum):
 
 def joints(task: LiveTask) -> JointTarget:
     """Where the axes of a task's robot are [deg, mm]."""
-    arm, external = _stand(task)
-    resolver = task.run.controller.others.resolver
+    arm, external = _joints_now(task)
+    resolver = task.run.controller.coordination.resolver
     return resolver.joint_target(arm, external)
 
 
@@ -51,16 +51,16 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
         frame: The frame of the result.
 
     Raises:
-        Refused: If there is no such tool or work object.
+        RequestRefused: If there is no such tool or work object.
     """
-    arm, external = _stand(task)
-    resolver = task.run.controller.others.resolver
+    arm, external = _joints_now(task)
+    resolver = task.run.controller.coordination.resolver
     carried = _value(task, tool, ToolData)
     held = _value(task, wobj, WobjData) if frame is Coordinates.WOBJ else WOBJ0
     clock = task.run.controller.clock
     # Another robot may hold the work object: where it is now, and not when its program asks.
-    found = clock.aside(
-        task.turns.now_s, lambda: resolver.target(arm, external, carried, held, task.place)
+    found = clock.at_time(
+        task.scheduler.now_s, lambda: resolver.target(arm, external, carried, held, task.place)
     )
     if frame is not Coordinates.BASE:
         return found
@@ -69,8 +69,8 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
     return found._replace(trans=pose.trans, rot=pose.rot)
 
 
-@dataclass(frozen=True, slots=True)
-class Glance:
+@value_class(frozen=True, slots=True)
+class PositionSnapshot:
     """Where a robot is, for an observer; looking has no effect on the run."""
 
     joints: JointTarget
@@ -81,19 +81,19 @@ class Glance:
     """The move under way; None while the arm stands."""
 
 
-def glance(task: LiveTask) -> Glance:
+def position_snapshot(task: LiveTask) -> PositionSnapshot:
     """Where a task's robot is now."""
-    now_s, path = task.turns.now_s, foreseen(task.unit.queue)
+    now_s, path = task.scheduler.now_s, foreseen(task.unit.queue)
     samples = path.at(np.array([now_s]))
     arm, external, move = samples.joints[0], samples.external[0], int(samples.move[0])
-    resolver, motion = task.run.controller.others.resolver, task.run.controller.motion
+    resolver, motion = task.run.controller.coordination.resolver, task.run.controller.motion
     tool, wobj = motion.active_tool(), motion.active_wobj()
-    moves = task.unit.own.moves
-    moves_on = now_s < path.duration and task.unit.own.guided is None
+    moves = task.unit.solo_queue.moves
+    moves_on = now_s < path.duration and task.unit.solo_queue.guided is None
     clock = task.run.controller.clock
-    return Glance(
+    return PositionSnapshot(
         resolver.joint_target(arm, external),
-        clock.aside(now_s, lambda: resolver.target(arm, external, tool, wobj, task.place)),
+        clock.at_time(now_s, lambda: resolver.target(arm, external, tool, wobj, task.place)),
         moves[move].place if moves_on and move < len(moves) else None,
     )
 
@@ -103,9 +103,9 @@ def active_frames(task: LiveTask) -> tuple[str, str]:
     return task.run.controller.motion.active_names()
 
 
-def _stand(task: LiveTask) -> tuple[Array, Array]:
+def _joints_now(task: LiveTask) -> tuple[Array, Array]:
     """Joints (n,) [rad] and external axes (e,) [m or rad] now."""
-    now_s, queue = task.turns.now_s, task.unit.queue
+    now_s, queue = task.scheduler.now_s, task.unit.queue
     try:
         samples = queue.seen(now_s, np.array([now_s]))
     except MotionError:
@@ -120,5 +120,5 @@ T = TypeVar("T", ToolData, WobjData)
 def _value(task: LiveTask, name: str, of: type[T]) -> T:
     value = value_of(task, find(task, name))
     if not isinstance(value, of):
-        raise Refused(Why.NO_SYMBOL, f"{name} is no {of.__name__.lower()}")
+        raise RequestRefused(RefusalReason.NO_SYMBOL, f"{name} is no {of.__name__.lower()}")
     return value

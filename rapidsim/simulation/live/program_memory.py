@@ -10,7 +10,7 @@ from rapidsim.language.modules import Modules
 from rapidsim.library.loading import LARGEST_FILE
 from rapidsim.module_files import module_names
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 
@@ -29,7 +29,7 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
         replace: Whether a module of the same name is unloaded first.
 
     Raises:
-        Refused: If there is no such file or it does not fit.
+        RequestRefused: If there is no such file or it does not fit.
     """
     memory = _memory(task)
     try:
@@ -41,7 +41,7 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
                     memory.erase(one.name.text)
         memory.load(source, path, check_references=False)
     except (RapidError, FatalError) as error:
-        raise Refused(Why.NO_FILE, str(error)) from None
+        raise RequestRefused(RefusalReason.NO_FILE, str(error)) from None
 
 
 def load_program(task: LiveTask, path: str) -> None:
@@ -52,8 +52,8 @@ def load_program(task: LiveTask, path: str) -> None:
         path: Of a `.pgf` file, or of a module that is the whole program, as RAPID writes it.
 
     Raises:
-        Refused: If a file is missing or wrong, and then nothing has changed; or if the modules do
-            not fit, when the old ones are gone.
+        RequestRefused: If a file is missing or wrong, and then nothing has changed; or if the
+            modules do not fit, when the old ones are gone.
     """
     memory, home = _memory(task), task.cell.home
     try:
@@ -66,14 +66,14 @@ def load_program(task: LiveTask, path: str) -> None:
         for source in sources:
             wrong = parse(source).diagnostics
             if wrong:
-                raise Refused(Why.NO_FILE, f"{wrong[0].file}: {wrong[0].message}")
+                raise RequestRefused(RefusalReason.NO_FILE, f"{wrong[0].file}: {wrong[0].message}")
         for one in modules(task):
             if not is_system_module(one):
                 memory.erase(one.name.text)
         for source, one_path in zip(sources, paths, strict=True):
             memory.load(source, one_path, check_references=False)
     except (RapidError, FatalError, InputError) as error:
-        raise Refused(Why.NO_FILE, str(error)) from None
+        raise RequestRefused(RefusalReason.NO_FILE, str(error)) from None
 
 
 def is_system_module(module: tree.Module) -> bool:
@@ -85,20 +85,22 @@ def unload_module(task: LiveTask, name: str) -> None:
     """Unload a module from a stopped task.
 
     Raises:
-        Refused: If there is none of this name, or the rest would not link without it.
+        RequestRefused: If there is none of this name, or the rest would not link without it.
     """
     try:
         _memory(task).erase(name)
     except (RapidError, FatalError) as error:
-        raise Refused(Why.NO_MODULE, str(error)) from None
+        raise RequestRefused(RefusalReason.NO_MODULE, str(error)) from None
 
 
 def _memory(task: LiveTask) -> Modules:
     """The modules of a task, to be changed.
 
     Raises:
-        Refused: If its program has failed before main, so that none is there.
+        RequestRefused: If its program has failed before main, so that none is there.
     """
     if task.failure is not None:
-        raise Refused(Why.STATE, f"the program of {task.name} cannot be made ready: {task.failure}")
+        raise RequestRefused(
+            RefusalReason.STATE, f"the program of {task.name} cannot be made ready: {task.failure}"
+        )
     return task.run.controller.concerns.modules

@@ -6,7 +6,7 @@ import math
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.simulation.live.controller import LiveController
-from rapidsim.simulation.live.states import Refused, Why
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
 
 
 def declared(live: LiveController) -> tuple[SignalDeclaration, ...]:
@@ -18,12 +18,12 @@ def find(live: LiveController, name: str) -> SignalDeclaration:
     """A signal by name, in any case.
 
     Raises:
-        Refused: If none is declared.
+        RequestRefused: If none is declared.
     """
     for one in declared(live):
         if one.name.lower() == name.lower():
             return one
-    raise Refused(Why.NO_SIGNAL, f"there is no signal {name}")
+    raise RequestRefused(RefusalReason.NO_SIGNAL, f"there is no signal {name}")
 
 
 def value_of(live: LiveController, name: str) -> float:
@@ -35,15 +35,17 @@ def write(live: LiveController, name: str, value: float) -> None:
     """Change a signal, with all that follows from it.
 
     Raises:
-        Refused: If there is none, its kind or limits forbid the value, or it shows a state.
+        RequestRefused: If there is none, its kind or limits forbid the value, or it shows a state.
     """
     signal = find(live, name)
     if signal.status is not None:
-        raise Refused(Why.READ_ONLY, f"{signal.name} shows a state of the controller")
+        raise RequestRefused(
+            RefusalReason.READ_ONLY, f"{signal.name} shows a state of the controller"
+        )
     low, high = limits(signal)
     whole = signal.kind in (SignalKind.AI, SignalKind.AO) or value == math.floor(value)
     if not (low <= value <= high and whole):
-        raise Refused(Why.VALUE, f"{signal.name} cannot be {value:.10g}")
+        raise RequestRefused(RefusalReason.VALUE, f"{signal.name} cannot be {value:.10g}")
     live.change_signal(signal.name, value)
     live.settle()
 

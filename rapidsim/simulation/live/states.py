@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import Enum, StrEnum, auto
 
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class Motors(StrEnum):
@@ -14,7 +14,7 @@ class Motors(StrEnum):
     OFF = "motoroff"
 
 
-class Mode(StrEnum):
+class OperatingMode(StrEnum):
     """The operating mode."""
 
     AUTO = "AUTO"
@@ -29,7 +29,7 @@ class Cycle(StrEnum):
     FOREVER = "forever"
 
 
-class Execution(StrEnum):
+class ExecutionMode(StrEnum):
     """How far programs run when they are started."""
 
     CONTINUE = auto()
@@ -52,7 +52,7 @@ class StopMode(StrEnum):
     QUICK = "qstop"
 
 
-class Why(Enum):
+class RefusalReason(Enum):
     """Why something was refused."""
 
     STATE = auto()
@@ -68,17 +68,17 @@ class Why(Enum):
     READ_ONLY = auto()
 
 
-class Refused(Exception):  # noqa: N818 - an answer, not a failure
+class RequestRefused(Exception):  # noqa: N818 - an answer, not a failure
     """The controller refuses a request."""
 
-    def __init__(self, why: Why, message: str) -> None:
+    def __init__(self, reason: RefusalReason, message: str) -> None:
         """Say why, for programs and for people."""
         super().__init__(message)
-        self.why = why
+        self.why = reason
         self.message = message
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskState:
     """The state of a task, as clients see it."""
 

@@ -7,18 +7,18 @@ from collections.abc import Iterator
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.language.errors import RapidError
-from rapidsim.language.initial import initial_value
+from rapidsim.language.initial_values import initial_value
 from rapidsim.language.symbols import DataName
 from rapidsim.language.types import ArrayOf, Type
 from rapidsim.library.predefined import DATA, TYPES
 from rapidsim.library.text import parsed_value, value_text
 from rapidsim.simulation.live.live_task import LiveTask
-from rapidsim.simulation.live.states import Refused, Why
-from rapidsim.values import dataclass
+from rapidsim.simulation.live.states import RefusalReason, RequestRefused
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class Datum:
+@value_class(frozen=True, slots=True)
+class TaskDatum:
     """Data that exist in a task."""
 
     name: str
@@ -45,72 +45,74 @@ class Datum:
         return (self.type.element if isinstance(self.type, ArrayOf) else self.type).name
 
 
-def find(task: LiveTask, name: str, module: str | None = None) -> Datum:
+def find(task: LiveTask, name: str, module: str | None = None) -> TaskDatum:
     """Data by name, in any case.
 
     Raises:
-        Refused: If there is none of this name.
+        RequestRefused: If there is none of this name.
     """
     if task.task is None:
-        raise Refused(Why.NO_SYMBOL, f"the data of {task.name} could not be initialised")
+        raise RequestRefused(
+            RefusalReason.NO_SYMBOL, f"the data of {task.name} could not be initialised"
+        )
     symbol = task.task.data(name, module)
     if symbol is not None:
         return _datum(symbol)
     predefined = DATA.get(name.lower())
     if predefined is None or module is not None:
-        raise Refused(Why.NO_SYMBOL, f"{task.name} has no data named {name}")
+        raise RequestRefused(RefusalReason.NO_SYMBOL, f"{task.name} has no data named {name}")
     storage = Storage.CONST if predefined.constant else Storage.VAR
     storage = Storage.PERS if predefined.persistent else storage
-    return Datum(predefined.name, predefined.type, storage)
+    return TaskDatum(predefined.name, predefined.type, storage)
 
 
-def all_data(task: LiveTask) -> Iterator[Datum]:
+def all_data(task: LiveTask) -> Iterator[TaskDatum]:
     """All data that the modules of a task declare, in the order of declaration."""
     if task.task is not None:
         yield from (_datum(symbol) for symbol in module_data(task.task.program))
 
 
-def read(task: LiveTask, datum: Datum) -> str:
+def read(task: LiveTask, datum: TaskDatum) -> str:
     """The value now, as RAPID would write it.
 
     Raises:
-        Refused: If data of the type have no value.
+        RequestRefused: If data of the type have no value.
     """
     try:
         return value_text(value_of(task, datum), datum.type)
     except TypeError as error:
-        raise Refused(Why.VALUE, str(error)) from None
+        raise RequestRefused(RefusalReason.VALUE, str(error)) from None
 
 
-def value_of(task: LiveTask, datum: Datum) -> object:
+def value_of(task: LiveTask, datum: TaskDatum) -> object:
     """A copy of the value now."""
     assert task.task is not None
     symbol = datum.symbol
     return task.task.value(datum.name) if symbol is None else task.task.value_of(symbol)
 
 
-def write(task: LiveTask, datum: Datum, text: str) -> None:
-    """Set the value from a text; call `LiveController.tell` to let programs notice.
+def write(task: LiveTask, datum: TaskDatum, text: str) -> None:
+    """Set the value from a text; call `LiveController.wake_programs` to let programs notice.
 
     Raises:
-        Refused: If the text is not a value of the type, or the data are constant.
+        RequestRefused: If the text is not a value of the type, or the data are constant.
     """
     assert task.task is not None
     if datum.storage is Storage.CONST or datum.symbol is None or datum.module is None:
-        raise Refused(Why.READ_ONLY, f"{datum.name} cannot be written")
+        raise RequestRefused(RefusalReason.READ_ONLY, f"{datum.name} cannot be written")
     value = parsed_value(text, datum.type, task.task.value_of(datum.symbol))
     if value is None:
-        raise Refused(Why.VALUE, f"`{text}` is no {datum.type.name}")
+        raise RequestRefused(RefusalReason.VALUE, f"`{text}` is no {datum.type.name}")
     where = DataName(datum.name, datum.module)
     try:
         task.run.controller.concerns.symbols.write(datum.name, datum.type, where, value)
     except RapidError as error:
-        raise Refused(Why.VALUE, error.message) from None
+        raise RequestRefused(RefusalReason.VALUE, error.message) from None
 
 
-def _datum(symbol: DataSymbol) -> Datum:
+def _datum(symbol: DataSymbol) -> TaskDatum:
     assert symbol.module is not None
-    return Datum(
+    return TaskDatum(
         symbol.name,
         symbol.type,
         symbol.storage,

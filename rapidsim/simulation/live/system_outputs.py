@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from rapidsim.controller.cell.description import Status
-from rapidsim.simulation.live.states import Mode, Motors
+from rapidsim.simulation.live.states import Motors, OperatingMode
 
 
 def status_value(
-    status: Status | None, *, executes: bool, failed: bool, motors: Motors, mode: Mode
+    status: Status | None, *, executes: bool, failed: bool, motors: Motors, mode: OperatingMode
 ) -> float | None:
     """What a system output shows; None for other signals, and where it stays as it is.
 
@@ -30,7 +30,7 @@ def status_value(
         case Status.MOTOR_OFF | Status.MOTOR_OFF_STATE:
             return float(motors is Motors.OFF)
         case Status.AUTO_ON:
-            return float(mode is Mode.AUTO)
+            return float(mode is OperatingMode.AUTO)
         case _:
             # The safety chain never opens; what shows a robot's state is written as it moves.
             return None

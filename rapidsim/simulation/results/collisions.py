@@ -7,22 +7,22 @@ from dataclasses import replace
 
 import numpy as np
 
-from rapidsim.collisions.contact import Clearance, Contact, Found
+from rapidsim.collisions.contact import Clearance, CollisionReport, Contact
 from rapidsim.collisions.geometry import CellGeometry, CellObject
 from rapidsim.collisions.scene import Body, Scene
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _WIDEST_M = 10.0
 """What is wider is a floor or a wall, which would hide the rest of a picture."""
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class Collisions:
     """Contacts and clearances of a run."""
 
     geometry: CellGeometry
     """What the station says."""
-    found: Found
+    report: CollisionReport
     scene: Scene
     """The bodies and the pairs of them that were judged."""
     remarks: tuple[str, ...]
@@ -32,12 +32,12 @@ class Collisions:
 
     def __repr__(self) -> str:
         """One line."""
-        return f"<{len(self.found.contacts)} contacts, {len(self.scene.pairs)} pairs judged>"
+        return f"<{len(self.report.contacts)} contacts, {len(self.scene.pairs)} pairs judged>"
 
     @property
     def hits(self) -> tuple[Contact, ...]:
         """The contacts that begin in the run: what lies on a table touched it before."""
-        return tuple(one for one in self.found.contacts if not one.continued)
+        return tuple(one for one in self.report.contacts if not one.continued)
 
     def drawn_objects(self) -> Iterator[tuple[int, CellObject, Body]]:
         """The objects that still pictures show, with their numbers among the bodies."""
@@ -58,7 +58,7 @@ class Collisions:
     @property
     def nearest(self) -> Clearance | None:
         """The nearest of the whole run; None where nothing came near."""
-        return min(self.found.clearances, key=lambda one: one.distance_m, default=None)
+        return min(self.report.clearances, key=lambda one: one.distance_m, default=None)
 
     @property
     def hollow_m(self) -> float:

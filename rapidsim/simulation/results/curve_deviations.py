@@ -15,10 +15,10 @@ from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.curves import Curves, circle_fault, curves_of
 from rapidsim.motion.geometry.segments import Geometry, Segment
-from rapidsim.simulation.results.line_instead import segments_of
+from rapidsim.simulation.results.linear_alternative import segments_of
 from rapidsim.simulation.results.sampling import evaluate
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_PLACES = 33
 _FEWEST_PLACES = 3
@@ -26,7 +26,7 @@ _PLACES = 60_000
 """In all; many moves are looked at in fewer places each."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class CurveDeviation:
     """Distances [m] of the TCP from the programmed curve of one move."""
 
@@ -44,16 +44,16 @@ def all_curve_deviations(simulation: Simulation) -> Mapping[int, CurveDeviation]
     }
 
 
-def curve_deviations(one: RobotRun) -> Mapping[int, CurveDeviation]:
+def curve_deviations(robot_run: RobotRun) -> Mapping[int, CurveDeviation]:
     """The deviations of a robot's lines and arcs, by the number of the move.
 
     Moves that have no part between their zones are left out, and those whose tool or work something
     else than the arm moves: they have no curve in base.
     """
-    if one.robot.external:
+    if robot_run.robot.external:
         return {}
-    segments = segments_of(one)
-    moves = [move for move in one.moves if _has_curve(segments.get(move.index))]
+    segments = segments_of(robot_run)
+    moves = [move for move in robot_run.moves if _has_curve(segments.get(move.index))]
     if not moves:
         return {}
     driven = [segments[move.index] for move in moves]
@@ -63,12 +63,14 @@ def curve_deviations(one: RobotRun) -> Mapping[int, CurveDeviation]:
     starts, ends = np.array([(move.start_s, move.end_s) for move in moves]).T
     times = (starts[:, None] + shares * (ends - starts)[:, None]).ravel()
     order = np.argsort(times, kind="stable")
-    joints = np.empty((len(times), len(one.robot.joints)))
-    joints[order] = evaluate(one.trajectory, times[order]).joints
+    joints = np.empty((len(times), len(robot_run.robot.joints)))
+    joints[order] = evaluate(robot_run.trajectory, times[order]).joints
     row = np.repeat(np.arange(len(moves)), places)
-    tcp = (one.robot.forward(joints) @ _flange_from_tcp(driven, row)).translation
-    between = _between_zones(one, moves, tcp.reshape(len(moves), places, 3))
-    off = _off_the_curves(curves_of(driven, one.robot.kinematics), row, tcp).reshape(-1, places)
+    tcp = (robot_run.robot.forward(joints) @ _flange_from_tcp(driven, row)).translation
+    between = _between_zones(robot_run, moves, tcp.reshape(len(moves), places, 3))
+    off = _off_the_curves(curves_of(driven, robot_run.robot.kinematics), row, tcp).reshape(
+        -1, places
+    )
     return {
         move.index: CurveDeviation(
             float(distances[kept].max()), float(np.sqrt(np.mean(distances[kept] ** 2)))
@@ -96,7 +98,7 @@ def _flange_from_tcp(segments: Sequence[Segment], row: npt.NDArray[np.int64]) ->
 
 
 def _between_zones(
-    one: RobotRun, moves: Sequence[ExecutedMove], tcp: Array
+    robot_run: RobotRun, moves: Sequence[ExecutedMove], tcp: Array
 ) -> npt.NDArray[np.bool_]:
     """Which places (m, k, 3) [m] are outside the zones at both ends of their moves."""
 
@@ -105,7 +107,9 @@ def _between_zones(
 
     # Moves that were never begun have numbers, too. Before the first one nothing is passed by: it
     # stands in for one before it.
-    before_each = {move.index: before for before, move in pairwise((one.moves[0], *one.moves))}
+    before_each = {
+        move.index: before for before, move in pairwise((robot_run.moves[0], *robot_run.moves))
+    }
     before = [before_each[move.index] for move in moves]
     starts = np.array([move.base_from_tcp.translation for move in before])
     ends = np.array([move.base_from_tcp.translation for move in moves])

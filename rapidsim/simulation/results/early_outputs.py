@@ -18,14 +18,14 @@ from rapidsim.diagnostics import Diagnostic, Related
 from rapidsim.findings.runs import OutputBeforeTarget
 from rapidsim.language.moves import Place
 from rapidsim.simulation.results.simulation import RobotRun
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _AT_ONCE_S = 1e-9
 """The pointer goes on with a move at the instant when it starts."""
 _NEAR_MM = 0.1
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Early:
     """A change of a signal before the robot was there."""
 
@@ -36,17 +36,17 @@ class _Early:
 
 
 def early_output_findings(
-    events: Sequence[Event], one: RobotRun, traps: AbstractSet[str]
+    events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> tuple[Diagnostic, ...]:
     """One note for each statement that set an output too early, on the time it was worst.
 
     Args:
         events: Of the run, in any order.
-        one: A robot. With external axes nothing is told: they may carry the target.
+        robot_run: A robot. With external axes nothing is told: they may carry the target.
         traps: Folded names of the traps of its task, which run when they like.
     """
     by_statement: dict[tuple[str, int], list[_Early]] = {}
-    for early in _early(events, one, traps):
+    for early in _early(events, robot_run, traps):
         span = early.place.span
         by_statement.setdefault((str(span.file), span.start), []).append(early)
     findings = []
@@ -66,28 +66,30 @@ def early_output_findings(
     return tuple(findings)
 
 
-def _early(events: Sequence[Event], one: RobotRun, traps: AbstractSet[str]) -> Iterator[_Early]:
-    starts = [move.start_s for move in one.moves]
-    by_moves = {(move.place.span.file, move.place.span.start) for move in one.moves}
+def _early(
+    events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
+) -> Iterator[_Early]:
+    starts = [move.start_s for move in robot_run.moves]
+    by_moves = {(move.place.span.file, move.place.span.start) for move in robot_run.moves}
     set_at: set[tuple[float, str]] = set()
     for event in events:
         place = event.place
-        if event.kind is not EventKind.SIGNAL or event.task != one.task or place is None:
+        if event.kind is not EventKind.SIGNAL or event.task != robot_run.task or place is None:
             continue
         if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
             # What a move does itself, it does where it should.
             continue
         number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
-        while number >= 0 and one.moves[number].index >= event.moves_given:
+        while number >= 0 and robot_run.moves[number].index >= event.moves_given:
             # It began at this very instant, but the program said it later.
             number -= 1
         if number < 0:
             continue
-        move = one.moves[number]
+        move = robot_run.moves[number]
         is_there = event.time_s >= move.end_s - _AT_ONCE_S
         if is_there or move.corner is CornerKind.STOP or len(move.external):
             continue
-        here = one.sample(event.time_s).base_from_tcp.translation[0]
+        here = robot_run.sample(event.time_s).base_from_tcp.translation[0]
         distance = float(np.linalg.norm(here - move.base_from_tcp.translation)) * 1000.0
         if distance > _NEAR_MM and (event.time_s, event.message) not in set_at:
             set_at.add((event.time_s, event.message))

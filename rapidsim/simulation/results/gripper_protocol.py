@@ -32,7 +32,7 @@ from rapidsim.findings.gripper import (
 )
 from rapidsim.language.moves import Place
 from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _REST_RAD = 1e-5
 """A joint that turns by less until the arm is at rest does not move."""
@@ -46,7 +46,7 @@ _NOTHING_KG = 0.01
 _ROUTINE_END = re.compile(r"\bEND(PROC|FUNC|TRAP)\b", re.IGNORECASE)
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Switch:
     """A gripper begins to close or to open."""
 
@@ -64,7 +64,7 @@ class _Switch:
         return move.start_s >= self.time_s - _SAME_TIME_S
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Fault:
     violation: Violation
     place: Place

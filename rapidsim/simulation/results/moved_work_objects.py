@@ -37,7 +37,7 @@ def moved_object_findings(
             # What moves together is planned together.
             if number is None or robots[number] is one or move.move.sync_id is not None:
                 continue
-            for other in _meanwhile(move, robots[number].moves):
+            for other in _overlapping(move, robots[number].moves):
                 why = _WHY.format(wobj.ufmec, other.start_s)
                 span = move.place.span
                 violation = CoordinationImpossible(target_name(move.place, move.move), why)
@@ -46,8 +46,11 @@ def moved_object_findings(
     return tuple(found.values())
 
 
-def _meanwhile(move: ExecutedMove, others: Sequence[ExecutedMove]) -> Iterator[ExecutedMove]:
+def _overlapping(move: ExecutedMove, other_moves: Sequence[ExecutedMove]) -> Iterator[ExecutedMove]:
     """The last of other moves, in the order of time, that overlaps with a move."""
-    index = bisect_left(others, move.end_s - _AT_ONCE_S, key=lambda one: one.start_s) - 1
-    if index >= 0 and others[index].end_s > max(move.start_s, others[index].start_s) + _AT_ONCE_S:
-        yield others[index]
+    index = bisect_left(other_moves, move.end_s - _AT_ONCE_S, key=lambda one: one.start_s) - 1
+    if (
+        index >= 0
+        and other_moves[index].end_s > max(move.start_s, other_moves[index].start_s) + _AT_ONCE_S
+    ):
+        yield other_moves[index]

@@ -16,7 +16,7 @@ from rapidsim.diagnostics import Span
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.linking.saved_text import declared_value
 from rapidsim.library.text import source_text
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _LITERAL = r'"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FALSE\b'
 _BETWEEN = r"[\[\](),\s]+|![^\r\n]*"
@@ -25,7 +25,7 @@ _VALUE = re.compile(rf"{_LITERAL}|[+-]?INF\b|NAN\b", re.IGNORECASE)
 """What a value may be that a program worked out."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PersistentChange:
     """A PERS that ended with another value than its declaration gives it."""
 
@@ -54,7 +54,7 @@ def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
     )
 
 
-def told_once(changes: Iterable[PersistentChange]) -> tuple[PersistentChange, ...]:
+def deduplicated(changes: Iterable[PersistentChange]) -> tuple[PersistentChange, ...]:
     """Each change once, also where several tasks have the module that declares it."""
     found: dict[tuple[str, int, str], PersistentChange] = {}
     for one in changes:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from rapidsim.simulation.results.time_shares import Step
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _ROUTINE = re.compile(r"\s*(?:(?:LOCAL|TASK)\s+)?(?:PROC|FUNC|TRAP)\b", re.IGNORECASE)
 _COMMENT = re.compile(r"\s*!\s*(?P<words>.*?)\s*$")
@@ -15,7 +15,7 @@ _BORDER = re.compile(r"^\W+|\W+$")
 _LONGEST = 60
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Region:
     """The statements behind a comment that stands on lines of its own."""
 

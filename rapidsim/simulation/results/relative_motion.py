@@ -26,18 +26,20 @@ def is_shown_in_world(simulation: Simulation) -> bool:
     return len(robots) > 1 or is_on_track(robots[0].robot)
 
 
-def shown_from_base(one: RobotRun, external: Array, *, in_world: bool) -> Transform:
+def shown_from_base(robot_run: RobotRun, external: Array, *, in_world: bool) -> Transform:
     """The base (k,) of a robot with external axes (k, e) [m or rad], in the frame of pictures."""
     if not in_world:
         return Transform(np.tile(np.eye(3), (len(external), 1, 1)), np.zeros((len(external), 3)))
-    return world_from_base_at(one.robot.external, one.world_from_base, external)
+    return world_from_base_at(robot_run.robot.external, robot_run.world_from_base, external)
 
 
-def shown_from_world(one: RobotRun, *, in_world: bool) -> Transform:
+def shown_from_world(robot_run: RobotRun, *, in_world: bool) -> Transform:
     """The world in the frame of pictures of a robot."""
-    return Transform.identity() if in_world else one.world_from_base.inverse()
+    return Transform.identity() if in_world else robot_run.world_from_base.inverse()
 
 
-def shown_end(one: RobotRun, move: ExecutedMove, *, in_world: bool) -> Transform:
+def shown_end(robot_run: RobotRun, move: ExecutedMove, *, in_world: bool) -> Transform:
     """The programmed end of a move in the frame of pictures."""
-    return shown_from_base(one, move.external[None], in_world=in_world)[0] @ move.base_from_tcp
+    return (
+        shown_from_base(robot_run, move.external[None], in_world=in_world)[0] @ move.base_from_tcp
+    )

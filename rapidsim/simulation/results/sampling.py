@@ -14,7 +14,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.timing.axis_limits import Limits, limits_of
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _BLOCK = 20_000
 """Samples evaluated at once, which bounds the memory that the kinematics needs."""
@@ -28,13 +28,13 @@ _STILL = 1e-12
 """[rad]; less than this between two samples is no motion."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class SampledRun:
     """What one robot did in a run, and the samples that its pictures are drawn from."""
 
     simulation: Simulation
     """The whole run."""
-    one: RobotRun
+    robot_run: RobotRun
     limits: Limits
     samples: Samples
     joint_speed: Array
@@ -52,7 +52,7 @@ class SampledRun:
     @property
     def range_shares(self) -> Array:
         """Where each joint is in its range (k, n) [%]: 0 in the middle, 100 at a limit."""
-        robot = self.one.robot
+        robot = self.robot_run.robot
         middle, half = 0.5 * (robot.upper + robot.lower), 0.5 * (robot.upper - robot.lower)
         shares: Array = 100.0 * ((self.samples.joints - middle) / half)
         return shares
@@ -70,7 +70,7 @@ class SampledRun:
         shares = self.joint_acceleration / limits
         for arm in self.limits.arms:
             shares[:, arm.axes] = arm.shares(
-                self.one.robot.kinematics.stance(self.samples.joints),
+                self.robot_run.robot.kinematics.stance(self.samples.joints),
                 self.joint_speed,
                 self.joint_acceleration,
                 self._loads,
@@ -82,36 +82,36 @@ class SampledRun:
         """What hangs on the wrist (k,), in shares of the rated payload."""
         of_move = {
             number: segment.load
-            for piece in self.one.trajectory.pieces
+            for piece in self.robot_run.trajectory.pieces
             for number, segment in piece.numbered
         }
         return np.array([of_move.get(move, 0.0) for move in self.samples.move.tolist()])
 
 
 def sampled(
-    simulation: Simulation, one: RobotRun, step_s: float, *, most_moves: int | None = None
+    simulation: Simulation, robot_run: RobotRun, step_s: float, *, most_moves: int | None = None
 ) -> SampledRun:
     """Sample one robot of a run from its start until all robots stand.
 
     Args:
         simulation: The run.
-        one: The robot.
+        robot_run: The robot.
         step_s: Time [s] between samples; starts and ends of moves have samples of their own.
         most_moves: Of more moves they have none.
     """
-    edged = one.moves if most_moves is None or len(one.moves) <= most_moves else ()
-    coarse = len(one.moves) > MOST_EXACT
+    edged = robot_run.moves if most_moves is None or len(robot_run.moves) <= most_moves else ()
+    coarse = len(robot_run.moves) > MOST_EXACT
     end_s = simulation.motion_end_s
-    samples = motion_samples(one.trajectory, edged, end_s, step_s, coarse=coarse)
+    samples = motion_samples(robot_run.trajectory, edged, end_s, step_s, coarse=coarse)
     speed, acceleration = rates_between(samples)
     return SampledRun(
         simulation=simulation,
-        one=one,
-        limits=limits_of(one.robot, simulation.model),
+        robot_run=robot_run,
+        limits=limits_of(robot_run.robot, simulation.model),
         samples=samples,
         joint_speed=speed,
         joint_acceleration=acceleration,
-        in_corner=in_corner(samples, one.moves),
+        in_corner=in_corner(samples, robot_run.moves),
     )
 
 

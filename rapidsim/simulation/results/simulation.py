@@ -26,7 +26,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.simulation.results.persistents import PersistentChange
 from rapidsim.station.task_kind import TaskKind
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.simulation.results.collisions import Collisions
@@ -45,7 +45,7 @@ class End(StrEnum):
     ERROR = "error"
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class WrittenFile:
     """A file of the home folder that the program wrote."""
 
@@ -53,7 +53,7 @@ class WrittenFile:
     size: int
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class RobotRun:
     """What one robot did in a run."""
 
@@ -84,7 +84,7 @@ class RobotRun:
         return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskEnd:
     """How one task ended, be it that of a robot or not."""
 
@@ -96,7 +96,7 @@ class TaskEnd:
     """The procedure it began with."""
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@value_class(frozen=True, slots=True, eq=False, repr=False)
 class Simulation:
     """One run of one robot or several."""
 

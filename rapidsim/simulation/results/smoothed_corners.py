@@ -16,16 +16,16 @@ from rapidsim.findings.smoothing import CornerTooFast
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.timing.axis_limits import Limits
 from rapidsim.motion.timing.constraints import axis_rows
-from rapidsim.motion.timing.discretisation import Places
+from rapidsim.motion.timing.discretisation import GridPoints
 from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _WORTH_SAYING = 3.0
 """Times an acceleration."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Corner:
     """How much of what an axis can the middle of a corner takes."""
 
@@ -83,7 +83,7 @@ def _too_fast(
     if not len(faster):
         return
     at = path.layout.piece_at(s[faster])
-    rows = axis_rows(path, Places(s[faster], at, path.rates(s[faster], at)), limits)
+    rows = axis_rows(path, GridPoints(s[faster], at, path.rates(s[faster], at)), limits)
     loads = np.abs(rows.bend) * seen[faster, None] ** 2
     for number, load in zip(faster.tolist(), loads, strict=True):
         if load.max() > _WORTH_SAYING:

@@ -14,7 +14,7 @@ from typing import TypeAlias
 from rapidsim.controller.journal.events import Wait
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.language.moves import Place
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 Step: TypeAlias = ExecutedMove | Wait
 """What takes time."""
@@ -22,7 +22,7 @@ Step: TypeAlias = ExecutedMove | Wait
 _FIRST_WORD = re.compile(r"\w*")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Share:
     """The steps of one routine, or of one line."""
 

@@ -18,7 +18,7 @@ from rapidsim.language.controller import ACCEPTED, STUB
 from rapidsim.language.error_answers import ErrorOutcome, answer_words, shown_name
 from rapidsim.simulation.results.simulation import End, Simulation
 from rapidsim.station.task_kind import TaskKind
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _NAMED = 3
 """Most routines that a qualification names."""
@@ -44,7 +44,7 @@ class Failure(StrEnum):
     """The run has ended, but an assertion or the cycle budget does not hold."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Verdict:
     """Judgement of one run. Immutable."""
 
@@ -99,7 +99,7 @@ def _assumed_names(simulation: Simulation) -> Iterator[str]:
             yield f"{len(assumed)} undeclared {words}{'s' * (len(assumed) != 1)} assumed"
 
 
-def _not_judged(simulation: Simulation) -> Iterator[str]:
+def _unjudged_bodies(simulation: Simulation) -> Iterator[str]:
     """Bodies, or moves of theirs, that were not looked at for contacts."""
     count = sum(isinstance(found.violation, NotJudged) for found in simulation.diagnostics)
     if count:
@@ -144,7 +144,7 @@ _QUALIFIERS: tuple[Qualifier, ...] = (
     _other_configurations,
 )
 """Functions that yield the qualifications of a run, in their order in headlines."""
-_STRICT_QUALIFIERS: tuple[Qualifier, ...] = (_not_judged,)
+_STRICT_QUALIFIERS: tuple[Qualifier, ...] = (_unjudged_bodies,)
 """Others, of strict runs only: warnings say the same."""
 _WORDS = {
     End.ENDED: "ended as programmed",

@@ -70,7 +70,7 @@ def configured_cell(configured: Configured) -> Station:
     return Station(
         robots=robots,
         external_axes=first,
-        other_units=units.others,
+        other_units=units.unsupported,
         robot_source="MOC.cfg" if robots else None,
         io=io,
         configured=configured,
@@ -92,7 +92,7 @@ def _robotware(root: Path) -> RobotWare | None:
 
 def _not_simulated(units: ExternalUnits) -> Iterator[str]:
     """What is said of units whose axes no run has."""
-    for unit in units.others:
+    for unit in units.unsupported:
         yield (
             f"the unit {unit} of the backup is known only by name: MOC.cfg does not "
             "describe its axes fully, it is not active at the start, or it belongs to another "

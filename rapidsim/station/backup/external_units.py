@@ -17,7 +17,7 @@ from collections.abc import Mapping, Sequence
 from rapidsim.motion.robot.external_axes import LETTERS, ExternalAxis
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.backup.robots import base_frame, bounds, number
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 UNIT_GROUP = "MECHANICAL_UNIT_GROUP"
 _SINGLES = 6
@@ -26,13 +26,13 @@ _LINEAR = ("TRACK", "EXT_LIN", "FREE_LIN")
 _ROTATING = ("FREE_ROT", "EXT_ROT")
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ExternalUnits:
     """The mechanical units besides the robots."""
 
     axes: tuple[tuple[ExternalAxis, ...], ...] = ()
     """Those that a run has, of each robot."""
-    others: tuple[str, ...] = ()
+    unsupported: tuple[str, ...] = ()
     """Names of the units of which the backup does not say enough."""
 
 

@@ -91,10 +91,10 @@ def _unit(instance: Instance) -> str:
     return next((one for one in arguments if one), FIRST_ROBOT)
 
 
-def _showing(signal: SignalDeclaration, shown: Mapping[str, _Shown]) -> SignalDeclaration:
-    if signal.name.lower() not in shown:
+def _showing(signal: SignalDeclaration, visible: Mapping[str, _Shown]) -> SignalDeclaration:
+    if signal.name.lower() not in visible:
         return signal
-    status, task, unit = shown[signal.name.lower()]
+    status, task, unit = visible[signal.name.lower()]
     return replace(signal, value=status.at_start, status=status, task=task, unit=unit)
 
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from rapidsim.controller.cell.message_queues import QueueMode, QueueSettings, QueueType
 from rapidsim.station.backup.cfg_file import SWITCHED_ON, Configuration, Instance
 from rapidsim.station.task_kind import TaskKind
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class TaskSettings:
     """The settings of one task."""
 

@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import TypeAlias
 
 from rapidsim.diagnostics import Source, Span
+from rapidsim.syntax.tree.bulk_statements import BulkStatements
 from rapidsim.syntax.tree.expressions import (
     Expression,
     Name,
@@ -14,13 +15,12 @@ from rapidsim.syntax.tree.expressions import (
     keeping_node,
     node,
 )
-from rapidsim.syntax.tree.runs import Run
-from rapidsim.syntax.tree.statements import Body, Broken, Data
-from rapidsim.values import dataclass
+from rapidsim.syntax.tree.statements import Body, Data, InvalidStatement
+from rapidsim.values import value_class
 
 
 @node
-class Field(Node):
+class ComponentDeclaration(Node):
     """One component of a RECORD declaration."""
 
     type: Name
@@ -35,7 +35,7 @@ class RecordType(Node):
 
     scope: str | None
     name: Name
-    components: tuple[Field | Placeholder, ...]
+    components: tuple[ComponentDeclaration | Placeholder, ...]
 
 
 @node
@@ -48,7 +48,7 @@ class AliasType(Node):
 
 
 @node
-class Parameter(Node):
+class ParameterDeclaration(Node):
     """One parameter; `mode` is "IN", "INOUT", "VAR", "PERS" or "REF", `dimensions` its stars."""
 
     mode: str
@@ -61,7 +61,7 @@ class Parameter(Node):
 class OptionalGroup(Node):
     r"""`\a | b`: optional parameters of which at most one is given."""
 
-    alternatives: tuple[Parameter | Placeholder, ...]
+    alternatives: tuple[ParameterDeclaration | Placeholder, ...]
 
 
 @node
@@ -78,7 +78,7 @@ class RoutineNode(Node):
 
     scope: str | None
     name: Name
-    parameters: tuple[Parameter | OptionalGroup | Placeholder, ...]
+    parameters: tuple[ParameterDeclaration | OptionalGroup | Placeholder, ...]
     body: Body
     backward: Body | None
     error: ErrorHandler | None
@@ -107,7 +107,9 @@ class Trap(RoutineNode):
 
 
 Routine: TypeAlias = Proc | Func | Trap
-Item: TypeAlias = RecordType | AliasType | Data | Proc | Func | Trap | Broken | Placeholder
+Item: TypeAlias = (
+    RecordType | AliasType | Data | Proc | Func | Trap | InvalidStatement | Placeholder
+)
 
 
 @keeping_node
@@ -118,7 +120,7 @@ class Module(Node):
     name: Name
     attributes: tuple[Name, ...]
     items: tuple[Item, ...]
-    runs: tuple[Run, ...] = ()
+    runs: tuple[BulkStatements, ...] = ()
     """Statements not in the tree because one of them stands for all; in the order of the text."""
 
     def span(self, node: Node) -> Span:
@@ -131,7 +133,7 @@ class Module(Node):
         return tuple(item for item in self.items if isinstance(item, Proc | Func | Trap))
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Comment:
     """A comment from `!` to the end of its line, kept beside the tree for tools."""
 
@@ -139,7 +141,7 @@ class Comment:
     text: str
 
 
-@dataclass(frozen=True, slots=True, repr=False)
+@value_class(frozen=True, slots=True, repr=False)
 class File:
     """What a file holds: its modules (several are allowed) and its comments."""
 

@@ -49,7 +49,7 @@ class Name(Node):
 
 
 @node
-class Number(Node):
+class NumberLiteral(Node):
     """A numeric literal; the text is kept: `9E+09`, `0x1F`, `.5`."""
 
     text: str
@@ -57,21 +57,21 @@ class Number(Node):
 
 
 @node
-class String(Node):
+class StringLiteral(Node):
     """A string literal with its escapes resolved."""
 
     value: str
 
 
 @node
-class Bool(Node):
+class BoolLiteral(Node):
     """TRUE or FALSE."""
 
     value: bool
 
 
 @node
-class Reference(Node):
+class DataReference(Node):
     """Data, by name alone."""
 
     name: Name
@@ -86,14 +86,14 @@ class Index(Node):
 
 
 @node
-class Component(Node):
+class ComponentAccess(Node):
     """A component of a record: `p.trans`."""
 
     record: DataPath
     name: Name
 
 
-DataPath: TypeAlias = Reference | Index | Component
+DataPath: TypeAlias = DataReference | Index | ComponentAccess
 
 
 @node
@@ -164,12 +164,12 @@ class Placeholder(Node):
 
 
 Expression: TypeAlias = (
-    Number
-    | String
-    | Bool
-    | Reference
+    NumberLiteral
+    | StringLiteral
+    | BoolLiteral
+    | DataReference
     | Index
-    | Component
+    | ComponentAccess
     | FunctionCall
     | LateFunctionCall
     | Aggregate
@@ -182,7 +182,7 @@ Expression: TypeAlias = (
 
 
 @node
-class Required(Node):
+class RequiredArgument(Node):
     """A required argument, positional or named (`Par := x`)."""
 
     value: Expression
@@ -190,7 +190,7 @@ class Required(Node):
 
 
 @node
-class Optional(Node):
+class OptionalArgument(Node):
     r"""An optional argument: `\Par := x`, or a switch `\Par`."""
 
     name: Name
@@ -198,11 +198,11 @@ class Optional(Node):
 
 
 @node
-class Conditional(Node):
+class ConditionalArgument(Node):
     r"""`\Par?q`: pass \Par if the caller's own optional parameter q is present."""
 
     name: Name
     present: Name
 
 
-Argument: TypeAlias = Required | Optional | Conditional
+Argument: TypeAlias = RequiredArgument | OptionalArgument | ConditionalArgument

@@ -167,7 +167,7 @@ class Empty(Node):
 
 
 @node
-class Broken(Node):
+class InvalidStatement(Node):
     """A stretch of text the parser could not read; its diagnostic has been made."""
 
 
@@ -203,7 +203,7 @@ Statement: TypeAlias = (
     | TryNext
     | Connect
     | Empty
-    | Broken
+    | InvalidStatement
     | Placeholder
     | Data
 )

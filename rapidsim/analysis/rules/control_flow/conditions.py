@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.tree_walk import blocks, clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
-_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.LateCall, tree.Broken)
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.LateCall, tree.InvalidStatement)
 
 
 class ConstantCondition(Violation, code="F402"):
@@ -120,14 +120,16 @@ def find_tests_without_default(facts: Facts) -> Iterator[Diagnostic]:
 def _literal_truth(condition: tree.Expression) -> bool | None:
     """Whether a condition of literals holds; None where it holds anything else."""
     match condition:
-        case tree.Bool(value=value):
+        case tree.BoolLiteral(value=value):
             return value
         case tree.Parenthesised(inner=inner):
             return _literal_truth(inner)
         case tree.Unary(operator="NOT", operand=operand):
             inner_truth = _literal_truth(operand)
             return None if inner_truth is None else not inner_truth
-        case tree.Binary(left=tree.Number(value=a), operator=operator, right=tree.Number(value=b)):
+        case tree.Binary(
+            left=tree.NumberLiteral(value=a), operator=operator, right=tree.NumberLiteral(value=b)
+        ):
             compared = {
                 "=": a == b,
                 "<>": a != b,
@@ -141,7 +143,7 @@ def _literal_truth(condition: tree.Expression) -> bool | None:
             return None
 
 
-def _jumps_back(part: Part) -> Iterator[tuple[tree.Goto, tree.Body]]:
+def _jumps_back(part: ProgramPart) -> Iterator[tuple[tree.Goto, tree.Body]]:
     """Each GOTO that always follows its label, with the statements in between.
 
     Both are in one list of statements, so execution that passes the label comes to the jump.
@@ -166,12 +168,12 @@ def _takes_time(body: tree.Body, facts: Facts) -> bool:
         match node:
             case tree.Call():
                 # A loop of nothing that takes time keeps the task busy.
-                if Does.INSTANT not in may_do(node, facts):
+                if Trait.INSTANT not in may_do(node, facts):
                     return True
             case tree.FunctionCall():
-                if facts.installed(node) is None or Does.WAIT in facts.does(node):
+                if facts.installed(node) is None or Trait.WAIT in facts.does(node):
                     return True
-            case tree.Reference():
+            case tree.DataReference():
                 # What nothing declares may be anything.
                 if facts.symbol(node) is None:
                     return True

@@ -6,15 +6,15 @@ from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.can_fail import FAILING, FAILING_OPERATORS
 from rapidsim.analysis.error_clauses import ERRNO, depends_on_error, falls_through
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import LIMITS, ONLY_LOOKS, Does
+from rapidsim.library.traits import LIMITS, ONLY_LOOKS, Trait
 from rapidsim.syntax import tree
 
 _TIMEOUT = "err_wait_maxtime"
-_HARMLESS = Does.TELL | Does.OUTPUT | Does.MOVE | Does.OFFSET | Does.WAIT | ONLY_LOOKS
+_HARMLESS = Trait.TELL | Trait.OUTPUT | Trait.MOVE | Trait.OFFSET | Trait.WAIT | ONLY_LOOKS
 """Effects of instructions and functions that raise no error but that of a time limit."""
 
 
@@ -23,29 +23,33 @@ class RetryWithoutChange(Violation, code="F407"):
 
 
 class SwallowedError(Violation, code="F408"):
-    way: str
+    effect: str
     errors: str
 
 
 class ErrorFallsThrough(Violation, code="F430"):
     routine: str
-    others: int = 0
+    other_text: int = 0
 
     @property
-    def is_told_once(self) -> bool:
+    def is_reported_once(self) -> bool:
         """A program with one such clause tends to have many."""
         return True
 
-    def with_others(self, others: Sequence[Violation]) -> ErrorFallsThrough:
+    def with_others(self, merged: Sequence[Violation]) -> ErrorFallsThrough:
         """This clause, and how many more there are."""
-        return ErrorFallsThrough(self.routine, len(others))
+        return ErrorFallsThrough(self.routine, len(merged))
 
     @property
     def message(self) -> str:
         """The first routine, and how many more."""
-        if not self.others:
+        if not self.other_text:
             return super().message
-        more = "1 more ERROR clause" if self.others == 1 else f"{self.others} more ERROR clauses"
+        more = (
+            "1 more ERROR clause"
+            if self.other_text == 1
+            else f"{self.other_text} more ERROR clauses"
+        )
         return f"{super().message}; so do those of {more}"
 
 
@@ -68,16 +72,16 @@ def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
 
 def _retried_at_once(body: tree.Body, facts: Facts) -> tree.Node | None:
     """The RETRY before which a clause changes nothing."""
-    _, first = _first_deed(body, facts)
+    _, first = _first_effect(body, facts)
     return first if isinstance(first, tree.Retry) else None
 
 
-def _first_deed(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement | None]:
+def _first_effect(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement | None]:
     """Whether a text is shown first, and the first statement that does more than that."""
     tells = False
     for statement in body:
         match statement:
-            case tree.Call() if Does.TELL in may_do(statement, facts):
+            case tree.Call() if Trait.TELL in may_do(statement, facts):
                 tells = True
             case tree.Empty() | tree.Label():
                 pass
@@ -86,10 +90,10 @@ def _first_deed(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement | N
     return tells, None
 
 
-def _swallowed(part: Part, handler: tree.ErrorHandler, facts: Facts) -> Iterator[Diagnostic]:
+def _swallowed(part: ProgramPart, handler: tree.ErrorHandler, facts: Facts) -> Iterator[Diagnostic]:
     """The statement by which a clause drops every error, or every other one, without a word."""
     assert part.routine is not None
-    tells, first = _first_deed(handler.body, facts)
+    tells, first = _first_effect(handler.body, facts)
     if tells:
         return
     if first is None:
@@ -98,22 +102,22 @@ def _swallowed(part: Part, handler: tree.ErrorHandler, facts: Facts) -> Iterator
                 SwallowedError("an empty ERROR clause drops", "every error"), handler
             )
         return
-    if way := _silent_way(first):
+    if way := _silent_effect(first):
         yield part.finding(SwallowedError(way, "every error"), first)
         return
     for number, statement in enumerate(handler.body):
         if not depends_on_error(statement):
-            if number and (way := _silent_way(statement)):
+            if number and (way := _silent_effect(statement)):
                 yield part.finding(SwallowedError(way, "every other error"), statement)
             if not isinstance(statement, tree.Empty):
                 return
             continue
-        tells, last = _first_deed(_otherwise(statement), facts)
-        if not tells and last is not None and (way := _silent_way(last)):
+        tells, last = _first_effect(_else_body(statement), facts)
+        if not tells and last is not None and (way := _silent_effect(last)):
             yield part.finding(SwallowedError(way, "every other error"), last)
 
 
-def _otherwise(choice: tree.Node) -> tree.Body:
+def _else_body(choice: tree.Node) -> tree.Body:
     """The statements of an ELSE or DEFAULT."""
     match choice:
         case tree.If(otherwise=body) | tree.Test(default=body):
@@ -122,7 +126,7 @@ def _otherwise(choice: tree.Node) -> tree.Body:
             return ()
 
 
-def _silent_way(statement: tree.Statement) -> str | None:
+def _silent_effect(statement: tree.Statement) -> str | None:
     """What drops an error without a trace, as a clause of a sentence."""
     match statement:
         case tree.TryNext():
@@ -169,9 +173,9 @@ def _named_errors(choices: Sequence[tree.Node]) -> set[str] | None:
             case _:
                 continue
         for node in descendants(*asked):
-            if isinstance(node, tree.FunctionCall | tree.Index | tree.Component):
+            if isinstance(node, tree.FunctionCall | tree.Index | tree.ComponentAccess):
                 return None
-            if isinstance(node, tree.Reference):
+            if isinstance(node, tree.DataReference):
                 names.add(node.name.key)
     names.discard(ERRNO)
     return names
@@ -182,14 +186,14 @@ class _RaisedNumbers:
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
-        self._known: dict[Part, tuple[str, ...]] = {}
+        self._known: dict[ProgramPart, tuple[str, ...]] = {}
 
-    def by(self, part: Part) -> tuple[str, ...]:
+    def by(self, part: ProgramPart) -> tuple[str, ...]:
         """The names of the numbers that reach the ERROR clause of a routine."""
         assert part.routine is not None
         return self._of(part.routine.body)
 
-    def _out_of(self, part: Part) -> tuple[str, ...]:
+    def _out_of(self, part: ProgramPart) -> tuple[str, ...]:
         """The names of the numbers that leave a routine."""
         if part not in self._known:
             self._known[part] = ()
@@ -202,7 +206,7 @@ class _RaisedNumbers:
         found: dict[str, None] = {}
         for node in descendants(*body):
             match node:
-                case tree.Raise(number=tree.Reference(name=name)):
+                case tree.Raise(number=tree.DataReference(name=name)):
                     found[name.text] = None
                 case tree.Call() | tree.FunctionCall():
                     called = self._facts.routine_called(node)
@@ -213,13 +217,13 @@ class _RaisedNumbers:
         return tuple(found)
 
 
-def _only_times_out(part: Part, facts: Facts) -> bool:
+def _only_times_out(part: ProgramPart, facts: Facts) -> bool:
     """Whether the only error of a routine is that a wait reaches its time limit."""
     assert part.routine is not None
-    return not any(_fails_otherwise(node, facts) for node in descendants(*part.routine.body))
+    return not any(_may_raise(node, facts) for node in descendants(*part.routine.body))
 
 
-def _fails_otherwise(node: tree.Node, facts: Facts) -> bool:
+def _may_raise(node: tree.Node, facts: Facts) -> bool:
     match node:
         case tree.Call() | tree.FunctionCall():
             if facts.installed(node) is None:

@@ -7,17 +7,17 @@ from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
-from rapidsim.analysis.rules.facts.modes_in_force import left_in_force, routines_with
+from rapidsim.analysis.rules.facts.modes_in_force import routines_with, unrestored_modes
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
 from rapidsim.diagnostics import Diagnostic, Severity, Violation
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _BY_SWITCH = "\\"
 """What puts back a way of following paths, such as `ConfL\\On`; a speed or a frame is restored by
 numbers, or by an instruction of its own."""
-_HELD = Does.HOLD_ROBOT | Does.HOLD_INTERRUPTS
+_HELD = Trait.HOLD_ROBOT | Trait.HOLD_INTERRUPTS
 
 
 class ModeLeak(Violation, code="F411"):
@@ -25,25 +25,25 @@ class ModeLeak(Violation, code="F411"):
     routine: str
     ends: str
     back: str
-    is_kept: bool = False
+    is_shared: bool = False
     """Whether nothing in the program puts the mode back, so that it seems to be meant for all."""
 
     @property
     def severity(self) -> Severity:
         """A note for a mode that the program means to keep."""
-        return Severity.NOTE if self.is_kept else self.rule.severity
+        return Severity.NOTE if self.is_shared else self.rule.severity
 
     @property
-    def is_told_once(self) -> bool:
+    def is_reported_once(self) -> bool:
         """Whether it is one finding of the program."""
-        return self.is_kept
+        return self.is_shared
 
-    def with_others(self, others: Sequence[Violation]) -> Violation:
+    def with_others(self, merged: Sequence[Violation]) -> Violation:
         """The first of them, with the number of routines that do the same."""
-        routines = {one.routine for one in (self, *others) if isinstance(one, ModeLeak)}
+        routines = {one.routine for one in (self, *merged) if isinstance(one, ModeLeak)}
         more = len(routines) - 1
         ends = f"{self.ends}, as in {more} more routine{'s' * (more != 1)}" if more else self.ends
-        return ModeLeak(self.setting, self.routine, ends, self.back, is_kept=True)
+        return ModeLeak(self.setting, self.routine, ends, self.back, is_shared=True)
 
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
@@ -54,18 +54,18 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
         routine = part.routine
         if not isinstance(routine, tree.Proc | tree.Func) or routine in beginning:
             continue
-        for left in left_in_force(part, facts, _sets_motion):
+        for left in unrestored_modes(part, facts, _sets_motion):
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
             if may_move(later, facts):
                 shown = " ".join(part.module.span(left.call).text.split())
                 if left.back not in kept:
-                    kept[left.back] = _is_kept(left.back, facts)
+                    kept[left.back] = _is_shared(left.back, facts)
                 where = routine.name.text, left.ends, left.back
-                violation = ModeLeak(shown, *where, is_kept=kept[left.back])
+                violation = ModeLeak(shown, *where, is_shared=kept[left.back])
                 yield part.finding(violation, left.call)
 
 
-def _is_kept(mode: str, facts: Facts) -> bool:
+def _is_shared(mode: str, facts: Facts) -> bool:
     """Whether several routines set a mode, and none puts it back."""
     if _BY_SWITCH not in mode or routines_with(mode, facts, back=True):
         return False
@@ -73,7 +73,7 @@ def _is_kept(mode: str, facts: Facts) -> bool:
 
 
 def _sets_motion(row: LibraryRoutine) -> bool:
-    return not _HELD & row.does
+    return not _HELD & row.traits
 
 
 def _beginning(facts: Facts) -> set[tree.Routine]:

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.program import DataSymbol, Scope
 from rapidsim.analysis.program_parts import Facts
-from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
+from rapidsim.analysis.rules.facts.reached_routines import mask_of, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
-_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken, tree.LateCall)
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.InvalidStatement, tree.LateCall)
 
 
 class OpenedInLoop(Violation, code="F421"):
@@ -21,7 +21,7 @@ class OpenedInLoop(Violation, code="F421"):
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
     """What each iteration of a loop certainly opens, if nothing in the loop may close it."""
-    closing = bits_where(lambda part: _closes(part.all(tree.Call), facts), facts)
+    closing = mask_of(lambda part: _closes(part.all(tree.Call), facts), facts)
     for part in facts.routine_parts:
         bodies = [loop.body for loop in part.all(tree.For)]
         bodies += [loop.body for loop in part.all(tree.While)]
@@ -35,7 +35,7 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _closes(nodes: Iterable[tree.Node], facts: Facts) -> bool:
-    return any(Does.CLOSE in facts.does(node) for node in nodes)
+    return any(Trait.CLOSE in facts.does(node) for node in nodes)
 
 
 def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call]:
@@ -43,7 +43,7 @@ def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call
     for statement in body:
         if not isinstance(statement, tree.Call):
             continue
-        if Does.OPEN in facts.does(statement):
+        if Trait.OPEN in facts.does(statement):
             if depth == 0 or not _is_of_routine(statement, facts):
                 yield statement
             continue
@@ -67,4 +67,4 @@ def _leaves(node: tree.Node, facts: Facts) -> bool:
         return False
     # What is not known may close it.
     is_known = facts.installed(node) is not None or facts.routine_called(node) is not None
-    return not is_known or Does.LEAVE in facts.does(node)
+    return not is_known or Trait.LEAVE in facts.does(node)

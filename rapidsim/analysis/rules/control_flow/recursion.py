@@ -27,7 +27,7 @@ def find_recursion(facts: Facts) -> Iterator[Diagnostic]:
     for part in facts.routine_parts:
         assert part.routine is not None
         for callee, node in calls[part.routine].items():
-            way = _way(callee, part.routine, calls)
+            way = _call_path(callee, part.routine, calls)
             if way is None:
                 continue
             names = ", ".join(f"`{routine.name.text}`" for routine in way)
@@ -36,7 +36,7 @@ def find_recursion(facts: Facts) -> Iterator[Diagnostic]:
             break
 
 
-def _way(
+def _call_path(
     start: tree.Routine,
     end: tree.Routine,
     calls: Mapping[tree.Routine, Iterable[tree.Routine]],

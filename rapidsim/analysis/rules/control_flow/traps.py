@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_by
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
 from rapidsim.analysis.suggestions import closest
@@ -13,7 +13,7 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.data_paths import root_of
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.predefined import TYPES
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _INTERRUPT = TYPES["intnum"]
@@ -21,7 +21,7 @@ _INTERRUPT = TYPES["intnum"]
 
 class TrapHazard(Violation, code="F413"):
     problem: str
-    cure: str
+    suggestion: str
 
 
 class NeverConnected(Violation, code="F424"):
@@ -40,7 +40,7 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
     """Interrupts that are ordered and that nothing in the task connects to a trap."""
     if facts.analysis.loads_modules or not facts.is_read:
         return
-    orders: list[tuple[Part, tree.Call, tree.Expression, Symbol]] = []
+    orders: list[tuple[ProgramPart, tree.Call, tree.Expression, Symbol]] = []
     connected: set[Symbol | None] = set()
     for part in facts.routine_parts:
         connected.update(changed_by(part.all(tree.Connect), facts))
@@ -52,7 +52,7 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
                 # A routine may connect what it is passed by reference.
                 connected.update(changed_by([call], facts))
                 continue
-            if Does.DISCONNECT in row.does or not isinstance(call, tree.Call):
+            if Trait.DISCONNECT in row.traits or not isinstance(call, tree.Call):
                 continue
             for formal, value in arguments_of(call, facts):
                 if formal is None or value is None or formal.types[0] != _INTERRUPT:
@@ -72,10 +72,10 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
     """Waits in traps; CONNECT in loops that never delete the interrupt."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
-            held = [call.start for call in part.calls if Does.HOLD_ROBOT in facts.does(call)]
+            held = [call.start for call in part.calls if Trait.HOLD_ROBOT in facts.does(call)]
             for call in part.calls:
                 # Who has stopped the robot means to wait.
-                if Does.WAIT in facts.does(call) and call.start < min(held, default=call.end):
+                if Trait.WAIT in facts.does(call) and call.start < min(held, default=call.end):
                     problem = f"{call.name.text} in a trap holds up program and interrupts"
                     cure = "let the trap set a flag, and wait in the program"
                     yield part.finding(TrapHazard(problem, cure), call)
@@ -100,8 +100,8 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
 def _may_delete(node: tree.Node, facts: Facts) -> bool:
     match node:
         case tree.Call():
-            return facts.installed(node) is None or Does.DISCONNECT in facts.does(node)
-        case tree.LateCall() | tree.Goto() | tree.Return() | tree.Exit() | tree.Broken():
+            return facts.installed(node) is None or Trait.DISCONNECT in facts.does(node)
+        case tree.LateCall() | tree.Goto() | tree.Return() | tree.Exit() | tree.InvalidStatement():
             return True
         case tree.Index():
             # An element of an array may be another interrupt each time.

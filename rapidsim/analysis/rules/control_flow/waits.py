@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
-_ENDED_OTHERWISE = Does.ASK | Does.GIVE_UP
+_ENDED_OTHERWISE = Trait.ASK | Trait.GIVE_UP
 
 
 class WaitWithoutTimeout(Violation, code="I802"):
@@ -23,15 +23,15 @@ def find_waits_without_timeout(facts: Facts) -> Iterator[Diagnostic]:
     for part in facts.routine_parts:
         for call in part.all(tree.Call):
             routine = facts.installed(call)
-            if routine is None or routine.limit is None or _ENDED_OTHERWISE & routine.does:
+            if routine is None or routine.limit is None or _ENDED_OTHERWISE & routine.traits:
                 continue
             given = {
                 one.name.key
                 for one in call.arguments
-                if isinstance(one, tree.Optional | tree.Conditional)
+                if isinstance(one, tree.OptionalArgument | tree.ConditionalArgument)
             }
             looks_at_time = any(
-                Does.TIME in facts.does(node)
+                Trait.TIME in facts.does(node)
                 for node in descendants(call)
                 if isinstance(node, tree.FunctionCall)
             )

@@ -6,19 +6,19 @@ from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.parameters import Formal
 from rapidsim.analysis.program import Symbol
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
 from rapidsim.analysis.types.data_paths import root_of
-from rapidsim.language.annotations import Mode
+from rapidsim.language.annotations import ParameterMode
 from rapidsim.library.predefined import TYPES
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _TRIGGER = TYPES["triggdata"]
-_PATHS = (tree.Reference, tree.Index, tree.Component)
+_PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
-def changed_in(part: Part, facts: Facts) -> Iterator[Symbol | None]:
+def changed_in(part: ProgramPart, facts: Facts) -> Iterator[Symbol | None]:
     """The data that a routine changes itself, or passes on to calls that may."""
     kinds = (tree.Assignment, tree.Connect, tree.LateCall)
     yield from changed_by(
@@ -35,17 +35,20 @@ def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | No
             case tree.Connect(interrupt=interrupt) if isinstance(interrupt, _PATHS):
                 yield facts.symbol(root_of(interrupt))
             case tree.Call() | tree.FunctionCall():
-                is_move = Does.MOVE in facts.does(node)
+                is_move = Trait.MOVE in facts.does(node)
                 for formal, value in arguments_of(node, facts):
                     if not isinstance(value, _PATHS):
                         continue
                     if formal is None or (
-                        formal.mode is not Mode.IN and not (is_move and _is_trigger(formal))
+                        formal.mode is not ParameterMode.IN
+                        and not (is_move and _is_trigger(formal))
                     ):
                         yield facts.symbol(root_of(value))
             case tree.LateCall(arguments=arguments):
                 for argument in arguments:
-                    if isinstance(argument, tree.Required) and isinstance(argument.value, _PATHS):
+                    if isinstance(argument, tree.RequiredArgument) and isinstance(
+                        argument.value, _PATHS
+                    ):
                         yield facts.symbol(root_of(argument.value))
             case _:
                 pass

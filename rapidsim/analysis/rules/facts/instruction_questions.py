@@ -8,21 +8,21 @@ from weakref import WeakKeyDictionary
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.parameters import Formal
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, does
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.types.callees import callee_of_installed
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class MoveCall:
     """A call that moves the robot, with the arguments that rules examine."""
 
     call: tree.Call
     arguments: Mapping[str, tree.Expression | None]
     """By folded parameter name; None for a switch."""
-    does: Does
+    does: Trait
 
 
 _MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary()
@@ -43,11 +43,11 @@ def arguments_of(
     found: list[tuple[Formal | None, tree.Expression | None]] = []
     for argument in call.arguments:
         match argument:
-            case tree.Required(value=value):
+            case tree.RequiredArgument(value=value):
                 found.append((next(required, None), value))
-            case tree.Optional(name=name, value=value):
+            case tree.OptionalArgument(name=name, value=value):
                 found.append((_named(name.key, formals), value))
-            case tree.Conditional(name=name):
+            case tree.ConditionalArgument(name=name):
                 found.append((_named(name.key, formals), None))
     return found
 
@@ -56,7 +56,7 @@ def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
     return next((formal for formal in formals if formal.key == key), None)
 
 
-def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
+def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Trait:
     """What a call does, judged by its name alone when names are not resolved.
 
     Of two routines of one name only the first is considered.
@@ -64,7 +64,7 @@ def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Does:
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
-def moves(part: Part, facts: Facts) -> Iterator[MoveCall]:
+def moves(part: ProgramPart, facts: Facts) -> Iterator[MoveCall]:
     """The calls of installed move instructions."""
     for call in part.all(tree.Call):
         if (move := as_move(call, facts)) is not None:
@@ -73,7 +73,7 @@ def moves(part: Part, facts: Facts) -> Iterator[MoveCall]:
 
 def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
     """A statement as a move; None if it is not one."""
-    if not isinstance(statement, tree.Call) or Does.MOVE not in (what := facts.does(statement)):
+    if not isinstance(statement, tree.Call) or Trait.MOVE not in (what := facts.does(statement)):
         return None
     known = _MOVES.setdefault(facts, {})
     move = known.get(statement)

@@ -29,7 +29,7 @@ def known_value(
         None if the value varies, is not known, or was never given in the declaration.
     """
 
-    def read(reference: tree.Reference) -> Value | None:
+    def read(reference: tree.DataReference) -> Value | None:
         return _of_symbol(facts.symbol(reference), facts, persistents, depth)
 
     return evaluated(expression, read)

@@ -5,17 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import bits_where, reached
+from rapidsim.analysis.rules.facts.reached_routines import mask_of, reached
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True)
-class Left:
+@value_class(frozen=True, slots=True)
+class UnrestoredMode:
     """A mode left in force."""
 
     call: tree.Call
@@ -26,7 +26,7 @@ class Left:
     """What puts the mode back."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Setting:
     """What an instruction sets: a mode, by what puts it back, and whether it does that itself."""
 
@@ -41,9 +41,9 @@ _Open = Mapping[str, tree.Call]
 """The modes that may be in force, each with the instruction that set it."""
 
 
-def left_in_force(
-    part: Part, facts: Facts, matters: Callable[[LibraryRoutine], bool]
-) -> Iterator[Left]:
+def unrestored_modes(
+    part: ProgramPart, facts: Facts, matters: Callable[[LibraryRoutine], bool]
+) -> Iterator[UnrestoredMode]:
     """The modes that may be in force at some exit of a routine, each at the first such exit.
 
     Args:
@@ -61,21 +61,25 @@ def left_in_force(
         for call, setting in settings.items()
         if not setting.is_back and (row := facts.installed(call)) is not None and matters(row)
     }
-    if not modes or not part.nodes.keys().isdisjoint((tree.Goto, tree.Broken)):
+    if not modes or not part.nodes.keys().isdisjoint((tree.Goto, tree.InvalidStatement)):
         return
     assert part.routine is not None
-    ways = _Ways(part, {call: one for call, one in settings.items() if one.mode in modes}, facts)
+    ways = _PathWalker(
+        part, {call: one for call, one in settings.items() if one.mode in modes}, facts
+    )
     left = ways.follow(part.routine.body, {})
     if left is not None:
         ways.end(left, "ends")
     for mode, (call, ends) in ways.found.items():
-        yield Left(call, ends, mode)
+        yield UnrestoredMode(call, ends, mode)
 
 
-class _Ways:
+class _PathWalker:
     """Follows the ways through one routine and keeps what is in force where they end."""
 
-    def __init__(self, part: Part, settings: Mapping[tree.Call, _Setting], facts: Facts) -> None:
+    def __init__(
+        self, part: ProgramPart, settings: Mapping[tree.Call, _Setting], facts: Facts
+    ) -> None:
         self._part = part
         self._settings = settings
         self._facts = facts
@@ -127,7 +131,7 @@ class _Ways:
 
     def _called(self, call: tree.Call, current: _Open) -> _Open | None:
         """What may be in force behind any other call: what it may put back counts as put back."""
-        if Does.LEAVE in self._facts.does(call):
+        if Trait.LEAVE in self._facts.does(call):
             return None
         if not current or self._facts.routine_called(call) is None:
             return current
@@ -144,14 +148,14 @@ class _Ways:
 def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
     """The bits of the routines with a call that sets a mode, or puts it back."""
     setting = _Setting(mode, back)
-    return bits_where(
+    return mask_of(
         lambda part: any(_setting(call, facts) == setting for call in part.all(tree.Call)), facts
     )
 
 
-def _joined(ways: list[_Open | None]) -> _Open | None:
+def _joined(states: list[_Open | None]) -> _Open | None:
     """What may be in force where ways meet."""
-    arriving = [way for way in ways if way is not None]
+    arriving = [way for way in states if way is not None]
     if not arriving:
         return None
     joined: dict[str, tree.Call] = {}
@@ -173,12 +177,12 @@ def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
     """Whether a call is as good as the one that puts its mode back."""
     name, *switches = routine.back.split("\\")
     if switches:
-        given = {one.name.key for one in call.arguments if isinstance(one, tree.Optional)}
+        given = {one.name.key for one in call.arguments if isinstance(one, tree.OptionalArgument)}
         return not given or switches[0].lower() in given
     name, *numbers = re.split("[ ,]", name)
     if not numbers:
         return routine.name == name or _displaces_nothing(call, facts)
-    required = [one.value for one in call.arguments if isinstance(one, tree.Required)]
+    required = [one.value for one in call.arguments if isinstance(one, tree.RequiredArgument)]
     values = [known_value(value, facts) for value in required[: len(numbers)]]
     # The highest speed is another on each robot; what counts is in percent.
     in_percent = [value for value, normal in zip(values, numbers, strict=False) if normal == "100"]
@@ -188,7 +192,7 @@ def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
 def _displaces_nothing(call: tree.Call, facts: Facts) -> bool:
     """Whether a call has one argument, a displacement that is none: `EOffsSet [0,0,0,0,0,0]`."""
     match call.arguments:
-        case (tree.Required(value=given),):
+        case (tree.RequiredArgument(value=given),):
             return known_value(given, facts, persistents=False) in _NO_DISPLACEMENTS
         case _:
             return False

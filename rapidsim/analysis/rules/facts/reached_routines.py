@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 
@@ -23,12 +23,12 @@ def reached(nodes: Iterable[tree.Node], facts: Facts) -> int:
 def may_move(nodes: Iterable[tree.Node], facts: Facts) -> bool:
     """Whether nodes move the robot, themselves or by the routines that they may call."""
     listed = list(descendants(*nodes))
-    return any(Does.MOVE in facts.does(node) for node in listed) or bool(
+    return any(Trait.MOVE in facts.does(node) for node in listed) or bool(
         reached(listed, facts) & facts.moving
     )
 
 
-def bits_where(holds: Callable[[Part], bool], facts: Facts) -> int:
+def mask_of(holds: Callable[[ProgramPart], bool], facts: Facts) -> int:
     """The bits of the routines for which a predicate holds."""
     bits = 0
     for part, bit in facts.bit_of.items():

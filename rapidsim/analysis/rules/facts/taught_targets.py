@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.analysis.program_parts import Facts
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 
@@ -13,8 +13,8 @@ def taught_target(target: tree.Expression, facts: Facts) -> tree.Expression:
         match target:
             case tree.Parenthesised(inner=inner):
                 target = inner
-            case tree.FunctionCall(arguments=(tree.Required(value=value), *_)) if (
-                Does.OFFSET in facts.does(target)
+            case tree.FunctionCall(arguments=(tree.RequiredArgument(value=value), *_)) if (
+                Trait.OFFSET in facts.does(target)
             ):
                 target = value
             case _:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, as_move, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.tree_walk import descendants, statements
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 
@@ -31,7 +31,7 @@ def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
     if found is None:
         return
     part, move = found
-    if Does.CARTESIAN in move.does and _is_fixed(move, facts):
+    if Trait.CARTESIAN in move.does and _is_fixed(move, facts):
         yield part.finding(FirstMoveLinear(move.call.name.text), move.call.name)
 
 
@@ -39,7 +39,7 @@ def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
     """Linear and circular moves whose TCP speed is known to be 0."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
-            if Does.CARTESIAN not in move.does or {"v", "t"} & move.arguments.keys():
+            if Trait.CARTESIAN not in move.does or {"v", "t"} & move.arguments.keys():
                 continue
             speed = move.arguments.get("speed")
             value = numbers(known_value(speed, facts), 4)
@@ -56,17 +56,19 @@ def _is_fixed(move: MoveCall, facts: Facts) -> bool:
     if target is None:
         return False
     for node in descendants(target):
-        if isinstance(node, tree.FunctionCall) and Does.OFFSET not in facts.does(node):
+        if isinstance(node, tree.FunctionCall) and Trait.OFFSET not in facts.does(node):
             return False
-        symbol = facts.symbol(node) if isinstance(node, tree.Reference) else None
-        if isinstance(node, tree.Reference) and not isinstance(symbol, DataSymbol):
+        symbol = facts.symbol(node) if isinstance(node, tree.DataReference) else None
+        if isinstance(node, tree.DataReference) and not isinstance(symbol, DataSymbol):
             return False
         if isinstance(symbol, DataSymbol) and symbol.type.name == "robtarget":
             return symbol.storage is not Storage.VAR
     return True
 
 
-def _first_move(part: Part, facts: Facts, seen: set[tree.Routine]) -> tuple[Part, MoveCall] | None:
+def _first_move(
+    part: ProgramPart, facts: Facts, seen: set[tree.Routine]
+) -> tuple[ProgramPart, MoveCall] | None:
     """The first move in the order of the text, through calls of the user's procedures."""
     assert part.routine is not None
     seen.add(part.routine)

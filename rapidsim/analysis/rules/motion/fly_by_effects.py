@@ -14,13 +14,13 @@ from dataclasses import field
 from functools import cached_property
 from typing import TypeAlias
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.tree_walk import clauses
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _MOST_MOVES = 8
 """Moves that may be under way at once, from different ways to a place; more tell nothing new."""
@@ -39,46 +39,46 @@ _NOTHING: _Pending = {}
 _ENTERED: _Pending = {None: True}
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class Effect:
     """A wait, or an output that is set."""
 
     node: tree.Call | tree.FunctionCall
-    part: Part
+    part: ProgramPart
     waits: bool
 
 
-@dataclass(frozen=True, slots=True)
-class BehindMove:
+@value_class(frozen=True, slots=True)
+class EffectAfterMove:
     """An effect after a move that passes its target in a zone."""
 
     move: tree.Call
     effect: Effect
     place: tree.Call | tree.FunctionCall
     """The effect, or the call that leads to it."""
-    part: Part
+    part: ProgramPart
     """Of the place."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Summary:
     """What a routine does to a move that is under way when it is called."""
 
     effects: Mapping[Effect, bool] = field(default_factory=dict)
     """Before another move or wait, each with whether it follows on every way."""
-    left: _Pending | None = None
+    pending: _Pending | None = None
     """What may be under way when it returns; None if it does not."""
 
 
-def effects_behind_moves(facts: Facts) -> Iterator[BehindMove]:
+def effects_behind_moves(facts: Facts) -> Iterator[EffectAfterMove]:
     """What certainly follows a fly-by move, and every output set after one, routine by routine."""
     summaries: dict[tree.Routine, _Summary] = {}
     parts = facts.callees_first
-    found: dict[Part, list[BehindMove]] = {}
+    found: dict[ProgramPart, list[EffectAfterMove]] = {}
     for _ in range(_MOST_PASSES):
         before = dict(summaries)
         for part in parts:
-            way = _Way(part, facts, summaries)
+            way = _PathWalker(part, facts, summaries)
             assert part.routine is not None
             summaries[part.routine] = way.summary()
             found[part] = way.found
@@ -93,15 +93,15 @@ def _is_circular(facts: Facts) -> bool:
     return any(
         facts.bit_of[callee] >= facts.bit_of[part]
         for part in facts.callees_first
-        for callee in facts.called_by[part]
+        for callee in facts.call_graph[part]
     )
 
 
-class _Way:
+class _PathWalker:
     """Follows the ways through one routine."""
 
     def __init__(
-        self, part: Part, facts: Facts, summaries: Mapping[tree.Routine, _Summary]
+        self, part: ProgramPart, facts: Facts, summaries: Mapping[tree.Routine, _Summary]
     ) -> None:
         self._part = part
         self._facts = facts
@@ -109,7 +109,7 @@ class _Way:
         self._effects: dict[Effect, bool] = {}
         self._ends: list[_Pending] = []
         self._loops = 0
-        self.found: list[BehindMove] = []
+        self.found: list[EffectAfterMove] = []
 
     def summary(self) -> _Summary:
         """The summary of a routine; fills `found`."""
@@ -170,7 +170,7 @@ class _Way:
             case tree.For(first=first, last=last, body=body):
                 pending = self._evaluate(last, self._evaluate(first, pending))
                 return self._loop(body, pending, False)
-            case tree.LateCall() | tree.Broken():
+            case tree.LateCall() | tree.InvalidStatement():
                 return _NOTHING
             case _:
                 return pending
@@ -199,7 +199,7 @@ class _Way:
             called = self._called(function, pending)
             if called is not None:
                 pending = called
-            elif Does.WAIT in self._facts.does(function):
+            elif Trait.WAIT in self._facts.does(function):
                 self._act(function, pending, waits=True)
                 pending = _NOTHING
         return pending
@@ -211,7 +211,7 @@ class _Way:
             (
                 call
                 for call in self._part.all(tree.FunctionCall)
-                if Does.WAIT in self._facts.does(call) or self._facts.routine_called(call)
+                if Trait.WAIT in self._facts.does(call) or self._facts.routine_called(call)
             ),
             key=lambda call: call.start,
         )
@@ -227,15 +227,15 @@ class _Way:
         row = self._facts.installed(call)
         if row is None:
             return _NOTHING
-        if Does.LEAVE in row.does:
+        if Trait.LEAVE in row.traits:
             return None
-        if Does.WAIT in row.does:
+        if Trait.WAIT in row.traits:
             if not _is_no_wait(call, self._facts):
                 self._act(call, pending, waits=True)
             return _NOTHING
-        if Does.OUTPUT in row.does:
+        if Trait.OUTPUT in row.traits:
             self._act(call, pending, waits=False)
-        return pending if Does.INSTANT in row.does or row.sets else _NOTHING
+        return pending if Trait.INSTANT in row.traits or row.sets else _NOTHING
 
     def _called(self, call: tree.Call | tree.FunctionCall, pending: _Pending) -> _Pending | None:
         """What is under way behind a call of the user's routine; None if it does not return."""
@@ -245,10 +245,10 @@ class _Way:
             return None
         for effect, sure in summary.effects.items():
             self._note(effect, call, pending, sure)
-        if summary.left is None:
+        if summary.pending is None:
             return None
         left: dict[tree.Call | None, bool] = {}
-        for move, sure in summary.left.items():
+        for move, sure in summary.pending.items():
             if move is None:
                 left |= {before: sure and was for before, was in pending.items()}
             else:
@@ -271,7 +271,7 @@ class _Way:
                 if len(self._effects) < _MOST_EFFECTS:
                     self._effects[effect] = self._effects.get(effect, True) and sure and was_sure
             elif (sure and was_sure) or (place is effect.node and not effect.waits):
-                self.found.append(BehindMove(move, effect, place, self._part))
+                self.found.append(EffectAfterMove(move, effect, place, self._part))
 
 
 def flies_by(move: MoveCall, facts: Facts) -> bool:
@@ -301,9 +301,9 @@ def _perhaps(pending: _Pending) -> _Pending:
     return dict.fromkeys(pending, False)
 
 
-def _joined(ways: list[_Pending | None], before: _Pending) -> _Pending | None:
+def _joined(states: list[_Pending | None], before: _Pending) -> _Pending | None:
     """What may be under way where ways meet that parted with `before`."""
-    arriving = [way for way in ways if way is not None]
+    arriving = [way for way in states if way is not None]
     if not arriving:
         return None
     count = Counter(move for way in arriving for move in way)

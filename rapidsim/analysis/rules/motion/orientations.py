@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from rapidsim.analysis.names.user_types import literal_value
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import numbers
 from rapidsim.analysis.rules.facts.written_numbers import part_span
 from rapidsim.diagnostics import Diagnostic, Edit, Fix
@@ -43,7 +43,7 @@ def _in_value(
     value: object,
     of: Type,
     declared: tree.Data | None,
-    part: Part,
+    part: ProgramPart,
     paths: dict[type, tuple[tuple[int, ...], ...]],
     prefix: tuple[int, ...] = (),
 ) -> Iterator[Diagnostic]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.written_numbers import part_span
 from rapidsim.analysis.types.constant_folding import Value
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _UNUSED = 8.9e9
 """External axes are not connected from here: 9E9, written in many ways."""
@@ -24,10 +24,10 @@ _QUARTERS = 12
 
 class ExternalAxisValue(Violation, code="M510"):
     target: str
-    here: str
+    actual: str
     axis: str
-    others: str
-    there: str
+    other_text: str
+    usual: str
 
 
 class BadConfdata(Violation, code="M511"):
@@ -39,14 +39,14 @@ class BadConfdata(Violation, code="M511"):
 
 class DuplicateTargets(Violation, code="M514"):
     target: str
-    other: str
+    other_name: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Target:
     """A declared target with the value in the text."""
 
-    part: Part
+    part: ProgramPart
     node: tree.Data
     value: tuple[Value, ...]
 
@@ -77,7 +77,7 @@ def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
                     yield target.part.finding_at(ExternalAxisValue(*words), place)
 
 
-def tells_of_axes(node: tree.Data, usual: Sequence[float]) -> bool:
+def declares_axes_alike_targets(node: tree.Data, usual: Sequence[float]) -> bool:
     """Whether a declaration says the same about each external axis as targets with these positions.
 
     If so, their number makes no difference.

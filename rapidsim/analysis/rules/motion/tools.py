@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rapidsim.analysis.program import DataSymbol, Storage, Symbol
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.diagnostics import Diagnostic, Related, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 _UNIDENTIFIED = -1.0
 """The mass that a new tool has until somebody defines it."""
@@ -20,8 +20,8 @@ _UNIDENTIFIED = -1.0
 
 class ToolOrWobjMissing(Violation, code="M507"):
     target: str
-    here: str
-    there: str
+    actual: str
+    usual: str
 
 
 class BadLoadData(Violation, code="M508"):
@@ -35,11 +35,11 @@ class StationaryToolMismatch(Violation, code="M509"):
     problem: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Use:
     """A move to a named target, with names of tool and work object."""
 
-    part: Part
+    part: ProgramPart
     move: MoveCall
     tool: str
     wobj: str
@@ -108,7 +108,7 @@ def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
             wobj_held = False if "wobj" not in move.arguments else _robhold(wobj, facts)
             if tool_held is None or wobj_held is None or tool_held is not wobj_held:
                 continue
-            if Does.AXES in move.does:
+            if Trait.AXES in move.does:
                 continue
             problem = "the robot holds both" if tool_held else "the robot holds neither"
             names = _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0")
@@ -144,7 +144,7 @@ def _name(move: MoveCall, parameter: str, default: str) -> str:
     if parameter not in move.arguments:
         return default
     match move.arguments[parameter]:
-        case tree.Reference(name=name):
+        case tree.DataReference(name=name):
             return name.key
         case _:
             return "another"

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, moves
 from rapidsim.analysis.rules.facts.known_values import known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
@@ -19,7 +19,7 @@ from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.constant_folding import Value
 from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
 from rapidsim.library.predefined import DATA
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _NEAREST_TARGET_MM = 10.0
@@ -48,9 +48,9 @@ _SPEEDS = frozenset({"speed", "v"})
 
 
 class MetresOrRadians(Violation, code="M516"):
-    what: str
+    subject: str
     unit: str
-    cure: str
+    suggestion: str
     is_certain: bool = False
 
     @property
@@ -111,7 +111,7 @@ def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
                     what = f"the speed of the TCP in `{node.name.text}`"
                     yield part.finding(_metres_per_second(what, speed), node.name)
         for move in moves(part, facts):
-            if Does.SEARCH in move.does:
+            if Trait.SEARCH in move.does:
                 continue
             for key in _SPEEDS & move.arguments.keys():
                 value = move.arguments[key]
@@ -119,7 +119,7 @@ def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
                 if (
                     speed is not None
                     and value is not None
-                    and not isinstance(value, tree.Reference)
+                    and not isinstance(value, tree.DataReference)
                 ):
                     yield part.finding(_metres_per_second("this speed", speed), value)
 
@@ -127,7 +127,7 @@ def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
 def _speeds_of_searches(facts: Facts) -> frozenset[tree.Node]:
     """The declarations of the speeds that searches take."""
     searches = (
-        move for part in facts.parts for move in moves(part, facts) if Does.SEARCH in move.does
+        move for part in facts.parts for move in moves(part, facts) if Trait.SEARCH in move.does
     )
     symbols = (facts.symbol(move.arguments.get("speed")) for move in searches)
     return frozenset(
@@ -148,7 +148,7 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
                     what = f"the axes of `{node.name.text}`"
                     yield part.finding(_radians(what), node.name)
         for call in part.all(tree.FunctionCall):
-            if Does.ANGLES not in facts.does(call):
+            if Trait.ANGLES not in facts.does(call):
                 continue
             for formal, value in arguments_of(call, facts):
                 if formal is None or value is None or not _is_angle(formal.key):
@@ -159,7 +159,7 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
                     yield part.finding(_radians(what), value)
 
 
-def _of_whole_routine(part: Part, facts: Facts) -> Diagnostic | None:
+def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
     """The finding that the targets of a routine are in metres; None if they do not show it."""
     targets = [target for move in moves(part, facts) if (target := move.arguments.get("topoint"))]
     values = [known_value(target, facts) for target in targets]
@@ -190,25 +190,25 @@ def _of_whole_routine(part: Part, facts: Facts) -> Diagnostic | None:
     return part.finding(_metres(what, is_certain=True), positions[0][0])
 
 
-def _longest_step_mm(run: tree.Run) -> float:
+def _longest_step_mm(run: tree.BulkStatements) -> float:
     """The longest way from one target of a run to the next."""
     places = run.numbers[:, :3]
     squares = ((places[1:] - places[:-1]) ** 2).sum(axis=1)
     return math.sqrt(squares.max(initial=0.0))
 
 
-def _metres(what: str, *, is_certain: bool = False) -> MetresOrRadians:
+def _metres(subject: str, *, is_certain: bool = False) -> MetresOrRadians:
     cure = "RAPID counts in millimetres: multiply by 1000"
-    return MetresOrRadians(what, "metres", cure, is_certain)
+    return MetresOrRadians(subject, "metres", cure, is_certain)
 
 
-def _metres_per_second(what: str, speed: float) -> MetresOrRadians:
+def _metres_per_second(subject: str, speed: float) -> MetresOrRadians:
     cure = f"RAPID counts in mm/s: {speed:g} m/s are {1000.0 * speed:g}"
-    return MetresOrRadians(f"{what} is {speed:g} mm/s", "metres per second", cure)
+    return MetresOrRadians(f"{subject} is {speed:g} mm/s", "metres per second", cure)
 
 
-def _radians(what: str) -> MetresOrRadians:
-    return MetresOrRadians(what, "radians", "RAPID counts in degrees: multiply by 180/pi")
+def _radians(subject: str) -> MetresOrRadians:
+    return MetresOrRadians(subject, "radians", "RAPID counts in degrees: multiply by 180/pi")
 
 
 def _is_from_base(move: MoveCall, facts: Facts) -> bool:
@@ -239,7 +239,7 @@ def _slow_speed(value: object) -> float | None:
     return speed if isinstance(speed, float) and 0.0 < speed < _SLOWEST_MM_S else None
 
 
-def _declared(symbol: object, part: Part) -> tuple[Related, ...]:
+def _declared(symbol: object, part: ProgramPart) -> tuple[Related, ...]:
     if not isinstance(symbol, DataSymbol) or symbol.node is None or symbol.module is None:
         return ()
     module = part.module if symbol.scope is Scope.ROUTINE else symbol.module
@@ -259,7 +259,7 @@ def _is_angle(key: str) -> bool:
 def _is_made_with_pi(expression: tree.Expression, facts: Facts) -> bool:
     """Whether an angle is so many times pi, and not divided by it."""
     match expression:
-        case tree.Reference():
+        case tree.DataReference():
             return facts.symbol(expression) is not None and _is_predefined_pi(expression, facts)
         case tree.Parenthesised(inner=inner) | tree.Unary(operand=inner):
             return _is_made_with_pi(inner, facts)
@@ -276,7 +276,7 @@ def _is_made_with_pi(expression: tree.Expression, facts: Facts) -> bool:
             return False
 
 
-def _is_predefined_pi(reference: tree.Reference, facts: Facts) -> bool:
+def _is_predefined_pi(reference: tree.DataReference, facts: Facts) -> bool:
     symbol = facts.symbol(reference)
     is_installed = isinstance(symbol, DataSymbol) and symbol.scope is Scope.INSTALLED
     return is_installed and reference.name.key == _PI and _PI in DATA
@@ -284,7 +284,7 @@ def _is_predefined_pi(reference: tree.Reference, facts: Facts) -> bool:
 
 def _names_pi(expression: tree.Expression) -> bool:
     return any(
-        isinstance(node, tree.Reference) and node.name.key == _PI
+        isinstance(node, tree.DataReference) and node.name.key == _PI
         for node in descendants(expression)
     )
 

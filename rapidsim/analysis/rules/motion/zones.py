@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, as_move
-from rapidsim.analysis.rules.motion.fly_by_effects import BehindMove, effects_behind_moves
+from rapidsim.analysis.rules.motion.fly_by_effects import EffectAfterMove, effects_behind_moves
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Violation
 from rapidsim.syntax import tree
 
@@ -38,14 +38,16 @@ def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
         yield (_waits if one.effect.waits else _acts)(one, move, home)
 
 
-def _waits(one: BehindMove, move: MoveCall, home: Part) -> Diagnostic:
+def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:
     """The finding at the zone of the move; at the wait where the move is in another routine."""
     zone = move.arguments.get("zone")
     place = move.call if zone is None else zone
-    violation = ZoneBeforeWait(move.call.name.text, home.module.span(place).text, _shown(one))
-    wait = one.effect.part.place(one.effect.node, "the program waits here")
-    if home is not one.part:
-        return one.part.finding(violation, one.place, home.place(place, "the move"), *_more(one))
+    violation = ZoneBeforeWait(move.call.name.text, home.module.span(place).text, _describe(effect))
+    wait = effect.effect.part.place(effect.effect.node, "the program waits here")
+    if home is not effect.part:
+        return effect.part.finding(
+            violation, effect.place, home.place(place, "the move"), *_more(effect)
+        )
     fix = (
         None
         if zone is None
@@ -54,23 +56,25 @@ def _waits(one: BehindMove, move: MoveCall, home: Part) -> Diagnostic:
     return home.finding(violation, place, wait, fix=fix)
 
 
-def _acts(one: BehindMove, move: MoveCall, home: Part) -> Diagnostic:
+def _acts(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:
     target = move.arguments.get("topoint") or move.arguments.get("tojointpos")
     zone = move.arguments.get("zone")
     shown = "the target" if target is None else " ".join(home.module.span(target).text.split())
     size = "" if zone is None else f"`{home.module.span(zone).text}`"
-    violation = OutputInZone(_shown(one), shown if len(shown) < 40 else "the target", size)
-    return one.part.finding(violation, one.place, home.place(move.call, "the move"), *_more(one))
+    violation = OutputInZone(_describe(effect), shown if len(shown) < 40 else "the target", size)
+    return effect.part.finding(
+        violation, effect.place, home.place(move.call, "the move"), *_more(effect)
+    )
 
 
-def _shown(one: BehindMove) -> str:
+def _describe(effect: EffectAfterMove) -> str:
     """The instruction, with the call that leads to it."""
-    name = one.effect.node.name.text
-    return name if one.place is one.effect.node else f"{name} in `{one.place.name.text}`"
+    name = effect.effect.node.name.text
+    return name if effect.place is effect.effect.node else f"{name} in `{effect.place.name.text}`"
 
 
-def _more(one: BehindMove) -> tuple[Related, ...]:
+def _more(effect: EffectAfterMove) -> tuple[Related, ...]:
     """Where the instruction stands, if a call leads to it."""
-    if one.place is one.effect.node:
+    if effect.place is effect.effect.node:
         return ()
-    return (one.effect.part.place(one.effect.node, "it stands here"),)
+    return (effect.effect.part.place(effect.effect.node, "it stands here"),)

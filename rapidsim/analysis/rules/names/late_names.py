@@ -10,7 +10,7 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 
@@ -49,9 +49,9 @@ def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
     # A number is put behind the name.
     for part in facts.parts:
         for call in part.all(tree.Call):
-            if Does.CALL_BY_NAME in may_do(call, facts) and call.arguments:
+            if Trait.CALL_BY_NAME in may_do(call, facts) and call.arguments:
                 first = call.arguments[0]
-                value = first.value if isinstance(first, tree.Required) else None
+                value = first.value if isinstance(first, tree.RequiredArgument) else None
                 found.append(_pattern([*_pieces(value, facts), None]))
     return found
 

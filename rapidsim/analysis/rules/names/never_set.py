@@ -29,7 +29,7 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     reported: set[DataSymbol] = set()
     for part in facts.parts:
         copied = {one.value for one in part.all(tree.Assignment)}
-        for node in part.all(tree.Reference):
+        for node in part.all(tree.DataReference):
             symbol = facts.symbol(node)
             if not isinstance(symbol, DataSymbol) or symbol in reported or symbol in set_somewhere:
                 continue

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.program import ParameterSymbol
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
 class AbsentOptionalUsed(Violation, code="T310"):
@@ -24,10 +24,10 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
         optionals = _optionals(part)
         if not optionals:
             continue
-        asked = _asked(part.all(tree.FunctionCall), facts)
+        asked = _tested_present(part.all(tree.FunctionCall), facts)
         guarded = _guarded(part, facts)
         reported: set[str] = set()
-        for node in part.all(tree.Reference):
+        for node in part.all(tree.DataReference):
             key = node.name.key
             if key not in optionals or key in reported:
                 continue
@@ -46,7 +46,7 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
                 yield part.finding(AbsentOptionalUsed(node.name.text), node, place)
 
 
-def _optionals(part: Part) -> dict[str, frozenset[str]]:
+def _optionals(part: ProgramPart) -> dict[str, frozenset[str]]:
     """Optional parameters that are no switches, each with all names of its group."""
     return {
         parameter.name.key: names
@@ -57,17 +57,17 @@ def _optionals(part: Part) -> dict[str, frozenset[str]]:
     }
 
 
-def _alternatives(group: tree.OptionalGroup) -> list[tree.Parameter]:
+def _alternatives(group: tree.OptionalGroup) -> list[tree.ParameterDeclaration]:
     """The parameters of a group; unfinished code may hold something else."""
-    return [one for one in group.alternatives if isinstance(one, tree.Parameter)]
+    return [one for one in group.alternatives if isinstance(one, tree.ParameterDeclaration)]
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Caller:
     """A call of a routine of the user."""
 
     call: tree.Call | tree.FunctionCall
-    part: Part
+    part: ProgramPart
 
 
 def _calls(facts: Facts) -> dict[tree.Routine, list[_Caller]]:
@@ -85,14 +85,14 @@ def _gives(caller: _Caller, key: str, facts: Facts) -> bool:
     """Whether a call surely gives an optional argument."""
     for argument in caller.call.arguments:
         match argument:
-            case tree.Optional(name=name) if name.key == key:
+            case tree.OptionalArgument(name=name) if name.key == key:
                 return True
-            case tree.Conditional(name=name, present=present) if name.key == key:
+            case tree.ConditionalArgument(name=name, present=present) if name.key == key:
                 return present.key in _names_at(caller.call, _guarded(caller.part, facts))
     return False
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Guarded:
     """Text that is executed only where a condition holds that asks for parameters."""
 
@@ -101,7 +101,7 @@ class _Guarded:
     names: frozenset[str]
 
 
-def _guarded(part: Part, facts: Facts) -> list[_Guarded]:
+def _guarded(part: ProgramPart, facts: Facts) -> list[_Guarded]:
     ways = [
         *((node.condition, node.body) for node in part.all(tree.Branch)),
         *((node.condition, (node.statement,)) for node in part.all(tree.CompactIf)),
@@ -109,7 +109,7 @@ def _guarded(part: Part, facts: Facts) -> list[_Guarded]:
     found: list[_Guarded] = []
     for condition, body in ways:
         functions = [n for n in descendants(condition) if isinstance(n, tree.FunctionCall)]
-        names = frozenset(_asked(functions, facts))
+        names = frozenset(_tested_present(functions, facts))
         if names and body:
             found.append(_Guarded(body[0].start, body[-1].end, names))
     return found
@@ -121,17 +121,18 @@ def _names_at(node: tree.Node, guarded: list[_Guarded]) -> frozenset[str]:
     return frozenset().union(*around)
 
 
-def _asked(functions: Iterable[tree.FunctionCall], facts: Facts) -> set[str]:
+def _tested_present(functions: Iterable[tree.FunctionCall], facts: Facts) -> set[str]:
     return {
         argument.value.name.key
         for call in functions
-        if Does.TEST_PRESENT in facts.does(call)
+        if Trait.TEST_PRESENT in facts.does(call)
         for argument in call.arguments
-        if isinstance(argument, tree.Required) and isinstance(argument.value, tree.Reference)
+        if isinstance(argument, tree.RequiredArgument)
+        and isinstance(argument.value, tree.DataReference)
     }
 
 
-def _declared(part: Part, key: str) -> tree.Node:
+def _declared(part: ProgramPart, key: str) -> tree.Node:
     return next(
         parameter.name
         for group in part.all(tree.OptionalGroup)

@@ -21,12 +21,12 @@ _OF_OTHERS = ("err_hand_", "err_glueflow")
 class ShadowedName(Violation, code="N203"):
     hidden: str
     type: str
-    where: str
+    location: str
 
 
 class RedefinedBuiltin(Violation, code="N206"):
     defined: str
-    what: str
+    subject: str
 
 
 def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:

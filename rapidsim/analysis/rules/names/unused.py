@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program_parts import ENTRY, Facts, Part
+from rapidsim.analysis.program_parts import ENTRY, Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.rules.names.late_names import late_patterns
 from rapidsim.diagnostics import Diagnostic, Violation
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _PREDEFINED_HOMES = ("user", "base")
 """Modules that come with the controller; a program need not use what is in them."""
-_BY_NAME = Does.READ_BY_NAME | Does.WRITE_BY_NAME
+_BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME
 
 
 class UnusedData(Violation, code="N204"):
@@ -72,7 +72,7 @@ def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
             yield part.finding(_unused(routine), routine.name)
 
 
-def _needs_a_caller(part: Part) -> bool:
+def _needs_a_caller(part: ProgramPart) -> bool:
     return not isinstance(part.routine, tree.Proc) or bool(part.routine.parameters)
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from rapidsim.analysis.program import CounterSymbol, Symbol
-from rapidsim.analysis.program_parts import Facts, Part
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_by
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
 from rapidsim.analysis.rules.facts.known_values import known_value
@@ -14,12 +14,12 @@ from rapidsim.analysis.tree_walk import blocks, descendants
 from rapidsim.analysis.types.constant_folding import computed
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.types import ArrayOf, resolved
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
-_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.Broken)
-_PATHS = (tree.Reference, tree.Index, tree.Component)
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.InvalidStatement)
+_PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
 class LoopBeyondArray(Violation, code="T325"):
@@ -29,7 +29,7 @@ class LoopBeyondArray(Violation, code="T325"):
     bounds: str
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class _Rounds:
     """What counts the rounds of a loop, from where to where."""
 
@@ -73,7 +73,7 @@ def _of_for(loop: tree.For, facts: Facts) -> _Rounds | None:
 def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
     """Rounds that a variable counts up by one until it passes a constant."""
     match loop.condition:
-        case tree.Binary(left=tree.Reference() as left, operator="<=" | "<" as operator):
+        case tree.Binary(left=tree.DataReference() as left, operator="<=" | "<" as operator):
             counter = facts.symbol(left)
             limit = _number(loop.condition.right, facts)
         case _:
@@ -88,12 +88,12 @@ def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
 
 def _adds_one(node: tree.Node, facts: Facts) -> bool:
     match node:
-        case tree.Assignment(target=tree.Reference(name=name), value=tree.Binary() as value):
+        case tree.Assignment(target=tree.DataReference(name=name), value=tree.Binary() as value):
             left = value.left
-            is_same = isinstance(left, tree.Reference) and left.name.key == name.key
+            is_same = isinstance(left, tree.DataReference) and left.name.key == name.key
             return is_same and value.operator == "+" and _number(value.right, facts) == 1.0
         case tree.Call():
-            return Does.COUNT_UP in facts.does(node)
+            return Trait.COUNT_UP in facts.does(node)
         case _:
             return False
 
@@ -111,19 +111,21 @@ def _before_counting(body: tree.Body, counter: Symbol, facts: Facts) -> tree.Bod
 def _may_end_early(body: tree.Body, facts: Facts) -> bool:
     return any(
         isinstance(node, _LEAVES)
-        or (isinstance(node, tree.Call) and Does.LEAVE in facts.does(node))
+        or (isinstance(node, tree.Call) and Trait.LEAVE in facts.does(node))
         for node in descendants(*body)
     )
 
 
-def _beyond(body: tree.Body, rounds: _Rounds, part: Part, facts: Facts) -> Iterator[Diagnostic]:
+def _beyond(
+    body: tree.Body, rounds: _Rounds, part: ProgramPart, facts: Facts
+) -> Iterator[Diagnostic]:
     for node in _unguarded(body, rounds.counter, facts):
         of = facts.analysis.type_of.get(node.array)
         of = None if of is None else resolved(of)
         if not isinstance(of, ArrayOf) or len(of.dimensions) != len(node.indices):
             continue
         for index, size in zip(node.indices, of.dimensions, strict=True):
-            beside = _beside(index, rounds.counter, facts)
+            beside = _index_offset(index, rounds.counter, facts)
             if beside is None:
                 continue
             at = None
@@ -158,18 +160,18 @@ def _unguarded(body: tree.Body, counter: Symbol, facts: Facts) -> Iterator[tree.
                 yield node
 
 
-def _beside(index: tree.Expression, counter: Symbol, facts: Facts) -> float | None:
+def _index_offset(index: tree.Expression, counter: Symbol, facts: Facts) -> float | None:
     """How far an index is from the counter; None if it is another expression."""
     match index:
         case tree.Parenthesised(inner=inner):
-            return _beside(inner, counter, facts)
-        case tree.Reference():
+            return _index_offset(inner, counter, facts)
+        case tree.DataReference():
             return 0.0 if facts.symbol(index) is counter else None
         case tree.Binary(left=left, operator="+" | "-" as operator, right=right):
-            a, b = _beside(left, counter, facts), _number(right, facts)
+            a, b = _index_offset(left, counter, facts), _number(right, facts)
             if a is not None and b is not None:
                 return computed(operator, a, b)
-            a, b = _number(left, facts), _beside(right, counter, facts)
+            a, b = _number(left, facts), _index_offset(right, counter, facts)
             return a + b if operator == "+" and a is not None and b is not None else None
         case _:
             return None
@@ -178,7 +180,7 @@ def _beside(index: tree.Expression, counter: Symbol, facts: Facts) -> float | No
 def _number(expression: tree.Expression, facts: Facts) -> float | None:
     """A number that is the same in every run, sizes of arrays too."""
     match expression:
-        case tree.FunctionCall() if Does.READ_ARGUMENT in facts.does(expression):
+        case tree.FunctionCall() if Trait.READ_ARGUMENT in facts.does(expression):
             return _size(expression, facts)
         case tree.Binary(left=left, operator=operator, right=right):
             a, b = _number(left, facts), _number(right, facts)

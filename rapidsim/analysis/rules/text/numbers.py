@@ -8,7 +8,7 @@ from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language import types
-from rapidsim.language.single import single
+from rapidsim.language.single_precision import single
 from rapidsim.language.types import resolved
 from rapidsim.syntax import tree
 
@@ -23,7 +23,7 @@ class FloatEquality(Violation, code="T307"):
 
 class NumIntegerPrecision(Violation, code="T308"):
     literal: str
-    held: str
+    stored: str
 
 
 class DivisionByConstantZero(Violation, code="T309"):
@@ -38,7 +38,7 @@ def find_float_equality(facts: Facts) -> Iterator[Diagnostic]:
                 continue
             for literal, other in ((node.left, node.right), (node.right, node.left)):
                 number = _literal(literal)
-                if number is None or number.is_integer() or isinstance(other, tree.Number):
+                if number is None or number.is_integer() or isinstance(other, tree.NumberLiteral):
                     continue
                 if abs(number) > _LARGEST or single(number) == number:
                     continue
@@ -51,7 +51,7 @@ def find_float_equality(facts: Facts) -> Iterator[Diagnostic]:
 def find_long_integers(facts: Facts) -> Iterator[Diagnostic]:
     """Whole numbers, written as digits, that num rounds."""
     for part in facts.parts:
-        for node in part.all(tree.Number):
+        for node in part.all(tree.NumberLiteral):
             if not 2**24 < node.value < _LARGEST or not node.text.isdecimal():
                 continue
             of = facts.analysis.type_of.get(node)
@@ -73,9 +73,9 @@ def find_zero_divisors(facts: Facts) -> Iterator[Diagnostic]:
 
 def _literal(expression: tree.Expression) -> float | None:
     match expression:
-        case tree.Number(value=value):
+        case tree.NumberLiteral(value=value):
             return value
-        case tree.Unary(operator="-", operand=tree.Number(value=value)):
+        case tree.Unary(operator="-", operand=tree.NumberLiteral(value=value)):
             return -value
         case _:
             return None

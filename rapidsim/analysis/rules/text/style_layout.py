@@ -17,7 +17,7 @@ _MOST_BLANK_LINES = 2
 
 
 class Indentation(Violation, code="S902"):
-    found: int
+    actual: int
     wanted: int
 
 
@@ -48,7 +48,7 @@ def find_indentation(facts: Facts) -> Iterator[Diagnostic]:
             for statement in body:
                 waiting += blocks(statement)
                 depth = _depth(part.module.source, statement)
-                if depth is None or isinstance(statement, tree.Label | tree.Broken):
+                if depth is None or isinstance(statement, tree.Label | tree.InvalidStatement):
                     continue
                 if wanted is None:
                     wanted = depth

@@ -21,7 +21,7 @@ class BadLineEndings(Violation, code="E106"):
 class BadEncoding(Violation, code="E107"):
     character: str
     number: int
-    others: str
+    other_text: str
 
 
 def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:

@@ -8,7 +8,7 @@ from rapidsim.analysis.program import LibrarySymbol
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language.controller import ACCEPTED
-from rapidsim.library.traits import Does
+from rapidsim.library.traits import Trait
 
 
 class UnsupportedConstruct(Violation, code="E105"):
@@ -28,7 +28,7 @@ def find_unsupported(facts: Facts) -> Iterator[Diagnostic]:
         for call in part.calls:
             symbol = facts.symbol(call)
             if isinstance(symbol, LibrarySymbol) and symbol.routine.treated_as is not None:
-                if places_parts and Does.SEARCH_PART in symbol.routine.does:
+                if places_parts and Trait.SEARCH_PART in symbol.routine.traits:
                     continue
                 instead = symbol.routine.treated_as
                 violation = UnsupportedConstruct(symbol.name, instead)

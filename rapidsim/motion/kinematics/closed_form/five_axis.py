@@ -23,7 +23,7 @@ from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, clo
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 JOINT_COUNT = 5
 ALIGNED = 1e-4
@@ -35,7 +35,7 @@ _LEFT_UP_OUT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """The flange with all joints at 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class FiveAxisGeometry:
     """The lengths [m]; the names are those of the DH table."""
 
@@ -54,7 +54,7 @@ class FiveAxisGeometry:
         return self.a2 + self.a3 + self.d5
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class FiveAxis(Kinematics):
     """Kinematics of a five-axis arm.
 

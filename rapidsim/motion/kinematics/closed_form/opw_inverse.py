@@ -13,7 +13,7 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, close_triangle
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 ON_AXIS = 1e-10
 """Share of the reach within which a wrist centre counts as lying on axis 1."""
@@ -23,7 +23,7 @@ HELD_WRIST = 1e-7
 """sin of axis 5 up to which a given axis 4 is held: printed targets are no more exact than that."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class _Arm:
     """Axes 1 to 3, broadcast over poses and branches."""
 

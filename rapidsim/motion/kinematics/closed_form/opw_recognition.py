@@ -25,7 +25,7 @@ def ortho_parallel_arm(axes: AxesAtZero) -> OrthoParallel | str:
     lacking = _lacking(directions)
     if lacking:
         return lacking
-    wrist = _meeting_point(directions[3:], points[3:])
+    wrist = _intersection(directions[3:], points[3:])
     if wrist is None:
         return "axes 4, 5 and 6 do not meet in one point"
 
@@ -100,7 +100,7 @@ def _lacking(directions: Array) -> str | None:
     return None
 
 
-def _meeting_point(directions: Array, points: Array) -> Array | None:
+def _intersection(directions: Array, points: Array) -> Array | None:
     """Where lines (k, 3) meet [m], by least squares; None if they do not."""
     across = np.eye(3) - directions[:, :, None] * directions[:, None, :]  # (k, 3, 3)
     meeting: Array = np.linalg.solve(across.sum(axis=0), np.einsum("kij,kj->i", across, points))

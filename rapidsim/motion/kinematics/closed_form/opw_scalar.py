@@ -14,10 +14,10 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import ROUNDING, OpwGeo
 from rapidsim.motion.kinematics.closed_form.opw_inverse import HELD_WRIST, ON_AXIS
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE
 from rapidsim.motion.kinematics.unwrapping import TURN, turned_towards
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class SinglePose:
     """What `OrthoParallel` computes, for one pose; its frames and their inverses."""
 

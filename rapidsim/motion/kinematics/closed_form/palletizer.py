@@ -20,7 +20,7 @@ from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, clo
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero, SerialChain
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 JOINT_COUNT = 4
 LEVEL = 1e-4
@@ -44,7 +44,7 @@ _DOWN = np.diag([1.0, -1.0, -1.0])
 """The flange with all joints at 0: x forward, z down."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class PalletizerGeometry:
     """The lengths [m] of a palletizer."""
 
@@ -67,7 +67,7 @@ class PalletizerGeometry:
         return self.c2 + self.c3
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class Palletizer(Kinematics):
     """Kinematics of a palletizer.
 

@@ -27,7 +27,7 @@ from rapidsim.motion.kinematics.arm import (
 from rapidsim.motion.kinematics.closed_form.two_link import REACH_TOLERANCE, close_triangle
 from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 JOINT_COUNT = 4
 SLIDING = 2
@@ -48,7 +48,7 @@ _DOWN = np.diag([1.0, -1.0, -1.0])
 """The flange with all joints at 0: x forward, z down."""
 
 
-@dataclass(frozen=True, slots=True)
+@value_class(frozen=True, slots=True)
 class ScaraGeometry:
     """The lengths [m] of a SCARA."""
 
@@ -69,7 +69,7 @@ class ScaraGeometry:
         return self.a1 + self.a2
 
 
-@dataclass(frozen=True, eq=False)
+@value_class(frozen=True, eq=False)
 class Scara(Kinematics):
     """Kinematics of a SCARA.
 

@@ -14,7 +14,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.kinematics.serial_chain import SerialChain
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 REACHED = 1e-9
 """Way [m] and angle [rad] left at which a pose counts as reached."""
@@ -26,8 +26,8 @@ _LEAST_DAMPING = 1e-12
 _STUCK_DAMPING = 1e6
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Descended:
+@value_class(frozen=True, slots=True, eq=False)
+class SolverStates:
     """The final states of searches (k,)."""
 
     joints: Array
@@ -52,7 +52,7 @@ def descend(
     starts: Array,
     lower: Array | None = None,
     upper: Array | None = None,
-) -> Descended:
+) -> SolverStates:
     """Search from starts (k, n) [rad] for the joints of poses (k,).
 
     Args:
@@ -88,7 +88,7 @@ def descend(
         taken = rows[better]
         joints[taken], cost[taken] = tried[better], new_cost[better]
         error[taken], jacobian[taken] = new_error[better], new_jacobian[better]
-    return Descended(
+    return SolverStates(
         joints,
         np.linalg.norm(error[:, :3], axis=-1),
         np.linalg.norm(error[:, 3:], axis=-1),

@@ -14,12 +14,12 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.kinematics.closed_form.opw import OrthoParallel
 from rapidsim.motion.kinematics.closed_form.opw_recognition import ortho_parallel_arm
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
-from rapidsim.values import dataclass
+from rapidsim.values import value_class
 
 DIRECTIONS = 8
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@value_class(frozen=True, slots=True, eq=False)
 class NearArm:
     """The arm without its wrist offset."""
 

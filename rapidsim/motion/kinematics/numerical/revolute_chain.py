@@ -54,16 +54,16 @@ def searched_arm(geometry: AxisRowGeometry, limits: Sequence[tuple[float, float]
     return Numerical(chain, lower, upper, near_arm(geometry.axes))
 
 
-def search_notices(name: str, why: str, joint_count: int) -> tuple[str, ...]:
+def search_notices(name: str, reason: str, joint_count: int) -> tuple[str, ...]:
     """What the user should know of an arm that is solved by search.
 
     Args:
         name: The arm.
-        why: Why it has no closed form, such as `it has 7 axes`.
+        reason: Why it has no closed form, such as `it has 7 axes`.
         joint_count: How many joints it has.
     """
     searched = (
-        f"{name}: {why}, so its joints are found by a numerical search; solutions beyond "
+        f"{name}: {reason}, so its joints are found by a numerical search; solutions beyond "
         "those found may exist"
     )
     if joint_count <= 6:

@@ -1,0 +1,247 @@
+"""Rule F418: loops and waits whose condition depends on data that nothing changes meanwhile."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from rapidsim.analysis.program import (
+    CounterSymbol,
+    DataSymbol,
+    ParameterSymbol,
+    Scope,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.program_parts import Facts, ProgramPart
+from rapidsim.analysis.rules.facts.changed_data import changed_by, changed_in
+from rapidsim.analysis.rules.facts.instruction_questions import arguments_of, may_do
+from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.analysis.rules.facts.reached_routines import mask_of, may_move, reached
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.analysis.types.operators import ORDERING
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language import types
+from rapidsim.language.annotations import ParameterMode
+from rapidsim.language.types import ArrayOf, Record, resolved
+from rapidsim.library.predefined import TYPES
+from rapidsim.library.traits import LIMITS, Trait
+from rapidsim.syntax import tree
+
+_FOR_EVER_S = 60.0
+_LEAVES = (tree.Return, tree.Exit, tree.Goto, tree.Raise, tree.InvalidStatement)
+_VALUES = (types.NUM, types.DNUM, types.BOOL, types.STRING)
+_TASK = TYPES["taskid"]
+_KNOWN = (
+    *(
+        tree.NumberLiteral,
+        tree.StringLiteral,
+        tree.BoolLiteral,
+        tree.DataReference,
+        tree.Index,
+        tree.ComponentAccess,
+        tree.Unary,
+    ),
+    *(tree.Binary, tree.Parenthesised, tree.FunctionCall, tree.RequiredArgument),
+)
+"""What a condition may be made of whose value depends on its data alone."""
+
+
+class UnchangingCondition(Violation, code="F418"):
+    subject: str
+    data: str
+
+
+def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
+    """Loops that cannot end once entered, and waits that cannot end once begun."""
+    task = _Task(facts)
+    for part in facts.routine_parts:
+        if part.routine is None or part.routine.error is not None:
+            # An error may be the way out.
+            continue
+        for loop in part.all(tree.While):
+            inside = list(descendants(*loop.body))
+            if any(_leaves(node, facts) for node in inside) or _is_halt(loop, facts):
+                continue
+            works = may_move(loop.body, facts)
+            data = task.unchanging(loop.condition, [loop.condition, *inside], works=works)
+            if data is not None:
+                keyword = tree.Node(loop.start, loop.condition.end)
+                yield part.finding(UnchangingCondition("this loop", data), keyword)
+        for call in part.all(tree.Call):
+            condition = _awaited(call, facts)
+            data = task.unchanging(condition, [condition]) if condition else None
+            if condition is not None and data is not None:
+                yield part.finding(UnchangingCondition(call.name.text, data), condition)
+
+
+@dataclass(frozen=True, eq=False)
+class _Task:
+    """What of a task may change data while another part of it stands in a loop."""
+
+    facts: Facts
+
+    @cached_property
+    def _traps(self) -> int:
+        """The bits of the routines that may run in between."""
+        bits = 0
+        for part in self.facts.routine_parts:
+            if isinstance(part.routine, tree.Trap):
+                bits |= self.facts.reached_from[part]
+        return bits
+
+    @cached_property
+    def _changing(self) -> Mapping[Symbol, int]:
+        """The bits of the routines that change each datum."""
+        found: dict[Symbol, int] = {}
+        for part, bit in self.facts.bit_of.items():
+            for symbol in changed_in(part, self.facts):
+                if symbol is not None:
+                    found[symbol] = found.get(symbol, 0) | bit
+        return found
+
+    @cached_property
+    def _leading_away(self) -> int:
+        """The bits of the routines that call what is not known."""
+        facts = self.facts
+        return mask_of(lambda part: any(_leads_away(c, facts) for c in _calls(part)), facts)
+
+    @cached_property
+    def _is_open(self) -> bool:
+        """Whether data may be changed by a name, or by modules that are not here."""
+        if not self.facts.is_read or self.facts.analysis.loads_modules:
+            return True
+        calls = (call for part in self.facts.parts for call in part.calls)
+        return any(Trait.WRITE_BY_NAME in may_do(call, self.facts) for call in calls)
+
+    def unchanging(
+        self, condition: tree.Expression, meanwhile: Iterable[tree.Node], *, works: bool = False
+    ) -> str | None:
+        """The data of a condition, as text, if nothing changes any of them meanwhile.
+
+        Args:
+            condition: Of a loop or a wait.
+            meanwhile: The condition, and the nodes of the loop.
+            works: Whether the robot moves meanwhile. A loop that only waits may wait for somebody
+                who changes a persistent; one that works counts its turns.
+        """
+        if self._is_open:
+            return None
+        is_ordering = any(
+            isinstance(node, tree.Binary) and node.operator in ORDERING
+            for node in descendants(condition)
+        )
+        found = self._variables(condition, persistents=works and is_ordering)
+        if not found:
+            return None
+        if self._changing.keys().isdisjoint(found) and not is_ordering:
+            # A flag that nothing ever changes is another way to write TRUE.
+            return None
+        nodes = list(meanwhile)
+        changed = set(changed_by(nodes, self.facts))
+        if not changed.isdisjoint(found):
+            return None
+        if any(not _is_local(symbol) for symbol in found):
+            if any(_leads_away(node, self.facts) for node in nodes):
+                return None
+            between = self._traps | reached(nodes, self.facts)
+            if between & self._leading_away:
+                return None
+            if any(between & self._changing.get(symbol, 0) for symbol in found):
+                return None
+        return " or ".join(f"`{name}`" for name in sorted({symbol.name for symbol in found}))
+
+    def _variables(
+        self, condition: tree.Expression, *, persistents: bool
+    ) -> set[DataSymbol | ParameterSymbol]:
+        """The variables that a condition is made of; none if it looks at anything else."""
+        found: set[DataSymbol | ParameterSymbol] = set()
+        for node in descendants(condition):
+            if not isinstance(node, _KNOWN):
+                return set()
+            if isinstance(node, tree.FunctionCall) and not self._is_pure(node):
+                return set()
+            if not isinstance(node, tree.DataReference):
+                continue
+            match self.facts.symbol(node):
+                case CounterSymbol() | DataSymbol(storage=Storage.CONST):
+                    pass
+                case DataSymbol(storage=Storage.VAR) as symbol if _has_value(symbol):
+                    found.add(symbol)
+                case DataSymbol(storage=Storage.PERS) as symbol if (
+                    persistents and _has_value(symbol) and not self._is_shared(symbol)
+                ):
+                    found.add(symbol)
+                case ParameterSymbol(mode=ParameterMode.IN, is_switch=False) as symbol if (
+                    _has_value(symbol)
+                ):
+                    found.add(symbol)
+                case _:
+                    return set()
+        return found
+
+    def _is_shared(self, symbol: DataSymbol) -> bool:
+        """Whether another task of the cell may declare the same persistent."""
+        configured = self.facts.analysis.cell.symbols.values()
+        tasks = sum(one.type == _TASK for one in configured)
+        return tasks > 1 and symbol.scope is not Scope.LOCAL
+
+    def _is_pure(self, call: tree.FunctionCall) -> bool:
+        """Whether a function computes from its arguments alone."""
+        row = self.facts.installed(call)
+        return row is not None and row.simulated and not row.signature.takes_controller
+
+
+def _calls(part: ProgramPart) -> Iterator[tree.Node]:
+    yield from part.calls
+    yield from part.all(tree.LateCall)
+
+
+def _leads_away(node: tree.Node, facts: Facts) -> bool:
+    """Whether a node calls what is not known."""
+    if isinstance(node, tree.LateCall):
+        return True
+    if not isinstance(node, tree.Call | tree.FunctionCall):
+        return False
+    if facts.routine_called(node) is not None:
+        return False
+    row = facts.installed(node)
+    return row is None or bool((Trait.CALL_BY_NAME | Trait.CALL_ON_THE_WAY) & row.traits)
+
+
+def _leaves(node: tree.Node, facts: Facts) -> bool:
+    return isinstance(node, _LEAVES) or (
+        isinstance(node, tree.Call) and Trait.LEAVE in facts.does(node)
+    )
+
+
+def _is_halt(loop: tree.While, facts: Facts) -> bool:
+    """Whether a loop does nothing but wait for minutes: that is a halt on purpose."""
+    match loop.body:
+        case (tree.Call(arguments=(tree.RequiredArgument(value=time),)) as call,):
+            seconds = known_value(time, facts)
+            is_long = isinstance(seconds, float) and seconds >= _FOR_EVER_S
+            return is_long and Trait.WAIT in facts.does(call)
+        case _:
+            return False
+
+
+def _awaited(call: tree.Call, facts: Facts) -> tree.Expression | None:
+    """The condition that an instruction waits for without a limit."""
+    if Trait.WAIT not in facts.does(call):
+        return None
+    given = {formal.key: value for formal, value in arguments_of(call, facts) if formal is not None}
+    return None if LIMITS & given.keys() else given.get("cond")
+
+
+def _is_local(symbol: DataSymbol | ParameterSymbol) -> bool:
+    """Whether only the routine itself can change data."""
+    return isinstance(symbol, ParameterSymbol) or symbol.scope is Scope.ROUTINE
+
+
+def _has_value(symbol: DataSymbol | ParameterSymbol) -> bool:
+    of = resolved(symbol.type)
+    if isinstance(of, ArrayOf):
+        of = resolved(of.element)
+    return isinstance(of, Record) or of in _VALUES

@@ -1,0 +1,47 @@
+"""Rule M517: persistent targets that are displaced from their own position."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rapidsim.analysis.program import DataSymbol, Storage
+from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.rules.facts.changed_data import changed_by
+from rapidsim.analysis.rules.facts.taught_targets import taught_target
+from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.syntax import tree
+
+
+class DriftingTarget(Violation, code="M517"):
+    target: str
+
+
+def find_drifting_targets(facts: Facts) -> Iterator[Diagnostic]:
+    """`p:=Offs(p,..)` on a PERS that nothing else in the program sets."""
+    found: dict[DataSymbol, list[tuple[tree.Node, Diagnostic]]] = {}
+    for part in facts.routine_parts:
+        for assignment in part.all(tree.Assignment):
+            target, value = assignment.target, assignment.value
+            if not isinstance(target, tree.DataReference) or not isinstance(
+                value, tree.FunctionCall
+            ):
+                continue
+            symbol = facts.symbol(target)
+            if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.PERS:
+                continue
+            taught = taught_target(value, facts)
+            if taught is not value and facts.symbol(taught) is symbol:
+                finding = part.finding(DriftingTarget(symbol.name), assignment)
+                found.setdefault(symbol, []).append((assignment, finding))
+    if not found:
+        return
+    for symbol, drifts in found.items():
+        own = {assignment for assignment, _ in drifts}
+        others = (
+            node
+            for part in facts.routine_parts
+            for node in (*part.all(tree.Assignment), *part.calls)
+            if node not in own
+        )
+        if not any(symbol is changed for changed in changed_by(others, facts)):
+            yield from (finding for _, finding in drifts)

@@ -1,0 +1,71 @@
+"""How far a long run is, said on a terminal while it goes on: share, rate, time left."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+
+from rich.text import Text
+
+from rapidsim.simulation.progress import Progress
+
+_SAID_AFTER_S = 1.0
+_LEAST_SHARE = 0.01
+"""Below it a time left would be a guess."""
+_MINUTE_S = 60.0
+_A_BLOCK = 100
+"""Moves on the way of a robot that are worth a word."""
+
+
+class Meter:
+    """What a status line shows; it asks the run whenever the line is drawn."""
+
+    def __init__(self, written: int, now: Callable[[], float] = time.monotonic) -> None:
+        """Begin to measure.
+
+        Args:
+            written: How many move instructions stand in the programs.
+            now: A clock [s].
+        """
+        self._written, self._now, self._began = written, now, now()
+        self._look: Callable[[], Progress] | None = None
+
+    def watch(self, read_progress: Callable[[], Progress]) -> None:
+        """Take the run, as soon as there is one."""
+        self._look = read_progress
+
+    def __rich__(self) -> Text:
+        """The line as it is now."""
+        seconds = self._now() - self._began
+        if self._look is None or seconds < _SAID_AFTER_S:
+            return Text("simulating ...")
+        return Text(f"simulating: {_words(self._look(), self._written, seconds)}")
+
+    def so_far(self) -> str:
+        """How far a run is that is broken off, in words to follow `interrupted`."""
+        if self._look is None:
+            return ""
+        far = self._look()
+        waits = f", {far.planned:,} more on the way" if far.planned else ""
+        place = f", the program at {far.place.file}:{far.place.line}" if far.place else ""
+        return (
+            f" at {far.time_s:.3f} s: {far.moves:,} moves made{waits}{place}; no output was written"
+        )
+
+
+def _words(progress: Progress, written: int, seconds: float) -> str:
+    """Share and time left are known as long as no move has been repeated: then the text tells."""
+    if progress.planned > max(_A_BLOCK, progress.moves):
+        # A block has no times before all of it is planned: nobody knows how far that is.
+        return f"planning {progress.planned:,} moves as one path, {_length(seconds)} so far"
+    rate = f"{progress.moves:,} moves, {progress.moves / seconds:,.0f} a second"
+    share = progress.places / written if written else 0.0
+    if progress.places < progress.moves or not _LEAST_SHARE <= share <= 1.0:
+        return rate
+    return f"{100.0 * share:.0f} %, {rate}, {_length(seconds * (1.0 / share - 1.0))} left"
+
+
+def _length(seconds: float) -> str:
+    if seconds < _MINUTE_S:
+        return f"{seconds:.0f} s"
+    return f"{seconds // _MINUTE_S:.0f} min {seconds % _MINUTE_S:.0f} s"

@@ -1,0 +1,58 @@
+"""Pairs of bodies between two instants, and bounds on their gaps there."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.collisions.convex import Index
+from rapidsim.frames.transform import Array
+from rapidsim.values import value_class
+
+Mask = npt.NDArray[np.bool_]
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class PairIntervals:
+    """Pairs (k,) between two instants."""
+
+    pair: Index
+    start: Index
+    end: Index
+    """Positions of the instants."""
+    gap_start: Array
+    gap_end: Array
+    """No nearer than this [m] at start and end."""
+    seen_start: Mask
+    seen_end: Mask
+    """Whether the gap was measured as far as it matters."""
+    bend: Array
+    """Acceleration [m/s2] of one body seen from the other, where that is all there is to know."""
+
+    @property
+    def seen(self) -> Mask:
+        """Whether both ends were measured."""
+        both: Mask = self.seen_start & self.seen_end
+        return both
+
+    def rows(self, at: Index | Mask) -> PairIntervals:
+        """A subset."""
+        return PairIntervals(*(getattr(self, name)[at] for name in _NAMES))
+
+    def and_also(self, *others: PairIntervals) -> PairIntervals:
+        """These followed by others."""
+        every = (self, *others)
+        return PairIntervals(*(np.concatenate([getattr(one, n) for one in every]) for n in _NAMES))
+
+
+_NAMES = tuple(one.name for one in fields(PairIntervals))
+
+
+def unseen(
+    pair: Index, start: Index, end: Index, gap_start: Array, gap_end: Array
+) -> PairIntervals:
+    """Stretches whose ends have not been measured."""
+    no = np.zeros(len(pair), dtype=np.bool_)
+    return PairIntervals(pair, start, end, gap_start, gap_end, no, no.copy(), np.zeros(len(pair)))

@@ -1,0 +1,295 @@
+"""The guide: a process that talks to sensors on time, however busy the controller's own is.
+
+It runs the same guidance as the controller, beside and ahead of it, so that messages to a sensor
+are never late. The sensor's answer at each sample goes to the controller, which moves its robot by
+these answers alone.
+"""
+
+from __future__ import annotations
+
+import gc
+import math
+import select
+import signal
+from contextlib import suppress
+from dataclasses import field, replace
+from multiprocessing.connection import Connection, wait
+from queue import SimpleQueue
+from threading import Thread
+from time import monotonic
+from typing import Final, TypeAlias
+
+from rapidsim.controller.cell.sensors import FeedbackSchedule
+from rapidsim.egm.devices import Address
+from rapidsim.egm.udp import Ports, SensorSocket
+from rapidsim.motion.guidance.feedback import Feedback
+from rapidsim.motion.guidance.guided_execution import GuidedExecution
+from rapidsim.motion.guidance.joint_law import CYCLE_S
+from rapidsim.motion.guidance.sensor import SensorAnswer
+from rapidsim.values import value_class
+
+_MOST_LATE: Final = 25
+"""So many cycles are made up for; what is later comes later."""
+_ROUNDING_S: Final = 1e-6
+_HOLDS_S: Final = 0.5
+"""So long [s] on the wall a stream goes on where the controller says nothing more."""
+
+
+@value_class(frozen=True, slots=True)
+class OpenSensor:
+    """Start talking to a sensor."""
+
+    address: Address
+    began_s: float
+    """When virtual time began, on the wall's clock that all processes share [s]."""
+    speed: float
+    """Virtual seconds in one on the wall."""
+
+
+@value_class(frozen=True, slots=True)
+class StartGuidance:
+    """A guidance begins."""
+
+    number: int
+    run: GuidedExecution
+    schedule: FeedbackSchedule
+
+
+@value_class(frozen=True, slots=True)
+class StartCorrection:
+    """A path is corrected from now on: answers to the streamed feedback are reported."""
+
+    number: int
+    first_s: float
+    """Of the first sample [s]."""
+    sample_s: float
+
+    def sample_at(self, time_s: float) -> int:
+        """The sample number at a time [s]; guide and controller count alike."""
+        return round((time_s - self.first_s) / self.sample_s)
+
+
+@value_class(frozen=True, slots=True)
+class StopGuidance:
+    """The program ends the guidance."""
+
+    moves_back: bool
+    ramp_out_s: float
+
+
+@value_class(frozen=True, slots=True)
+class EndGuidance:
+    """The guidance is over; a last message is sent."""
+
+    feedback: Feedback
+
+
+@value_class(frozen=True, slots=True)
+class StreamFeedback:
+    """The robot's future positions."""
+
+    stream: tuple[Feedback, ...]
+
+
+@value_class(frozen=True, slots=True)
+class CloseSensor:
+    """Stop talking to a sensor."""
+
+
+Order: TypeAlias = (
+    OpenSensor
+    | StartGuidance
+    | StartCorrection
+    | StopGuidance
+    | EndGuidance
+    | StreamFeedback
+    | CloseSensor
+)
+
+
+@value_class(frozen=True, slots=True)
+class SensorReply:
+    """What a sensor has answered by a given sample of a guidance."""
+
+    sensor: int
+    guidance: int
+    sample: int
+    answer: SensorAnswer | None
+
+
+@value_class(slots=True, eq=False)
+class _Guidance:
+    """One that goes on here."""
+
+    number: int
+    run: GuidedExecution
+    schedule: FeedbackSchedule
+    cycles: int = 0
+    late_s: float = 0.0
+    """How much later [s] than the wall wants its cycles are."""
+
+
+@value_class(slots=True, eq=False)
+class _SensorSession:
+    """With one sensor."""
+
+    number: int
+    opened: OpenSensor
+    socket: SensorSocket
+    guidance: _Guidance | None = None
+    correcting: StartCorrection | None = None
+    stream: list[Feedback] = field(default_factory=list)
+    """What is to be told, by time."""
+    last: Feedback | None = None
+    """What was told last of the stream."""
+    held_s: float = 0.0
+    """For how long [s] the same has been told."""
+    sample_s: float = math.inf
+
+    def due_s(self) -> float:
+        """When the next action is due, on the wall clock [s]; infinite if none is."""
+        if (guidance := self.guidance) is not None:
+            virtual_s = guidance.schedule.first_s + guidance.cycles * CYCLE_S
+            return self._wall_s(virtual_s) + guidance.late_s
+        if self.stream:
+            return self._wall_s(self.stream[0].time_s)
+        if self.last is None or self.held_s > _HOLDS_S:
+            return math.inf
+        return self._wall_s(self.last.time_s + self.sample_s)
+
+    def act(self, now_s: float) -> SensorReply | None:
+        """Do what is due [s]; what to report to the controller."""
+        guidance = self.guidance
+        if guidance is None:
+            return self._send_feedback()
+        behind_s = now_s - self.due_s()
+        if behind_s > _MOST_LATE * CYCLE_S / self.opened.speed:
+            guidance.late_s += behind_s
+        self.socket.receive()
+        heard, answer = None, None
+        if guidance.cycles % guidance.schedule.samples == 0:
+            answer = self.socket.take()
+            sample = guidance.cycles // guidance.schedule.samples
+            heard = SensorReply(self.number, guidance.number, sample, answer)
+            if not guidance.run.is_over:
+                time_s = guidance.schedule.first_s + guidance.cycles * CYCLE_S
+                self.socket.send(guidance.schedule.feedback(guidance.run, time_s))
+        guidance.run.step(answer)
+        guidance.cycles += 1
+        return heard
+
+    def follow(self, order: Order) -> None:
+        """Carry out an order of the controller."""
+        match order:
+            case StartGuidance(number, run, told):
+                self.socket.begin()
+                self.stream.clear()
+                self.guidance, self.last = _Guidance(number, run, told), None
+                behind_s = monotonic() - self.due_s()
+                self.guidance.late_s = max(0.0, behind_s)
+            case StartCorrection():
+                self.socket.begin()
+                self.stream.clear()
+                self.correcting, self.last, self.held_s = order, None, 0.0
+            case StopGuidance(goes_back, ramp_out_s) if self.guidance is not None:
+                self.guidance.run.stop(moves_back=goes_back, ramp_out_s=ramp_out_s)
+            case EndGuidance(feedback):
+                if self.correcting is not None:
+                    self.stream.clear()
+                    if self.last is not None:
+                        # The sensor was told on time, whatever the controller was behind.
+                        after_s = max(feedback.time_s, self.last.time_s)
+                        feedback = replace(feedback, time_s=after_s)
+                self.guidance = self.correcting = self.last = None
+                self.socket.send(feedback)
+            case StreamFeedback(stream):
+                after_s = -math.inf if self.last is None else self.last.time_s
+                fresh = [one for one in stream if one.time_s > after_s + _ROUNDING_S]
+                if fresh:
+                    self.stream = [one for one in self.stream if one.time_s < fresh[0].time_s]
+                    self.stream += fresh
+                self.held_s = 0.0
+            case _:
+                pass
+
+    def _send_feedback(self) -> SensorReply | None:
+        """Tell what is due of the stream; what the sensor has answered, if that counts."""
+        answer, one = None, self.correcting
+        self.socket.receive()
+        if one is not None:
+            answer = self.socket.take()
+        if self.stream:
+            told = self.stream.pop(0)
+            if self.last is not None:
+                self.sample_s = told.time_s - self.last.time_s
+        else:
+            assert self.last is not None
+            told = replace(self.last, time_s=self.last.time_s + self.sample_s)
+            self.held_s += self.sample_s / self.opened.speed
+        self.last = told
+        self.socket.send(told)
+        if one is None:
+            return None
+        return SensorReply(self.number, one.number, one.sample_at(told.time_s), answer)
+
+    def _wall_s(self, virtual_s: float) -> float:
+        return self.opened.began_s + virtual_s / self.opened.speed
+
+
+def run_sensor_loop(connection: Connection) -> None:
+    """The main function of the guide process; see `serve_sensors`."""
+    # Ctrl-C goes to all processes of a terminal; the guide ends with its controller.
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), signal.SIG_IGN)
+    gc.freeze()
+    serve_sensors(connection)
+
+
+def serve_sensors(connection: Connection) -> None:
+    """Talk to sensors until the controller is gone."""
+    talks: dict[int, _SensorSession] = {}
+    ports, told = Ports(), SimpleQueue[SensorReply]()
+    # A controller that is busy lets its end of the pipe fill up, for which no sensor waits.
+    Thread(target=_send, args=(connection, told), daemon=True).start()
+    with suppress(EOFError, OSError):
+        while True:
+            _pass(connection, talks, ports, told)
+    ports.close()
+
+
+def _send(connection: Connection, replies: SimpleQueue[SensorReply]) -> None:
+    with suppress(OSError):
+        while True:
+            connection.send(replies.get())
+
+
+def _pass(
+    connection: Connection,
+    sessions: dict[int, _SensorSession],
+    ports: Ports,
+    replies: SimpleQueue[SensorReply],
+) -> None:
+    """Wait for what comes next, and do it."""
+    due_s = min((one.due_s() for one in sessions.values()), default=math.inf)
+    if math.isinf(due_s):
+        wait([connection])
+    elif (left_s := due_s - monotonic()) > 0.0:
+        # Pipes cannot be waited for so exactly everywhere: the controller waits for a cycle.
+        streams = [one.socket.stream for one in sessions.values()]
+        select.select(streams, [], [], min(left_s, CYCLE_S))
+        for one in sessions.values():
+            one.socket.receive()
+    while connection.poll():
+        number, order = connection.recv()
+        if isinstance(order, OpenSensor):
+            sessions[number] = _SensorSession(number, order, ports.to(order.address))
+        elif number in sessions:
+            sessions[number].follow(order)
+            if isinstance(order, CloseSensor):
+                del sessions[number]
+    for one in sessions.values():
+        now_s = monotonic()
+        if one.due_s() <= now_s:
+            heard = one.act(now_s)
+            if heard is not None:
+                replies.put(heard)

@@ -1,0 +1,181 @@
+"""Several programs checked: in several processes, and not again while nothing changes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import cache, partial
+from typing import TYPE_CHECKING
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.finding_records import Record, StoredFindings, read_findings, record_of
+from rapidsim.jobs.job import Job
+from rapidsim.jobs.result_cache import ResultCache, sources_of
+from rapidsim.module_files import TaskFiles
+from rapidsim.reach.checked_moves import Coverage, ReachReport
+from rapidsim.values import value_class
+
+if TYPE_CHECKING:
+    from rapidsim.jobs.checked_program import LoadedProgram
+    from rapidsim.motion.robot.robot import Robot
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class JobCheck:
+    """What came of a job."""
+
+    result: CheckResult
+    """Without trees."""
+    notices: tuple[str, ...]
+    """What is special about the arms that were used."""
+
+
+def check_jobs(jobs: Sequence[Job], kept: ResultCache, processes: int = 1) -> Iterator[JobCheck]:
+    """Check jobs, each on its own, and give what came of them in their order, one by one.
+
+    Args:
+        jobs: What is checked.
+        kept: Results of earlier checks.
+        processes: How many jobs at a time; of a single one, how many of its tasks.
+    """
+    known = [kept.of_job(job) for job in jobs]
+    left = [job for job, found in zip(jobs, known, strict=True) if found is None]
+    records: Iterator[Record] = map(_job_record, left)
+    if len(left) == 1:
+        records = iter([_only(left[0], kept, processes)])
+    elif processes > 1:
+        # Most checks are of one program, and do not pay for importing what starts processes.
+        from rapidsim.jobs.processes import in_processes
+
+        records = in_processes(_job_record, left, processes)
+    for job, found in zip(jobs, known, strict=True):
+        yield _checked(job, found or kept.keep_job(job, next(records)))
+
+
+def merge_results(results: Sequence[CheckResult]) -> CheckResult:
+    """Several results as one; what several found at the same place is there once.
+
+    The settings of the first decide what fails it.
+    """
+    if len(results) == 1:
+        return results[0]
+    return CheckResult(
+        files=tuple(dict.fromkeys(file for one in results for file in one.files)),
+        diagnostics=_distinct(found for one in results for found in one.diagnostics),
+        trees=(),
+        coverage=sum((one.coverage for one in results), Coverage()),
+        known=_distinct(found for one in results for found in one.known),
+        fail_on=results[0].fail_on,
+        strict=results[0].strict,
+    )
+
+
+def _distinct(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
+    distinct: dict[object, Diagnostic] = {}
+    for one in findings:
+        distinct.setdefault((one.order, one.code, one.message, one.assumed), one)
+    return tuple(sorted(distinct.values(), key=lambda one: one.order))
+
+
+def _checked(job: Job, stored: StoredFindings) -> JobCheck:
+    files = tuple(file.name for file in job.files)
+    result = CheckResult(
+        files,
+        stored.diagnostics,
+        (),
+        stored.coverage,
+        fail_on=job.station.check.fails_from,
+        strict=job.is_strict,
+        arm=stored.arm,
+    )
+    return JobCheck(result, stored.notices)
+
+
+def _only(job: Job, kept: ResultCache, processes: int) -> Record:
+    """The record of a job; some of its tasks may be known, others are looked at side by side."""
+    if len(job.tasks) < 2:
+        return _job_record(job)
+    if not job.is_arm_named:
+        from rapidsim.jobs.check_files import with_best_arm_of_files
+
+        # What is found of one task depends on the arm, and that on the targets of all.
+        job = with_best_arm_of_files(job)
+    known = {task.name: record for task in job.tasks if (record := kept.of_task(job, task))}
+    left = [task for task in job.tasks if task.name not in known]
+    if processes > 1 and len(left) > 1:
+        from rapidsim.jobs.processes import in_processes
+
+        records = in_processes(partial(_task_record, job), left, processes)
+        for task, record in zip(left, records, strict=True):
+            kept.keep_task(job, task, record)
+            known[task.name] = record
+
+    watched = _ObservedJob(job)
+
+    def moves_of(
+        task: TaskFiles, loaded: LoadedProgram, make: Callable[[], ReachReport]
+    ) -> ReachReport:
+        sources = [file.source for file in loaded.files]
+        if task.name in known:
+            found = read_findings(known[task.name], sources)
+            watched.notices.extend(found.notices)
+            return ReachReport(found.diagnostics, found.coverage)
+        heard = len(watched.notices)
+        report = make()
+        kept.keep_task(job, task, watched.record(report, heard))
+        return report
+
+    from rapidsim.jobs.check_files import check_job
+
+    return watched.record(check_job(watched.job, moves_of))
+
+
+def _job_record(job: Job) -> Record:
+    from rapidsim.jobs.check_files import check_job
+
+    watched = _ObservedJob(job)
+    return watched.record(check_job(watched.job))
+
+
+def _task_record(job: Job, task: TaskFiles) -> Record:
+    from rapidsim.jobs.check_files import moves_of_task
+
+    watched = _ObservedJob(job)
+    return watched.record(moves_of_task(watched.job, task))
+
+
+class _ObservedJob:
+    """A job that is looked at: what its arms have to say, and whether its runs had enough time."""
+
+    def __init__(self, job: Job) -> None:
+        self.job = replace(job, open_robot=self._open)
+        self.notices: list[str] = []
+        self._open_robot = cache(job.open_robot)
+        self._runs_ended = _runs_ended()
+
+    def _open(self, name: str, scale: float | None) -> Robot:
+        robot = self._open_robot(name, scale)
+        self.notices.extend(robot.notices)
+        return robot
+
+    def record(self, result: CheckResult | ReachReport, count: int = 0) -> Record:
+        """The record of what was found; of notices those from a number on."""
+        notices = tuple(dict.fromkeys(self.notices[count:]))
+        lasts = _runs_ended() == self._runs_ended
+        arm = result.arm if isinstance(result, CheckResult) else None
+        return record_of(
+            StoredFindings(result.diagnostics, result.coverage, notices, lasts, arm),
+            sources_of(self.job),
+        )
+
+
+def _runs_ended() -> int:
+    """How many runs of this process were ended by the clock."""
+    if "rapidsim.controller.cell.watchdog" not in sys.modules:
+        # There was no run. To look for one would import NumPy.
+        return 0
+    from rapidsim.controller.cell.watchdog import Watchdog
+
+    return Watchdog.runs_ended

@@ -1,0 +1,93 @@
+"""Whether the statements kept for runs of alike moves may represent all of them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
+from rapidsim.analysis.cell_names import CellNames
+from rapidsim.analysis.context import MOST_COMPARED
+from rapidsim.analysis.installed import installed_symbol, installed_type
+from rapidsim.analysis.names.name_violations import UndefinedName, UnseenName
+from rapidsim.analysis.program import does
+from rapidsim.analysis.rules.motion.target_data import declares_axes_alike_targets
+from rapidsim.analysis.suggestions import closest
+from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.jobs.row_findings import repeat_findings
+from rapidsim.jobs.text_identifiers import words_of
+from rapidsim.library.traits import Trait
+from rapidsim.syntax import tree
+
+_BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME
+
+
+def findings_of_all(
+    files: Sequence[tree.File], findings: Sequence[Diagnostic], cell: CellNames
+) -> tuple[Diagnostic, ...] | None:
+    """The findings of a task, with those of the statements that its runs leave out of the tree.
+
+    A statement that represents others has alike ones on both sides. A finding that does not apply
+    to it, because of what it is or what is next to it, applies to none of those it represents. An
+    undeclared name in it is undeclared in each of these. For any other finding about it, each
+    statement must be examined.
+
+    Args:
+        files: The files of the task.
+        findings: The findings about the statements of the tree, in order.
+        cell: What the configuration declares besides the modules.
+
+    Returns:
+        The findings in order; None if the statements of the tree may not represent the others.
+    """
+    repeated = repeat_findings(files, findings)
+    if repeated is None:
+        return None
+    homes = [module for file in files for module in file.modules if _declared(module)]
+    if not homes:
+        return repeated
+    names = frozenset[str]().union(*map(_declared, homes))
+    if _may_be_meant(names, findings) or _searches_by_name(files):
+        return None
+    if not names.isdisjoint((*cell.symbols, *cell.wired)) or any(map(_is_predefined, names)):
+        return None
+    said_in = Counter(word for file in files for word in words_of(file.source.text) & names)
+    is_alone = max(said_in.values()) == 1 and all(map(_has_uniform_axes, homes))
+    return repeated if is_alone else None
+
+
+def _may_be_meant(names: Iterable[str], findings: Sequence[Diagnostic]) -> bool:
+    """Whether one of the names may be meant by a wrong name of the findings."""
+    suggestions = [one.violation for one in findings if "nearest" in one.violation.facts]
+    kinds = UndefinedName | UnseenName
+    unknown = {one.undefined for one in suggestions if isinstance(one, kinds)}
+    is_other = any(not isinstance(one, kinds) for one in suggestions)
+    # Of so many, not all are compared.
+    return (
+        is_other
+        or len(unknown) >= MOST_COMPARED
+        or any(closest(name, names) is not None for name in unknown)
+    )
+
+
+def _declared(module: tree.Module) -> frozenset[str]:
+    """The names that runs of a module declare."""
+    return frozenset(name for run in module.runs for name in run.names)
+
+
+def _searches_by_name(files: Sequence[tree.File]) -> bool:
+    """Whether an instruction finds data by names that are made while the program runs."""
+    nodes = descendants(*(module for file in files for module in file.modules))
+    calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
+    return any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls)
+
+
+def _has_uniform_axes(module: tree.Module) -> bool:
+    """Whether all targets of a module say of external axes what those say that a run declares."""
+    axes = next(run.numbers_of_like[-6:].tolist() for run in module.runs if run.names)
+    inside = (node for node in descendants(module) if isinstance(node, tree.Data))
+    return all(declares_axes_alike_targets(node, axes) for node in inside)
+
+
+def _is_predefined(name: str) -> bool:
+    return installed_symbol(name) is not None or installed_type(name) is not None

@@ -1,0 +1,55 @@
+"""The errors that end a run of all tasks of a cell, as reported by a check."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.files import InputError
+from rapidsim.jobs.checked_program import LoadedProgram
+from rapidsim.jobs.entry import require_entry
+from rapidsim.jobs.job import Job
+from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.jobs.move_checks import of_unnamed_arm
+from rapidsim.module_files import TaskFiles
+from rapidsim.reach.checked_moves import MOST_MOVES_FOR_ERRORS
+from rapidsim.reach.dataflow.written_moves import written_moves
+from rapidsim.station.tasks import DEFAULT_TASK
+
+
+def multitask_errors(
+    job: Job, tasks: Sequence[tuple[TaskFiles, LoadedProgram]]
+) -> tuple[Diagnostic, ...] | None:
+    """Run all tasks as `rapidsim run` does, for a short time; None if that is inconclusive.
+
+    Args:
+        job: What is checked.
+        tasks: Its tasks as read and loaded.
+    """
+    named = [
+        LoadedTask(task.name or DEFAULT_TASK, one.program, len(written_moves(one.files)))
+        for task, one in tasks
+        if one.program is not None
+    ]
+    few_moves = sum(one.moves for one in named) <= MOST_MOVES_FOR_ERRORS
+    if len(named) < len(tasks) or not few_moves:
+        return None
+    # A check of one task needs no run of several.
+    from rapidsim.jobs.run_options import run_options
+    from rapidsim.jobs.target_attribution import attribute_to_targets
+    from rapidsim.jobs.task_setups import task_setups
+    from rapidsim.reach.trial_run import run_all_tasks
+
+    try:
+        for one in named:
+            require_entry(one.program, job.entry(one.name))
+        bare = task_setups(named, job.station, job.arm(), job.open_robot)
+    except InputError:
+        return None
+    setups = [replace(setup, entry=job.entry(setup.name)) for setup in bare]
+    found = run_all_tasks(setups, run_options(job))
+    if found is None:
+        return None
+    found = attribute_to_targets(found, [one.program for one in named])
+    return of_unnamed_arm(found) if job.is_arm_guessed else found

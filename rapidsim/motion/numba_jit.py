@@ -1,0 +1,101 @@
+"""Loops compiled by numba if it is installed; the same code, the same results.
+
+No result depends on it. numba is imported when the first batch comes that is long enough to be
+worth it, never by a mere check. RAPIDSIM_NUMBA=0 switches it off.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import cache
+from hashlib import sha256
+from importlib import import_module
+from pathlib import Path
+from threading import RLock
+from types import FunctionType, ModuleType
+from typing import Any, Final
+
+from rapidsim.extras import is_installed
+
+WORTH_COMPILING = 20_000
+"""Rows of a batch from which on loading compiled code, half a second, is worth while."""
+COMPILING: Final = RLock()
+"""Held while numba is imported, compiles or loads: an exception that another thread raises in the
+middle of it leaves numba broken for the rest of the process. Who raises one takes it first."""
+_SWITCH = "RAPIDSIM_NUMBA"
+
+_loaded = False
+
+
+@contextmanager
+def jit_reconsidered() -> Iterator[None]:
+    """Reset what was found worth compiling: a run gives the same to the last digit after any other.
+
+    Compiled code rounds like NumPy, except for the last digit.
+    """
+    global _loaded
+    _loaded = False
+    try:
+        yield
+    finally:
+        _loaded = False
+
+
+def jit_function(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | None:
+    """A compiled function of a module; None if numba is not to be used for this many rows.
+
+    Args:
+        module: The module of the function; its `COMPILED` lists all it needs, in order, including
+            functions of other modules.
+        name: The function's name.
+        rows: How many rows it is needed for now.
+    """
+    global _loaded
+    if os.environ.get(_SWITCH) == "0" or (rows < WORTH_COMPILING and not _loaded):
+        return None
+    if not is_installed("numba"):
+        return None
+    _loaded = True
+    with COMPILING:
+        return _functions(module)[name]
+
+
+@cache
+def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
+    """All functions of `module.COMPILED`, compiled; their calls of each other too."""
+    numba = import_module("numba")
+
+    functions: Sequence[FunctionType] = module.COMPILED
+    modules = [import_module(name) for name in dict.fromkeys(f.__module__ for f in functions)]
+    space: dict[str, Any] = {}
+    for one in modules:
+        space.update(vars(one))
+    # numba compiles anew when the file of a function has changed, but does not look at the files of
+    # those that it calls; so the name under which it stores a function tells of all of them.
+    sources = b"".join(Path(one.__file__).read_bytes() for one in modules if one.__file__)
+    digest = sha256(sources).hexdigest()[:16]
+    for function in functions:
+        # A copy whose globals hold what is compiled already: compiled code calls nothing else.
+        own = FunctionType(function.__code__, space, function.__name__)
+        own.__qualname__ = f"{function.__name__}_{digest}"
+        try:
+            dispatcher = numba.njit(own, cache=True, no_cfunc_wrapper=True)
+        except RuntimeError:
+            # No folder that can be written to: then it is compiled anew in each run.
+            dispatcher = numba.njit(own)
+        # The first call with arguments of some types compiles, through this method.
+        dispatcher.compile = _uninterrupted(dispatcher.compile)
+        space[function.__name__] = dispatcher
+    return {function.__name__: space[function.__name__] for function in functions}
+
+
+def _uninterrupted(compile_for: Callable[..., Any]) -> Callable[..., Any]:
+    """The same function, holding `COMPILING`."""
+
+    def held(*arguments: Any) -> Any:
+        with COMPILING:
+            return compile_for(*arguments)
+
+    return held

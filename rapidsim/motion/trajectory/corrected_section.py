@@ -1,0 +1,85 @@
+"""Part of a path on which the TCP is corrected: the arm follows its path with an offset.
+
+The offset is known at knots and linear in between. Joints are those of the arm on its path, moved
+by the offset.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.kinematics.arm import Kinematics
+
+
+@dataclass(eq=False)
+class CorrectedSection:
+    """A corrected part of a path; it can only be extended."""
+
+    start_s: float
+    kinematics: Kinematics
+    until_s: float = math.inf
+    """From when on [s] the arm is somewhere else."""
+    _times: list[float] = field(default_factory=list)
+    _offsets: list[Array] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        """Begin on the path."""
+        self.append(self.start_s, np.zeros(3))
+
+    @property
+    def end_s(self) -> float:
+        """The time [s] up to which the offset is known; it stays constant after that."""
+        return self._times[-1]
+
+    @property
+    def end(self) -> Array:
+        """The offset (3,) [m] at the end so far."""
+        return self._offsets[-1]
+
+    def append(self, time_s: float, arc_length: Array) -> None:
+        """Extend to a time [s] at which the offset is `arc_length` (3,) [m], in base."""
+        self._times.append(time_s)
+        self._offsets.append(arc_length)
+
+    def forget(self, before_s: float) -> None:
+        """Forget what nobody who looks at a time [s] or later can see."""
+        gone = max(bisect_right(self._times, before_s) - 2, 0)
+        del self._times[:gone], self._offsets[:gone]
+
+    def extend(self, start_s: float, cycle_s: float, offsets: Iterable[Array]) -> None:
+        """Extend by a cycle [s] for each offset, starting at a time [s]."""
+        for number, way in enumerate(offsets, start=1):
+            self.append(start_s + number * cycle_s, way)
+
+    def offsets_at(self, times: Array) -> Array:
+        """The offsets (k, 3) [m] at instants (k,) [s], in base."""
+        # A run has many knots, and one asks for few that lie close together.
+        first = max(0, bisect_right(self._times, float(times.min())) - 1)
+        last = bisect_right(self._times, float(times.max())) + 1
+        knots, ways = self._times[first:last], np.array(self._offsets[first:last])
+        return np.stack([np.interp(times, knots, ways[:, k]) for k in range(3)], axis=-1)
+
+    def speeds_at(self, times: Array) -> Array:
+        """The rate (k,) [m/s] at which the offset changes."""
+        step_s = 1e-3
+        change = self.offsets_at(times + step_s) - self.offsets_at(times - step_s)
+        speed: Array = np.linalg.norm(change, axis=1) / (2.0 * step_s)
+        return speed
+
+    def joints(self, joints: Array, offsets: Array) -> Array:
+        """Joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN where unreachable."""
+        flange = self.kinematics.forward(joints)
+        led = Transform(flange.rotation, flange.translation + offsets)
+        branches = self.kinematics.branch_of(joints)
+        found = np.full_like(joints, np.nan)
+        for branch in np.unique(branches).tolist():
+            (rows,) = np.nonzero(branches == branch)
+            there = self.kinematics.inverse_on_branch(led[rows], branch, joints[rows])
+            found[rows[there.exists]] = there.joints[there.exists]
+        return found

@@ -1,0 +1,123 @@
+"""Follows a path of the TCP in each configuration separately, over its whole length.
+
+An arm cannot change its configuration on a path without passing a singularity. Taken one by one,
+each configuration either works throughout, or has a joint past its limit, an unreachable pose, or a
+jump; the worst over the whole path is reported.
+"""
+
+from __future__ import annotations
+
+from math import degrees
+
+import numpy as np
+
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import confdata_of
+from rapidsim.motion.configurations.reachability import (
+    Unreachable,
+    limit_excess,
+    turns_within_limits,
+)
+from rapidsim.motion.kinematics.unwrapping import turning, whole_turns
+from rapidsim.motion.robot.external_axes import amount_text
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
+from rapidsim.values import value_class
+
+_EXACT = 1e-9
+"""[m]; a wrist centre that is less beyond reach was rounded."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class BranchPath:
+    """One configuration along a path."""
+
+    confdata: tuple[int, ...]
+    """At the first pose: cf1, cf4, cf6, cfx."""
+    joints: Array
+    """Shape (k, n) [rad]; 0 where it does not reach the pose."""
+    message: str | None
+    """Why the arm cannot go all the way in it; None where it can."""
+    row: int
+    """The pose at which that begins; 0 where there is nothing."""
+    severity: tuple[int, float]
+    """By what configurations are compared: the smaller is the nearer to being possible."""
+
+    @property
+    def travel(self) -> float:
+        """The total joint motion [rad]."""
+        return float(np.abs(np.diff(self.joints, axis=0)).sum())
+
+
+def branch_paths(
+    robot: Robot, base_from_flange: Transform, first: Array | None = None
+) -> tuple[BranchPath, ...]:
+    """Follow poses in every configuration that reaches the first one.
+
+    Args:
+        robot: An arm whose solutions confdata distinguishes.
+        base_from_flange: Poses (k,), close to one another.
+        first: Joints (n,) [rad] at the first pose: that configuration takes their whole turns. The
+            others take turns within the limits, if there are any.
+
+    Returns:
+        The closest to feasible first; none if the first pose is out of reach.
+    """
+    arm = robot.kinematics
+    own = None if first is None else int(arm.branch_of(first))
+    begin = robot.inverse(base_from_flange[:1])
+    found = []
+    for branch in np.flatnonzero(begin.exists[0]).tolist():
+        given = first is not None and branch == own
+        near = first if first is not None and given else begin.joints[0, branch]
+        followed = arm.inverse_on_branch(base_from_flange, branch, near)
+        joints, exists = followed.joints, followed.exists
+        if not given:
+            joints = joints + _shift(robot, joints[exists])
+        found.append(_branch_path(robot, base_from_flange, joints, exists))
+    return tuple(sorted(found, key=lambda way: way.severity))
+
+
+def _shift(robot: Robot, joints: Array) -> Array:
+    """Whole turns (n,) [rad] that bring the middle of each joint's way nearest to its range."""
+    middle = 0.5 * (joints.min(axis=0) + joints.max(axis=0))
+    return whole_turns(turns_within_limits(robot, middle) - middle, robot.kinematics.turns)
+
+
+def _branch_path(
+    robot: Robot, base_from_flange: Transform, joints: Array, exists: np.typing.NDArray[np.bool_]
+) -> BranchPath:
+    conf = tuple(confdata_of(robot.kinematics, joints[0]).tolist())
+    both = exists[1:] & exists[:-1]
+    steps = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
+    steps = np.where(both[:, None], steps, 0.0)
+    excess = limit_excess(robot, joints)
+    excess[~exists] = 0.0
+    if not exists.all():
+        row = int(np.argmin(exists))
+        off = robot.inverse(base_from_flange[np.flatnonzero(~exists)]).shortfall.max()
+        why = (
+            Unreachable(float(off)).message
+            if off > _EXACT
+            else "this configuration does not reach it"
+        )
+        share = float(np.mean(~exists))
+        return BranchPath(conf, joints, why, row, (2, share))
+    if steps.max(initial=0.0) > LARGEST_STEP:
+        row, joint = (int(i) for i in np.unravel_index(np.argmax(steps), steps.shape))
+        why = f"joint {joint + 1} would have to jump by {degrees(steps[row, joint]):.0f} deg"
+        return BranchPath(conf, joints, f"{why}, at a singularity", row, (3, float(steps.max())))
+    if excess.any():
+        row, joint = (int(i) for i in np.unravel_index(np.argmax(np.abs(excess)), excess.shape))
+        over = float(excess[row, joint])
+        limit = robot.upper[joint] if over > 0.0 else robot.lower[joint]
+        side = "upper" if over > 0.0 else "lower"
+        measure = robot.joints[joint].measure
+        why = (
+            f"joint {joint + 1} goes to {degrees(joints[row, joint]):.1f} {measure}, "
+            f"{amount_text(degrees(abs(over)))} {measure} beyond its {side} limit of "
+            f"{degrees(limit):.0f} {measure}"
+        )
+        first = int(np.argmax(np.abs(excess).max(axis=1) > 0.0))
+        return BranchPath(conf, joints, why, first, (1, abs(over)))
+    return BranchPath(conf, joints, None, 0, (0, 0.0))

@@ -1,0 +1,498 @@
+"""Abstract interpreter of a program, which collects the moves whose arguments are static.
+
+Calls are followed from main with their arguments, so a move is known together with its predecessor.
+Both branches of an unknown condition are taken; a loop with known bounds is executed iteration by
+iteration, any other once from its entry and once for all further iterations. Routines without a
+caller are entries, too. Data that may have been written in between are forgotten, never guessed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from rapidsim.analysis.program import (
+    DataSymbol,
+    LibrarySymbol,
+    ParameterSymbol,
+    Program,
+    RoutineSymbol,
+    Storage,
+    Symbol,
+)
+from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.data_access import by_reference
+from rapidsim.interpreter.codegen.written_paths import bare
+from rapidsim.interpreter.runtime import arithmetic
+from rapidsim.language.data import JointTarget
+from rapidsim.language.moves import Move
+from rapidsim.library.table import LibraryRoutine
+from rapidsim.library.traits import Trait
+from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run
+from rapidsim.reach.dataflow.controller_stub import ControllerStub
+from rapidsim.reach.dataflow.data_places import empty_data, replaced
+from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
+from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic
+from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
+from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
+from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
+from rapidsim.reach.dataflow.transfer_functions import InstructionEffect, perform
+from rapidsim.syntax import tree
+
+MOST_STATEMENTS = 100_000
+"""After so many beyond one walk through the text, loops and calls are no longer followed."""
+MOST_ROUNDS = 2000
+"""Rounds of a loop with moves that are walked one by one."""
+MOST_IDLE_ROUNDS = 100
+"""The same for loops without moves."""
+DEEPEST_CALL = 12
+ENTRY = "main"
+
+_IN_LOOP = "`{name}` changes from round to round"
+_BY_CALL = "`{name}` is written by a routine that is called in between"
+_NO_VALUE = "`{name}` has no initial value; another program sets it"
+_ELSEWHERE = "`{name}` is written while the program runs"
+_WAY = "`{name}` decides whether this is executed"
+TOO_LONG = "the program is too long to be followed to this place"
+_START = KnownSettings()
+
+
+@dataclass(eq=False)
+class AbstractInterpreter:
+    """Walks through the routines of a program, tracking what is known."""
+
+    program: Program
+    effects: ProgramEffects
+    runs: Runs
+    state: State = field(default_factory=State)
+    moves: list[KnownMove] = field(default_factory=list)
+    unknown: dict[MoveStatement, str] = field(default_factory=dict)
+    unreached: dict[MoveStatement, str] = field(default_factory=dict)
+    """As `unknown`, where no way through the program leads there; it counts if nothing else does.
+    """
+    _index: dict[object, int] = field(default_factory=dict)
+    _stack: list[AbstractFrame] = field(default_factory=list)
+    _entered: set[RoutineSymbol] = field(default_factory=set)
+    _constants: dict[Symbol, Known] = field(default_factory=dict)
+    _body_effects: dict[int, tuple[tree.Body, Effects]] = field(default_factory=dict)
+    """By identity, with the bodies: some are cut out of others, and must stay for that."""
+    _turns: list[list[State]] = field(default_factory=list)
+    """For each loop that is walked, what was known where CONTINUE ended its turn."""
+    _run_ends: dict[int, int] = field(default_factory=dict)
+    """By the move before a run, the last move of the run."""
+    _unreachable: set[int] = field(default_factory=set)
+    _is_unreachable: int = 0
+    """Above 0 while statements are walked that this way through the program does not reach."""
+    _from_start: bool = False
+    """Whether data not written on this way hold their initial values for sure."""
+    _steps_remaining: int = MOST_STATEMENTS
+
+    def __post_init__(self) -> None:
+        self._evaluator = Evaluator(self.program, self)
+
+    # --- routines
+
+    def walk_all(self) -> None:
+        """Walk main first, then what nothing calls, then the rest."""
+        main = self.program.routines.get(ENTRY)
+        if main is not None:
+            self._from_start = True
+            self._walk_alone(main, State(last=BEGINNING))
+            self._from_start = False
+        uncalled = [
+            routine for routine in self.effects.routines if routine not in self.effects.called
+        ]
+        for routine in (*uncalled, *self.effects.routines):
+            if routine not in self._entered and self.effects.of_routine(routine).moves:
+                settings = _START.forgetting(self.effects.everything.settings)
+                self._walk_alone(routine, State(settings=settings))
+        for routine in self.effects.routines:
+            self._walk_clauses(routine)
+
+    def _walk_alone(self, routine: RoutineSymbol, state: State) -> None:
+        state.forget(routine.parameters, "parameter `{name}` differs from call to call")
+        self.state = state
+        for statement in statements(*clauses(routine.node)):
+            self._steps_remaining += 1
+            if isinstance(statement, tree.Call) and statement in self.runs:
+                self._steps_remaining += len(self.runs[statement][0])
+        self._walk_body(routine)
+
+    def _walk_clauses(self, routine: RoutineSymbol) -> None:
+        """Error handlers and their like: they may be entered from anywhere in the body."""
+        _, *others = clauses(routine.node)
+        for body in others:
+            if not self._effects_of(body).moves:
+                continue
+            from_start, self._from_start = self._from_start, False
+            state = State(settings=_START.forgetting(self.effects.everything.settings))
+            state.forget(self.effects.locals_of(routine), _ELSEWHERE)
+            self.state = state
+            self._steps_remaining += sum(1 for _ in statements(body))
+            self._stack.append(AbstractFrame(routine))
+            self._execute(body)
+            self._stack.pop()
+            self._from_start = from_start
+
+    def _walk_body(self, routine: RoutineSymbol) -> Known:
+        """Walk a routine from the current state to what is known after it; its result."""
+        self._entered.add(routine)
+        frame = AbstractFrame(routine)
+        self._stack.append(frame)
+        self._execute(routine.node.body)
+        self._stack.pop()
+        self.state = joined([*frame.returns, self.state])
+        results = frame.results
+        if results and all(type(one) is type(results[0]) and one == results[0] for one in results):
+            return results[0]
+        return NotStatic(f"`{routine.name}` returns what depends on the run")
+
+    def call(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument]) -> Known:
+        """Follow a call of a routine of the program; the result of a function."""
+        stacked = any(frame.routine is symbol for frame in self._stack)
+        if stacked or len(self._stack) >= DEEPEST_CALL or self._steps_remaining < 0:
+            self._forget_effects(self.effects.of_routine(symbol), _BY_CALL)
+            return NotStatic(f"`{symbol.name}` is not followed so deep")
+        given = match_arguments(arguments, symbol.parameters)
+        values: dict[Symbol, Known] = {}
+        given_back: list[tuple[ParameterSymbol, tree.DataPath]] = []
+        for parameter in symbol.parameters:
+            one = given.get(parameter.name.lower())
+            values[parameter] = (
+                (False if parameter.is_switch else NotStatic(f"`{parameter.name}` is not given"))
+                if one is None
+                else NotStatic(f"`{parameter.name}` is passed on")
+                if one.caller_option is not None
+                else True
+                if one.value is None
+                else self._evaluator.value(one.value)
+            )
+            path = None if one is None or one.value is None else bare(one.value)
+            if by_reference(parameter.mode) and isinstance(
+                path, tree.DataReference | tree.Index | tree.ComponentAccess
+            ):
+                given_back.append((parameter, path))
+        self.state.values.update(values)
+        result = self._walk_body(symbol)
+        written = self.effects.of_routine(symbol).writes
+        returned = [(path, self.read(p)) for p, path in given_back if p in written]
+        self.state = self.state.without(self.effects.locals_of(symbol))
+        for path, value in returned:
+            self._store(path, value)
+        return result
+
+    # --- data
+
+    def read(self, symbol: Symbol) -> Known:
+        """The value of data at the current statement."""
+        value = self.state.values.get(symbol)
+        if value is not None:
+            volatile = not isinstance(value, NotStatic) and symbol in self.effects.volatile
+            return NotStatic(_ELSEWHERE.format(name=symbol.name)) if volatile else value
+        if not isinstance(symbol, DataSymbol):
+            return NotStatic(f"`{symbol.name}` is not known")
+        if symbol.storage is not Storage.CONST and (
+            symbol in self.effects.volatile
+            or (not self._from_start and self.effects.is_written(symbol))
+        ):
+            return NotStatic(_ELSEWHERE.format(name=symbol.name))
+        if symbol.node is None:
+            return symbol.value
+        if symbol not in self._constants:
+            self._constants[symbol] = self._initial(symbol)
+        return self._constants[symbol]
+
+    def _initial(self, symbol: DataSymbol) -> Known:
+        assert symbol.node is not None
+        if symbol.node.value is None:
+            if symbol.storage is Storage.PERS:
+                return NotStatic(_NO_VALUE.format(name=symbol.name))
+            return empty_data(symbol)
+        return self._evaluator.value(symbol.node.value, symbol.type)
+
+    def _store(self, path: tree.DataPath, value: Known) -> None:
+        root = self.program.symbol_of.get(root_of(path))
+        if root is not None:
+            self.state.values[root] = replaced(self._evaluator, path, value)
+
+    def _forget_effects(self, effects: Effects, reason: str) -> None:
+        self.state.forget(effects.writes, reason)
+        self.state.settings = self.state.settings.forgetting(effects.settings)
+        if effects.moves:
+            self.state.last = None
+
+    def _effects_of(self, body: tree.Body) -> Effects:
+        known = self._body_effects.get(id(body))
+        if known is None:
+            known = self._body_effects[id(body)] = body, self.effects.of_bodies(body)
+        return known[1]
+
+    # --- statements
+
+    def _execute(self, body: tree.Body) -> None:
+        for position, statement in enumerate(body):
+            if not self.state.alive and not isinstance(statement, tree.Label):
+                self._unreached(body[position:])
+                return
+            self._steps_remaining -= 1
+            self._statement(statement)
+
+    def _unreached(self, rest: tree.Body) -> None:
+        """Statements after a RETURN or the like; a label may make them live again."""
+        label = next((k for k, one in enumerate(rest) if isinstance(one, tree.Label)), len(rest))
+        self._walk_unreachable(rest[:label], ())
+        if label < len(rest):
+            self._execute(rest[label:])
+
+    def _walk_unreachable(self, body: tree.Body, decided_by: Iterable[tree.Expression]) -> None:
+        """Collect the moves of skipped statements, without the data that decided so."""
+        if not body or id(body[0]) in self._unreachable or not self._effects_of(body).moves:
+            return
+        self._unreachable.add(id(body[0]))
+        kept = self.state
+        self.state = State(dict(kept.values), kept.settings, None)
+        if not kept.alive:
+            self._forget_effects(self.effects.of_routine(self._stack[-1].routine), _ELSEWHERE)
+        self.state.forget(self.effects.variables_in(decided_by), _WAY)
+        self._is_unreachable += 1
+        self._execute(body)
+        self._is_unreachable -= 1
+        self.state = kept
+
+    def _statement(self, statement: tree.Statement) -> None:
+        match statement:
+            case tree.Call():
+                self._call(statement)
+            case tree.Assignment(target=target, value=value):
+                found = self._evaluator.value(value)
+                if isinstance(target, tree.DataReference | tree.Index | tree.ComponentAccess):
+                    self._store(target, found)
+            case tree.If(branches=branches, otherwise=otherwise):
+                ways = [(branch.condition, branch.body) for branch in branches]
+                self._choose(ways, otherwise or ())
+            case tree.CompactIf(condition=condition, statement=inner):
+                self._choose([(condition, (inner,))], ())
+            case tree.Test():
+                self._test(statement)
+            case tree.For():
+                self._for(statement)
+            case tree.While(condition=condition, body=body):
+                self._while(condition, body)
+            case tree.Data():
+                symbol = self.program.symbol_of.get(statement)
+                if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.CONST:
+                    self.state.values[symbol] = self._initial(symbol)
+            case tree.Return(value=value):
+                self._return(value)
+            case tree.Label():
+                routine = self._stack[-1].routine
+                self.state.alive = True
+                self._forget_effects(self.effects.of_routine(routine), _IN_LOOP)
+            case tree.Goto() | tree.Exit() | tree.Raise() | tree.Retry() | tree.TryNext():
+                self.state.alive = False
+            case tree.LateCall():
+                self._forget_effects(self.effects.everything, _BY_CALL)
+            case _:
+                pass
+
+    def _return(self, value: tree.Expression | None) -> None:
+        result = None if value is None else self._evaluator.value(value)
+        if not self._is_unreachable:
+            frame = self._stack[-1]
+            frame.returns.append(self.state.copy())
+            frame.results.append(result)
+        self.state.alive = False
+
+    def _choose(
+        self, branches: Sequence[tuple[tree.Expression, tree.Body]], else_body: tree.Body
+    ) -> None:
+        """IF: one way where the conditions are known, all ways that are possible elsewhere."""
+        ends: list[State] = []
+        for position, (condition, body) in enumerate(branches):
+            known = self._evaluator.value(condition)
+            if known is False:
+                self._walk_unreachable(body, [condition])
+                continue
+            entry = self.state.copy()
+            self._execute(body)
+            ends.append(self.state)
+            self.state = entry
+            if known is True:
+                for _, other in branches[position + 1 :]:
+                    self._walk_unreachable(other, [condition])
+                self._walk_unreachable(else_body, [condition])
+                break
+        else:
+            self._execute(else_body)
+            ends.append(self.state)
+        self.state = joined(ends)
+
+    def _test(self, test: tree.Test) -> None:
+        subject = self._evaluator.value(test.subject)
+        ends: list[State] = []
+        for case in test.cases:
+            values = [self._evaluator.value(value) for value in case.values]
+            open_ = isinstance(subject, NotStatic) or any(isinstance(v, NotStatic) for v in values)
+            if not open_ and subject not in values:
+                self._walk_unreachable(case.body, [test.subject])
+                continue
+            entry = self.state.copy()
+            self._execute(case.body)
+            ends.append(self.state)
+            self.state = entry
+            if not open_:
+                break
+        else:
+            self._execute(test.default or ())
+            ends.append(self.state)
+        self.state = joined(ends)
+
+    def _for(self, loop: tree.For) -> None:
+        bounds = [
+            self._evaluator.value(bound)
+            for bound in (loop.first, loop.last, *([] if loop.step is None else [loop.step]))
+        ]
+        counter = self.program.symbol_of[loop]
+        effects = self._effects_of(loop.body)
+        most = MOST_ROUNDS if effects.moves else MOST_IDLE_ROUNDS
+        values: list[float] = []
+        if all(isinstance(bound, float) for bound in bounds) and self._steps_remaining > 0:
+            for value in arithmetic.steps(*bounds):
+                values.append(value)
+                if len(values) > most:
+                    break
+        if not values or len(values) > most:
+            self.state.values[counter] = NotStatic(
+                f"`{loop.counter.text}` counts too far to follow"
+            )
+            self._repeat(loop.body, surely=False)
+            return
+        for value in values:
+            if not self.state.alive or self._steps_remaining < 0:
+                self._forget_effects(effects, _IN_LOOP)
+                break
+            self.state.values[counter] = value
+            self._turn(loop.body)
+
+    def _while(self, condition: tree.Expression, body: tree.Body) -> None:
+        known = self._evaluator.value(condition)
+        if known is False:
+            self._walk_unreachable(body, [condition])
+            return
+        constant = not self.effects.variables_in([condition])
+        self._repeat(body, surely=known is True, endless=known is True and constant)
+
+    def _repeat(self, body: tree.Body, *, surely: bool, endless: bool = False) -> None:
+        """A loop of unknown length: its first round, then one that stands for all others."""
+        effects = self._effects_of(body)
+        entry = self.state.copy()
+        after_first: int | None = entry.last
+        if effects.moves:
+            self._turn(body)
+            after_first = self.state.last if self.state.alive else None
+        self.state = entry.copy()
+        self._forget_effects(effects, _IN_LOOP)
+        self.state.last = after_first
+        self._turn(body)
+        after = self.state
+        self.state = entry
+        self._forget_effects(effects, _IN_LOOP)
+        if effects.moves and surely and after.alive:
+            self.state.last = after.last
+        self.state.alive = not endless
+
+    def _turn(self, body: tree.Body) -> None:
+        """Walk the body of a loop once, up to its end or to a CONTINUE."""
+        self._turns.append([])
+        self._execute(body)
+        self.state = joined([*self._turns.pop(), self.state])
+
+    # --- instructions
+
+    def _call(self, call: tree.Call) -> None:
+        match self.program.symbol_of.get(call):
+            case RoutineSymbol() as symbol:
+                self.call(symbol, call.arguments)
+            case LibrarySymbol(routine=routine) if Trait.CALL_BY_NAME in routine.traits:
+                self._forget_effects(self.effects.everything, _BY_CALL)
+            case LibrarySymbol(routine=routine) if Trait.NEXT_TURN in routine.traits:
+                if self._turns and not self._is_unreachable:
+                    self._turns[-1].append(self.state.copy())
+                self.state.alive = False
+            case LibrarySymbol(routine=routine):
+                self._instruction(call, routine)
+            case _:
+                self._forget_effects(self.effects.of_bodies((call,)), _BY_CALL)
+
+    def _instruction(self, call: tree.Call, routine: LibraryRoutine) -> None:
+        moving, fields = Trait.MOVE in routine.traits, routine.sets
+        recorder = ControllerStub(self.state.settings.settings, self.program.cell.places_parts)
+        signature = routine.signature
+        done: InstructionEffect | str = "only a run can tell"
+        if moving or fields or not signature.takes_controller:
+            done = perform(routine, call.arguments, self._evaluator, recorder)
+        why = done if isinstance(done, str) else None
+        if isinstance(done, InstructionEffect):
+            for path, value in done.written:
+                self._store(path, value)
+            self.state.alive &= done.continues
+            uncertain = self.state.settings.uncertain - frozenset(fields)
+            self.state.settings = KnownSettings(recorder.settings, uncertain)
+        else:
+            asked = f"`{{name}}` comes from `{routine.name}`"
+            self._forget_effects(self.effects.of_bodies((call,)), asked)
+        if Trait.LEAVE_PATH in routine.traits:
+            self.state.last = None
+        if not moving:
+            return
+        displaced = bool(self.state.settings.uncertain & DISPLACEMENTS)
+        moves = recorder.moves
+        if why is None and len(moves) != 1:
+            why = f"`{routine.name}` is not a single move"
+        elif why is None and displaced and not isinstance(moves[0].to, JointTarget):
+            why = "a program displacement (PDispOn, EOffsOn and their like) may be in force"
+        if why is not None:
+            (self.unreached if self._is_unreachable else self.unknown).setdefault(call, why)
+            self.state.last = None
+            return
+        self._record(call, moves[0])
+        if call in self.runs:
+            self._record_run(call)
+        if Trait.SEARCH in routine.traits:
+            self.state.last = None
+
+    def _record(self, call: tree.Call, move: Move) -> None:
+        known = self.state.settings
+        key = (call, move, known, self.state.last)
+        index = self._index.get(key)
+        if index is None:
+            index = len(self.moves)
+            self._index[key] = index
+            frame = self._stack[-1].routine
+            begins = self.state.last == BEGINNING
+            self.moves.append(
+                KnownMove(
+                    call,
+                    frame.module,
+                    frame.name,
+                    move,
+                    known.settings,
+                    known.uncertain,
+                    None if begins else self.state.last,
+                    begins,
+                )
+            )
+        self.state.last = index
+
+    def _record_run(self, call: tree.Call) -> None:
+        """What a run behind a move does: the same as that move, to targets of its own."""
+        before = self.state.last
+        assert before is not None
+        run, rows = self.runs[call]
+        self._steps_remaining -= len(run)
+        if before not in self._run_ends:
+            assert before == len(self.moves) - 1, "the first of them starts where it ends"
+            self.moves += moves_of_run(run, rows, self.moves[before], len(self.moves))
+            self._run_ends[before] = len(self.moves) - 1
+        self.state.last = self._run_ends[before]

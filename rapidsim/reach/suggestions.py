@@ -1,0 +1,106 @@
+"""What would make unreachable targets reachable, in words: a shift of the work object, a turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rapidsim.analysis.program import Program
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import has_branches
+from rapidsim.motion.configurations.reach_suggestions import least_turn, nearest_shift, reachable
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.reach.arm_configurations import EndSolutions
+from rapidsim.reach.target_poses import PosedMoves
+from rapidsim.reach.wording import data_of
+
+MOST_SEARCHES = 24
+"""Searches for one program; a shift that cures a whole work object is searched once."""
+_MINOR = 0.35
+"""Share of a shift below which a direction is not worth a word."""
+
+
+@dataclass(eq=False)
+class ReachSuggestions:
+    """Searches for cures on demand; where possible, one for all targets of a work object."""
+
+    program: Program
+    posed: PosedMoves
+    ends: EndSolutions
+    robot: Robot
+    base_from_world: Transform
+    _shifts: dict[object, tuple[Array | None, int]] = field(default_factory=dict)
+    """By work object: the shift that cures all its targets, and how many these are."""
+    _searched: int = 0
+
+    def of(self, row: int) -> str | None:
+        """The cure for a move with an unreachable end; None if none was found."""
+        if not has_branches(self.robot.kinematics):
+            return None
+        parts = [part for part in (self._shift(row), self._turn(row)) if part is not None]
+        return ", or ".join(parts) if parts else None
+
+    def _shift(self, row: int) -> str | None:
+        known = self.posed.moves[row]
+        wobj = data_of(self.program, known, "wobj")
+        if wobj is not None and wobj.node is not None:
+            key = known.move.wobj
+            if key not in self._shifts:
+                same = [
+                    other
+                    for other in np.flatnonzero(self.ends.looked_at & ~self.posed.to_axes).tolist()
+                    if self.posed.moves[other].move.wobj == key
+                ]
+                self._shifts[key] = self._searched_shift(same), len(same)
+            shift, count = self._shifts[key]
+            if shift is not None:
+                every = "all its targets are" if count > 1 else "it is"
+                return f"{every} in reach with `{wobj.name}` moved {self._words(row, shift)}"
+        shift = self._searched_shift([row])
+        if shift is None:
+            return None
+        return f"it is in reach if moved {self._words(row, shift)}"
+
+    def _searched_shift(self, rows: Sequence[int]) -> Array | None:
+        self._searched += 1
+        if self._searched > MOST_SEARCHES:
+            return None
+        return nearest_shift(self.robot, self.posed.base_from_flange[np.array(rows)])
+
+    def _turn(self, row: int) -> str | None:
+        posed = self.posed
+        if self._searched > MOST_SEARCHES:
+            return None
+        turn = least_turn(self.robot, posed.base_from_tcp[row], posed.tcp_from_flange[row])
+        if turn is not None:
+            return f"with the tool turned {turn.degrees:+.0f} deg about its {turn.axis}"
+        flange = posed.base_from_tcp[row : row + 1]
+        if np.any(posed.tcp_from_flange.translation[row]) and reachable(self.robot, flange)[0]:
+            return "with tool0"
+        return None
+
+    def _words(self, row: int, shift: Array) -> str:
+        """A shift (3,) [m] in base: how far, which way, and the numbers in world coordinates."""
+        size = float(np.linalg.norm(shift))
+        numbers = (self.base_from_world.rotation.T @ shift) * 1e3
+        text = ",".join(f"{number:g}" for number in np.round(numbers, 1) + 0.0)
+        return f"{1e3 * size:.0f} mm {self._directions(row, shift / size)} by [{text}]"
+
+    def _directions(self, row: int, unit: Array) -> str:
+        """The main directions of a unit vector (3,) in base, seen from the target."""
+        at = self.posed.base_from_flange.translation[row].copy()
+        at[2] = 0.0
+        outward = at / max(float(np.linalg.norm(at)), 1e-9)
+        left = np.cross([0.0, 0.0, 1.0], outward)
+        shares = [
+            (float(unit @ outward), "away from the base", "toward the base"),
+            (float(unit[2]), "up", "down"),
+            (float(unit @ left), "to the left", "to the right"),
+        ]
+        shares.sort(key=lambda share: -abs(share[0]))
+        words = [
+            plus if size > 0.0 else minus for size, plus, minus in shares if abs(size) > _MINOR
+        ]
+        return " and ".join(words)

@@ -1,0 +1,51 @@
+"""Robot Web Services 1.0, RobotWare 6: JSON where the query asks for it, else XHTML."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from aiohttp import web
+
+from rapidsim.server.http.bodies import (
+    JSON,
+    XHTML,
+    json_body,
+    json_refusal,
+    subscribed,
+    xhtml_body,
+    xhtml_refusal,
+)
+from rapidsim.server.http.dialect import Users, base, represent
+from rapidsim.server.messages import ErrorAnswer, Reply
+
+
+@dataclass(frozen=True, slots=True)
+class Rws1Dialect:
+    """Implements `dialect.Dialect`."""
+
+    users: Users
+    generation: int = 1
+    protocol: str = "robapi2_subscription"
+    clients_may_speak: bool = True
+
+    def objection(self, request: web.Request) -> web.Response | None:
+        """There is none: no header is looked at."""
+        del request
+        return None
+
+    def represent(self, request: web.Request, reply: Reply) -> web.Response:
+        """See `Dialect`."""
+        if request.query.get("json") == "1":
+            return represent(request, reply, json_body, json_refusal, JSON)
+        return represent(request, reply, xhtml_body, xhtml_refusal, XHTML)
+
+    def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
+        """XHTML whatever was asked for, as controllers do."""
+        body = xhtml_refusal(refusal, base(request))
+        return web.Response(status=refusal.status, text=body, content_type=XHTML)
+
+    def subscribed(self, request: web.Request, group: int) -> web.Response:
+        """XHTML whatever was asked for."""
+        link = f"ws://{request.host}/poll/{group}"
+        body = subscribed(group, link, base(request))
+        return web.Response(status=201, headers={"Location": link}, text=body, content_type=XHTML)

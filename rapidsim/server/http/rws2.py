@@ -1,0 +1,93 @@
+"""Robot Web Services 2.0, RobotWare 7: over TLS; the header `Accept` chooses the form of answers.
+
+Reading answers in HAL JSON or XHTML, writing in XHTML; both name their version, and so
+must whoever writes.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from http import HTTPStatus
+from typing import Final
+
+from aiohttp import web
+
+from rapidsim.server.http.bodies import (
+    hal_body,
+    hal_refusal,
+    later_xhtml_refusal,
+    subscribed,
+    xhtml_body,
+)
+from rapidsim.server.http.dialect import Users, base, represent
+from rapidsim.server.messages import ErrorAnswer, Reply
+
+_HAL: Final = "application/hal+json"
+_XHTML: Final = "application/xhtml+xml"
+_FORM: Final = "application/x-www-form-urlencoded;v=2.0"
+_ACCEPTED: Final = re.compile(r"(application/(?:hal\+json|xhtml\+xml)|\*/\*)(?:;v=(2\.\d))?")
+"""A form of answers; only one that takes any may leave out the version."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rws2Dialect:
+    """Implements `dialect.Dialect`."""
+
+    users: Users
+    generation: int = 2
+    protocol: str = "rws_subscription"
+    clients_may_speak: bool = False
+
+    def objection(self, request: web.Request) -> web.Response | None:
+        """Refuses requests for forms of another version."""
+        is_file = request.path.startswith("/fileservice/")
+        if request.method == "GET":
+            is_socket = request.path.startswith("/poll/")
+            if is_file or is_socket or _accepted(request) is not None:
+                return None
+            return web.Response(status=406, text=f"Accept is {_HAL};v=2.0 or {_XHTML};v=2.0\n")
+        written = _squeezed(request.headers.get("Content-Type", ""))
+        if written.startswith(_FORM) or (is_file and ";v=2." in written):
+            return None
+        return web.Response(status=415, text=f"Content-Type is {_FORM}\n")
+
+    def represent(self, request: web.Request, reply: Reply) -> web.Response:
+        """See `Dialect`."""
+        form, version = _accepted(request) or (_XHTML, "2.0")
+        # Writing answers in XHTML, whatever form is asked for.
+        if form == _HAL and (request.method == "GET" or isinstance(reply, ErrorAnswer)):
+            return represent(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
+        return represent(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v={version}")
+
+    def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
+        """JSON that calls itself HTML where a file is missing, as controllers do."""
+        if refusal.status != HTTPStatus.NOT_FOUND:
+            return self.represent(request, refusal)
+        body = hal_refusal(refusal, base(request))
+        return web.Response(status=refusal.status, text=body, content_type="text/html")
+
+    def subscribed(self, request: web.Request, group: int) -> web.Response:
+        """With both addresses: that of the websocket and that of the group."""
+        link = f"wss://{request.host}/poll/{group}"
+        body = subscribed(group, link, base(request))
+        headers = {"Location": link, "Content-Type": f"{_XHTML};v=2.0"}
+        return web.Response(status=201, headers=headers, body=body.encode())
+
+
+def _accepted(request: web.Request) -> tuple[str, str] | None:
+    """The first accepted form that exists, with its version; None if there is none."""
+    header = _squeezed(request.headers.get("Accept", "*/*"))
+    for one in header.split(","):
+        matched = _ACCEPTED.match(one)
+        if matched is None:
+            continue
+        if matched[1] == "*/*":
+            return _XHTML, "2.0"
+        if matched[2]:
+            return matched[1], matched[2]
+    return None
+
+
+def _squeezed(header: str) -> str:
+    return header.replace(" ", "").lower()

@@ -1,0 +1,150 @@
+"""The controller as the page for people shows it, as JSON.
+
+Looking changes nothing: it is not in the journal, and in lock-step no time passes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from itertools import islice
+from typing import Final
+
+from rapidsim.controller.cell.description import SignalDeclaration
+from rapidsim.controller.cell.pendant import Question
+from rapidsim.interpreter.linking.saved_text import text_of
+from rapidsim.language.data import UNUSED_AXIS
+from rapidsim.language.moves import Place
+from rapidsim.motion.robot.external_axes import LETTERS
+from rapidsim.server.messages import Answer, ReadState
+from rapidsim.server.resources.codes import NOT_FOUND, as_answered, refused
+from rapidsim.server.resources.context import RequestContext
+from rapidsim.server.resources.io_addresses import SignalAddresses
+from rapidsim.simulation.live import program_memory
+from rapidsim.simulation.live import signals as live_signals
+from rapidsim.simulation.live.event_log import COMMON
+from rapidsim.simulation.live.live_task import LiveTask
+from rapidsim.simulation.live.position import active_frames, position_snapshot
+from rapidsim.simulation.live.signals import limits
+from rapidsim.simulation.live.states import RequestRefused, TaskState
+
+_ENTRIES: Final = 50
+"""How many entries of the event log are shown."""
+
+
+def looked(context: RequestContext, read_state: ReadState) -> Answer:
+    """The state of the controller, or the text of a module.
+
+    Raises:
+        RefusedRequest: If there is no such module.
+    """
+    if not read_state.module:
+        shown = _state(context)
+    else:
+        try:
+            shown = _text(context.live.task(read_state.task), read_state.module)
+        except RequestRefused as refusal:
+            raise as_answered(refusal, 1) from None
+    return Answer(content=json.dumps(shown, ensure_ascii=False, allow_nan=False).encode())
+
+
+def _state(context: RequestContext) -> dict[str, object]:
+    live = context.live
+    places = SignalAddresses(context)
+    return {
+        "time": round(live.now_s, 3),
+        "clock": f"{live.date:%Y-%m-%d %H:%M:%S}",
+        "executes": live.executes,
+        "motors": live.motors.value,
+        "mode": live.mode.value,
+        "speed": live.speed_ratio,
+        "cycle": live.cycle.value,
+        "tasks": [_task(live.task(one.name), one) for one in live.task_states()],
+        "signals": [_signal(context, one, places) for one in live_signals.declared(live)],
+        "screen": list(live.screen),
+        "questions": [_question(one) for one in live.pendant.questions.values()],
+        "log": [
+            {
+                "number": one.number,
+                "type": one.type,
+                "code": one.code,
+                "clock": f"{live.date_at(one.time_s):%H:%M:%S}",
+                "title": one.title,
+                "text": one.text,
+            }
+            for one in islice(live.log.entries(COMMON), _ENTRIES)
+        ],
+    }
+
+
+def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
+    shown: dict[str, object] = {
+        "name": task.name,
+        "kind": state.kind,
+        "executes": state.executes,
+        "active": state.is_active,
+        "routine": task.place.routine if task.has_pointer else "",
+        "pointer": _place(task, task.place) if task.has_pointer else None,
+        "modules": [one.name.text for one in program_memory.modules(task)],
+    }
+    if state.moves_robot:
+        now = position_snapshot(task)
+        tool, wobj = active_frames(task)
+        external = zip(LETTERS, now.joints.extax, strict=True)
+        shown |= {
+            "motion": None if now.move is None else _place(task, now.move),
+            "joints": [_number(one) for one in now.joints.robax if one != UNUSED_AXIS],
+            "measures": [joint.measure for joint in task.unit.solo_queue.robot.joints],
+            "external": {
+                f"eax_{letter}": _number(one) for letter, one in external if one != UNUSED_AXIS
+            },
+            "position": [_number(one) for one in now.target.trans],
+            "orientation": [_number(one, 4) for one in now.target.rot],
+            "tool": tool,
+            "wobj": wobj,
+        }
+    return shown
+
+
+def _signal(
+    context: RequestContext, signal: SignalDeclaration, places: SignalAddresses
+) -> dict[str, object]:
+    low, high = limits(signal)
+    is_output = signal.kind.value.endswith("o")
+    return {
+        "name": signal.name,
+        "kind": signal.kind.value,
+        "value": live_signals.value_of(context.live, signal.name),
+        "low": low if math.isfinite(low) else None,
+        "high": high if math.isfinite(high) else None,
+        "settable": signal.status is None and (not is_output or places.may_be_written(signal.name)),
+    }
+
+
+def _question(question: Question) -> dict[str, object]:
+    return {
+        "task": question.task,
+        "prompt": question.prompt,
+        "choices": [key for key in question.choices if key],
+        "proposal": question.proposal,
+    }
+
+
+def _text(task: LiveTask, module: str) -> dict[str, object]:
+    for one in program_memory.modules(task):
+        if one.name.key == module.lower():
+            return {"module": one.name.text, "text": text_of(one)}
+    raise refused(NOT_FOUND, f"{task.name} has no module {module}")
+
+
+def _place(task: LiveTask, place: Place) -> list[object] | None:
+    """Module and line of a place in the program of a task; the first line of a text is 1."""
+    for one in program_memory.modules(task):
+        if one.source.file == place.span.file and one.start <= place.span.start <= one.end:
+            first = one.source.text.count("\n", 0, one.start)
+            return [one.name.text, place.span.line - first]
+    return None
+
+
+def _number(value: float, digits: int = 2) -> float:
+    return round(value, digits) + 0.0

@@ -1,0 +1,229 @@
+"""What the tasks of a run leave behind, when all of them have ended."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from rapidsim.analysis.program import Program
+from rapidsim.controller.cell.cell import Cell
+from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
+from rapidsim.controller.journal.journal import Journal
+from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
+from rapidsim.controller.moves.motion_findings import hasty_move_findings
+from rapidsim.interpreter.linking.loader import Task
+from rapidsim.simulation.options import RunOptions
+from rapidsim.simulation.results.early_outputs import early_output_findings
+from rapidsim.simulation.results.gripper_protocol import with_gripper_findings
+from rapidsim.simulation.results.moved_work_objects import moved_object_findings
+from rapidsim.simulation.results.persistents import changed_persistents, deduplicated
+from rapidsim.simulation.results.simulation import (
+    End,
+    RobotRun,
+    Simulation,
+    TaskEnd,
+    WrittenFile,
+    numbered_moves,
+)
+from rapidsim.simulation.results.smoothed_corners import corner_findings
+from rapidsim.simulation.run_findings import (
+    backward_findings,
+    not_simulated_findings,
+)
+from rapidsim.simulation.task_run import TaskOutcome, TaskRun
+from rapidsim.syntax import tree
+from rapidsim.values import value_class
+
+_WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.ENDED)
+
+
+@value_class(frozen=True, slots=True)
+class FinishedRun:
+    """A run, and the programs that can still be asked what they have left."""
+
+    simulation: Simulation
+    tasks: Mapping[str, Task]
+    """By name; without those that could not be made ready."""
+
+
+def build_result(
+    runs: Sequence[TaskRun],
+    outcomes: Sequence[TaskOutcome],
+    cell: Cell,
+    time_s: float,
+    options: RunOptions,
+) -> FinishedRun:
+    """What tasks that have ended leave behind.
+
+    Args:
+        runs: The tasks.
+        outcomes: How each of them ended.
+        cell: What they shared; nobody waits for others in it any more.
+        time_s: When the run ended.
+        options: Inputs and limits of the run.
+    """
+    simulation = _simulation(runs, outcomes, cell, time_s, options)
+    simulation = with_gripper_findings(simulation, options.io.grippers)
+    if options.geometry is not None:
+        # Few cells have bodies; what measures them is imported for those.
+        from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
+
+        simulation = with_collisions(simulation, options.geometry)
+    return FinishedRun(
+        simulation,
+        {
+            run.setup.name: outcome.task
+            for run, outcome in zip(runs, outcomes, strict=True)
+            if outcome.task is not None
+        },
+    )
+
+
+def _simulation(
+    runs: Sequence[TaskRun],
+    outcomes: Sequence[TaskOutcome],
+    cell: Cell,
+    time_s: float,
+    options: RunOptions,
+) -> Simulation:
+    """Collect what the tasks leave behind."""
+    robots = tuple(
+        _robot_run(run, outcome)
+        for run, outcome in zip(runs, outcomes, strict=True)
+        if run.setup.robot is not None
+    )
+    moves = numbered_moves(robots)
+    findings = tuple(
+        finding
+        for run, outcome in zip(runs, outcomes, strict=True)
+        for finding in (
+            *run.journal.diagnostics(),
+            *not_simulated_findings(run.journal),
+            *backward_findings(run.setup.program),
+            *hasty_move_findings(run.queue.moves),
+            *outcome.findings,
+        )
+    )
+    planners = [run.queue.planner for run in runs if run.setup.robot is not None]
+    findings += tuple(
+        finding
+        for robot, planner in zip(robots, planners, strict=True)
+        for finding in corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
+    )
+    events = _sorted_events(runs[0].journal, moves)
+    programs = {run.setup.name: run.setup.program for run in runs}
+    findings += tuple(
+        finding
+        for robot in robots
+        for finding in early_output_findings(events, robot, _traps(programs[robot.task]))
+    )
+    labels = [run.setup.robot_label for run in runs if run.setup.robot is not None]
+    findings += moved_object_findings(robots, labels)
+    motion_s = _motion_s(moves, time_s)
+    ends = [outcome.end for outcome in outcomes]
+    return Simulation(
+        program=options.program_files,
+        model=options.model,
+        end=next(end for end in _WORST_FIRST if end in ends),
+        time_s=time_s,
+        motion_s=motion_s,
+        wait_s=max(0.0, time_s - motion_s),
+        robots=robots,
+        tasks=tuple(
+            TaskEnd(
+                run.setup.name,
+                run.setup.kind,
+                outcome.end,
+                run.setup.entry or options.entry,
+            )
+            for run, outcome in zip(runs, outcomes, strict=True)
+        ),
+        events=events,
+        diagnostics=findings,
+        unsimulated=_not_simulated(runs),
+        home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
+        lacked_files=cell.home.lacks,
+        # Now, not when each task ended: others may have gone on with what they share.
+        persistents=deduplicated(
+            one
+            for outcome in outcomes
+            if outcome.task is not None
+            for one in changed_persistents(outcome.task)
+        ),
+        waits=tuple(
+            sorted((one for run in runs for one in run.journal.waits()), key=lambda w: w.start_s)
+        ),
+        errors=tuple(
+            sorted(
+                (one for run in runs for one in run.journal.errors(time_s)),
+                key=lambda tally: tally.time_s,
+            )
+        ),
+        signal_starts={signal.name: signal.value for signal in options.io.signals},
+    )
+
+
+def _traps(program: Program) -> frozenset[str]:
+    """The folded names of the traps of a task."""
+    routines = (routine for module in program.modules for routine in module.routines)
+    return frozenset(one.name.key for one in routines if isinstance(one, tree.Trap))
+
+
+def _robot_run(run: TaskRun, outcome: TaskOutcome) -> RobotRun:
+    name, trajectory = run.setup.name, run.queue.trajectory
+    return RobotRun(
+        task=name,
+        robot=run.queue.robot,
+        world_from_base=run.setup.place,
+        moves=run.queue.executed(name),
+        lines=run.journal.lines(),
+        trajectory=trajectory,
+        path_m=trajectory.travelled_m,
+        failed_moves=(*run.journal.failed_moves(), *outcome.failed_moves),
+    )
+
+
+def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
+    """What all tasks met that was not simulated, each routine once."""
+    counts: dict[tuple[str, str, bool], int] = {}
+    for run in runs:
+        for one in run.journal.not_simulated():
+            key = (one.name, one.treated_as, one.is_unknown)
+            counts[key] = counts.get(key, 0) + one.count
+    return tuple(
+        Unsimulated(name, count, how, is_unknown)
+        for (name, how, is_unknown), count in counts.items()
+    )
+
+
+def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
+    """Time under way: moves that touch or overlap count once, those of several robots too.
+
+    Args:
+        moves: Of all robots.
+        until_s: The end of the run [s]; a robot that is stopped there comes to rest after it.
+    """
+    total_s = 0.0
+    reached_s = 0.0
+    for move in sorted(moves, key=lambda move: move.start_s):
+        start_s = max(move.start_s, reached_s)
+        end_s = min(move.end_s, until_s)
+        total_s += max(0.0, end_s - start_s)
+        reached_s = max(reached_s, end_s)
+    return total_s
+
+
+def _sorted_events(journal: Journal, moves: tuple[ExecutedMove, ...]) -> tuple[Event, ...]:
+    """What was noted, and the corners that became stops because the next move came too late."""
+    failures = tuple(
+        Event(
+            move.end_s,
+            move.task,
+            EventKind.CORNER,
+            move.place,
+            "corner path failure: the next move was not known in time and the robot stopped",
+            {"move": move.index, "cf": "ABB 50024"},
+        )
+        for move in moves
+        if move.corner is CornerKind.STOP_CORNER_PATH_FAILURE
+    )
+    return tuple(sorted((*journal.events(), *failures), key=lambda event: event.time_s))

@@ -1,0 +1,131 @@
+"""The line in place of a move: what MoveL to the same target would do from the same joints.
+
+It is followed as a run would follow it, on the branch that the arm stands on, so that it fails
+where the run of that MoveL fails.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from rapidsim.controller.moves.configuration_choice import nearest
+from rapidsim.frames.transform import Array, Transform
+from rapidsim.motion.configurations.confdata import (
+    Configuration,
+    configuration,
+    configurations,
+    has_branches,
+)
+from rapidsim.motion.geometry.curves import curves_of
+from rapidsim.motion.geometry.joint_mapping import arms_of
+from rapidsim.motion.geometry.segments import CircleMode, Geometry, Segment, Waypoint
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.path.building import build_path
+from rapidsim.motion.path.curve_feasibility import survey_curves
+from rapidsim.motion.path.curve_following import PathFault
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.simulation.results.simulation import RobotRun
+from rapidsim.values import value_class
+
+_PLACES = 101
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class LinearAlternative:
+    """A line as far as the arm can follow it."""
+
+    tcp: Array
+    """Where the solved joints put the TCP (k, 3) [m] in base, evenly along what can be followed."""
+    start: Array
+    """Shape (3,) [m]."""
+    end: Array
+    fault: PathFault | None
+    """Where and why the line fails; None where it is possible."""
+    arrival: Configuration | None
+    """How the arm stands at the end; None where it does not get there."""
+
+    @property
+    def fails_at(self) -> Array | None:
+        """The place (3,) [m] where it fails."""
+        if self.fault is None:
+            return None
+        return self.start + self.fault.fraction * (self.end - self.start)
+
+
+def segments_of(robot_run: RobotRun) -> Mapping[int, Segment]:
+    """The segments of a robot's moves as they were driven, by the number of the move."""
+    # Where a path was planned again from within a move, the first has the whole of it.
+    return {
+        number: segment
+        for piece in reversed(robot_run.trajectory.pieces)
+        for number, segment in piece.numbered
+    }
+
+
+def linear_alternative(
+    robot: Robot, segment: Segment, model: MotionModel
+) -> LinearAlternative | None:
+    """Follow the line from where a move starts to where it ends.
+
+    Args:
+        robot: The arm.
+        segment: The move.
+        model: The motion model of the run.
+
+    Returns:
+        The line, or None where none can be told of: something else than the arm moves tool or work,
+        or the joints of the arm are searched for.
+    """
+    kinematics = robot.kinematics
+    if segment.carrier is not None or robot.external or not has_branches(kinematics):
+        return None
+    joints = segment.start.joints
+    tcp = kinematics.forward(joints) @ segment.tcp_from_flange.inverse()
+    line = replace(
+        segment,
+        geometry=Geometry.LINE,
+        start=Waypoint(joints, tcp),
+        branch=int(kinematics.branch_of(joints)),
+        zone=None,
+        via=None,
+        wrist_in_joints=False,
+        circle_mode=CircleMode.PATH_FRAME,
+    )
+    arrival = _arrival(robot, line)
+    if arrival is not None:
+        line = replace(line, end=replace(line.end, joints=arrival.joints))
+    built = build_path(robot, [line], model)
+    fault = built if isinstance(built, PathFault) else None
+    return LinearAlternative(
+        tcp=_followed(robot, line, 1.0 if fault is None else fault.fraction),
+        start=tcp.translation,
+        end=line.end.base_from_tcp.translation,
+        fault=fault,
+        arrival=arrival if fault is None else None,
+    )
+
+
+def _arrival(robot: Robot, line: Segment) -> Configuration | None:
+    """How the arm arrives; the nearest way to stand at the end where the branch ends before."""
+    (way,) = survey_curves(robot, [line], None)
+    if way.arrival is not None and not way.broken:
+        return configuration(robot.kinematics, way.arrival)
+    working = configurations(robot, line.end.base_from_tcp @ line.tcp_from_flange)
+    return nearest(working, line.start.joints) if working else None
+
+
+def _followed(robot: Robot, line: Segment, share: float) -> Array:
+    """The TCP (k, 3) [m] by forward kinematics of the joints solved along a share of the line."""
+    kinematics = robot.kinematics
+    curves = curves_of((line,), kinematics)
+    arms = arms_of((line,), kinematics, curves.joint_travel, curves.length)
+    row = np.zeros(_PLACES, dtype=np.int64)
+    motion = curves.at(row, np.linspace(0.0, share, _PLACES) * curves.length[0])
+    flange = arms.base_from_flange(motion, row, np.tile(line.start.joints, (_PLACES, 1)))
+    solved = kinematics.inverse_on_branch(flange, line.branch, line.start.joints)
+    flange_from_tcp: Transform = line.tcp_from_flange.inverse()
+    tcp = kinematics.forward(solved.joints[solved.exists]) @ flange_from_tcp
+    return tcp.translation

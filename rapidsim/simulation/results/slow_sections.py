@@ -1,0 +1,170 @@
+"""Where the TCP stays below its programmed speed, for how long, and which limit is nearest then.
+
+For programs of thousands of moves, of which no single line says where the time goes: a stretch goes
+on over lines as long as the speed is not reached. What holds it is read from the motion itself: the
+limit that is used most, for most of the stretch. Longer waits at stop points part stretches.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+import numpy.typing as npt
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array
+from rapidsim.simulation.results.sampling import SampledRun, sampled
+from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.values import value_class
+
+_STEP_S = 0.012
+_MOST_SAMPLES = 20_000
+_REACHED = 0.95
+"""Share of the programmed speed from which on it counts as reached."""
+_AT_LIMIT = 0.95
+"""Share of an axis' or the reorientation's speed from which on it is what holds."""
+_MOST = 200
+_SHORT_STOP_S = 0.3
+"""Stops up to so long part no stretch: stitches between fine points are one."""
+
+
+@value_class(frozen=True, slots=True)
+class SlowSection:
+    """A stretch of a robot's motion below the programmed speed."""
+
+    task: str
+    start_s: float
+    end_s: float
+    lost_s: float
+    """How much sooner its end would be reached at the programmed speed."""
+    first: ExecutedMove
+    last: ExecutedMove
+    moves: int
+    """How many it goes over."""
+    programmed_mm_s: float
+    """The highest on it."""
+    reached_mm_s: float
+    """The mean on it."""
+    limit: str
+    """What holds it, such as `acceleration of axis 2`."""
+
+    @property
+    def seconds(self) -> float:
+        """How long it is."""
+        return self.end_s - self.start_s
+
+
+def slow_sections(simulation: Simulation) -> tuple[SlowSection, ...]:
+    """The stretches of all robots below their programmed speed, what costs most time first."""
+    if not np.isfinite(simulation.motion_end_s):
+        return ()
+    found = [
+        stretch
+        for number, one in enumerate(simulation.robots)
+        if one.moves
+        for stretch in _of_robot(simulation, one, simulation.move_offsets[number])
+    ]
+    return tuple(sorted(found, key=lambda one: (-one.lost_s, one.start_s, one.task))[:_MOST])
+
+
+def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Iterator[SlowSection]:
+    step_s = max(_STEP_S, simulation.motion_end_s / _MOST_SAMPLES)
+    run = sampled(simulation, robot_run, step_s, most_moves=0)
+    samples, times = run.samples, run.samples.times
+    if len(times) < 3:
+        return
+    move = np.clip(samples.move, 0, len(robot_run.moves) - 1)
+    programmed = np.array([each.move.speed.v_tcp for each in robot_run.moves])[move] / 1000.0
+    turning = np.radians([each.move.speed.v_ori for each in robot_run.moves])[move]
+    share = samples.tcp_speed / np.maximum(programmed, 1e-9)
+    moving = np.abs(run.joint_speed).max(axis=1) > 0.0
+    below = moving & (share < _REACHED)
+    limits, names = _limits(run, turning)
+    # Standing still is left out of the samples.
+    widths = np.minimum(np.gradient(times), step_s)
+    kinds = limits // run.joint_speed.shape[1]
+    pieces = [
+        (begin, end, (_mode(kinds[begin:end]), float(programmed[begin])))
+        for begin, end in _pieces(below, move)
+    ]
+    for begin, end in _joined(pieces, moving, times):
+        rows = np.arange(begin, end)[below[begin:end]]
+        held = np.bincount(limits[rows], widths[rows], minlength=len(names))
+        first, last = robot_run.moves[int(move[begin])], robot_run.moves[int(move[end - 1])]
+        if end == begin + 1:
+            continue
+        yield SlowSection(
+            task=robot_run.task,
+            start_s=float(times[begin]),
+            end_s=float(times[end - 1]),
+            lost_s=float((widths[rows] * (1.0 - np.clip(share[rows], 0.0, 1.0))).sum()),
+            first=first,
+            last=last,
+            moves=int(move[end - 1] - move[begin]) + 1,
+            programmed_mm_s=1000.0 * float(programmed[rows].max()),
+            reached_mm_s=1000.0 * float(np.average(samples.tcp_speed[rows], weights=widths[rows])),
+            limit=names[int(held.argmax())],
+        )
+
+
+def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, int]]:
+    """Begin and end of what is below the speed, of each move by itself."""
+    for begin, end in _runs(below):
+        inner = np.flatnonzero(np.diff(move[begin:end])) + begin + 1
+        yield from pairwise([begin, *inner.tolist(), end])
+
+
+def _joined(
+    pieces: Sequence[tuple[int, int, object]], moving: Array, times: Array
+) -> list[tuple[int, int]]:
+    """Pieces that follow each other but for short stops, of one kind of limit and one speed."""
+    found: list[tuple[int, int]] = []
+    held: object = None
+    for begin, end, kind in pieces:
+        last = found[-1][1] if found else 0
+        follows = not moving[last:begin].any() and times[begin] - times[last - 1] <= _SHORT_STOP_S
+        if found and kind == held and follows:
+            found[-1] = (found[-1][0], end)
+        else:
+            found.append((begin, end))
+        held = kind
+    return found
+
+
+def _mode(kinds: Array) -> int:
+    return int(np.bincount(kinds).argmax())
+
+
+def _limits(run: SampledRun, turning: Array) -> tuple[Array, tuple[str, ...]]:
+    """Which limit (k,) holds at each sample, as a place among the names."""
+    speeds, accelerations = np.abs(run.speed_shares), np.abs(run.acceleration_shares)
+    count = speeds.shape[1]
+    names = (
+        *(f"speed of axis {k + 1}" for k in range(count)),
+        *(f"acceleration of axis {k + 1}" for k in range(count)),
+        "reorientation speed",
+    )
+    fast = np.nan_to_num(speeds) / 100.0
+    held = count + np.nan_to_num(accelerations).argmax(axis=1)
+    turns = _turning(run) >= _AT_LIMIT * np.maximum(turning, 1e-9)
+    held = np.where(turns, 2 * count, held)
+    held = np.where(fast.max(axis=1) >= _AT_LIMIT, fast.argmax(axis=1), held)
+    return held.astype(np.int64), names
+
+
+def _turning(run: SampledRun) -> Array:
+    """How fast the tool turns (k,) [rad/s]."""
+    rotation, times = run.samples.base_from_tcp.rotation, run.samples.times
+    steps = vector_from_rotation(np.swapaxes(rotation[:-1], -1, -2) @ rotation[1:])
+    rate = np.linalg.norm(steps, axis=-1) / np.maximum(np.diff(times), 1e-9)
+    return np.append(rate, 0.0)
+
+
+def _runs(mask: Array) -> Iterator[tuple[int, int]]:
+    """Begin and end of the unbroken stretches of a mask (k,)."""
+    padded = np.concatenate([[False], mask, [False]])
+    bounds = np.flatnonzero(padded[1:] != padded[:-1]).tolist()
+    yield from zip(bounds[::2], bounds[1::2], strict=True)

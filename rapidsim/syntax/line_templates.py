@@ -1,0 +1,152 @@
+"""Statements of one shape: what the driver does for their tokens, compiled into one function.
+
+Which steps an LALR parser takes from a state depends on the kinds of the tokens alone, not on their
+text. So for a sequence of kinds that comes again and again, as in programs that other programs have
+written, the steps are taken once without building anything; what they would build is written down
+as one Python expression. It calls the same functions with the same arguments in the same order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache, lru_cache
+from typing import Any, TypeAlias
+
+from rapidsim.syntax.stored_table import rapid_table
+from rapidsim.syntax.table import ACCEPT
+from rapidsim.syntax.terminals import TERMINALS
+from rapidsim.values import value_class
+
+LONGEST = 60
+"""The most tokens of a shape."""
+_OFTEN = 50
+"""The number of statements after which their shape is compiled, at the cost of building twenty."""
+_MOST = 1000
+
+Build: TypeAlias = Callable[[Sequence[Any], list[int], list[int], str, int], list[Any]]
+"""`build(builds, starts, ends, text, position)`: what the driver would have pushed."""
+_Symbol: TypeAlias = "str | list[str]"
+"""An expression, or those gathered for the rule that holds them."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class LineTemplate:
+    """What the driver has pushed after the tokens of a shape."""
+
+    build: Build
+    firsts: tuple[int, ...]
+    """The token that each value begins with, counted from the first of the shape."""
+    states: tuple[int, ...]
+
+
+class LineTemplates:
+    """The shapes of one text, found as the driver meets them."""
+
+    def __init__(self, kinds: list[str]) -> None:
+        """Look at the tokens of a text, by their kinds."""
+        self._kinds = kinds
+        self._met: dict[tuple[int, tuple[str, ...]], int] = {}
+        self._known: dict[tuple[int, tuple[str, ...]], LineTemplate | None] = {}
+
+    def at(self, position: int, state: int) -> tuple[int, LineTemplate] | None:
+        """The shape of the statement that begins at a token, and how many tokens it has."""
+        try:
+            stop = self._kinds.index("SEMICOLON", position, position + LONGEST) + 1
+        except ValueError:
+            return None
+        key = (state, tuple(self._kinds[position : stop + 1]))
+        shape = self._known.get(key)
+        if shape is not None:
+            return stop - position, shape
+        met = self._met[key] = self._met.get(key, 0) + 1
+        if met == _OFTEN:
+            self._known[key] = _shape(*key)
+        return None
+
+
+@cache
+def beginnings() -> frozenset[int]:
+    """The states of the driver that take the first token of a statement or a declaration."""
+    actions = rapid_table().actions
+    return frozenset(
+        k for k, of in enumerate(actions) if of.get("GOTO", 0) > 0 or of.get("CONST", 0) > 0
+    )
+
+
+@lru_cache(_MOST)
+def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
+    """Take the steps for some tokens; the last is only looked at.
+
+    Returns:
+        None where an error, or the end of what began before them, is met on the way.
+    """
+    table = rapid_table()
+    states, values, firsts = [state], list[_Symbol](), list[int]()
+    position = 0
+    while True:
+        kind = kinds[position]
+        action = table.actions[states[-1]].get(kind)
+        if action is None or action == ACCEPT:
+            return None
+        if action > 0:
+            if position == len(kinds) - 1:
+                break
+            firsts.append(position)
+            place = f"s[p+{position}],e[p+{position}]"
+            text = f"t[s[p+{position}]:e[p+{position}]]"
+            values.append(f"make_{kind}({place},{text})" if kind in TERMINALS else "None")
+            position += 1
+            reached = action - 1
+        else:
+            rule = table.rules[-action - 1]
+            if rule.length > len(values):
+                break
+            cut = len(values) - rule.length
+            first = firsts[cut] if rule.length else position
+            popped = values[cut:]
+            del values[cut:], firsts[cut:], states[cut + 1 :]
+            values.append(_reduced(-action - 1, popped, first, position))
+            firsts.append(first)
+            reached = table.gotos[states[-1]][rule.origin]
+        states.append(after_passes(states[-1], reached, kinds[position]))
+    if position < len(kinds) - 1 or any(isinstance(value, list) for value in values):
+        return None
+    names: dict[str, Any] = {f"make_{kind}": make for kind, make in TERMINALS.items()}
+    text = f"lambda b,s,e,t,p:[{','.join(map(str, values))}]"
+    # A text of names of the grammar and of places; nothing of what is read is in it.
+    return LineTemplate(eval(text, names), tuple(firsts), tuple(states[1:]))
+
+
+def _reduced(number: int, popped: list[_Symbol], first: int, position: int) -> _Symbol:
+    """What a rule makes of symbols, as the driver does it with values."""
+    rule = rapid_table().rules[number]
+    if rule.build is None:
+        return popped[rule.children[0] or 0]
+    if rule.build == "":
+        kept = [popped[child] for child in rule.children if child is not None]
+        return _flat(kept)
+    chosen = ["None" if child is None else popped[child] for child in rule.children]
+    arguments = [f"s[p+{first}]", f"e[p+{position - 1}]", *_flat(chosen)]
+    return f"b[{number}]({','.join(arguments)})"
+
+
+def _flat(symbols: Sequence[_Symbol]) -> list[str]:
+    return [
+        part for symbol in symbols for part in (symbol if isinstance(symbol, list) else [symbol])
+    ]
+
+
+def after_passes(below: int, state: int, kind: str) -> int:
+    """The state once every rule that only passes its single symbol on has been reduced.
+
+    From a number to a whole expression there are eight such rules; none of them does anything.
+    """
+    table = rapid_table()
+    while True:
+        action = table.actions[state].get(kind)
+        if action is None or action >= 0:
+            return state
+        rule = table.rules[-action - 1]
+        if rule.length != 1 or rule.build is not None:
+            return state
+        state = table.gotos[below][rule.origin]
