@@ -6,13 +6,15 @@ An `Analysis` lasts for one check; a `Context` is the scope that a pass is looki
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field, replace
 from typing import TypeAlias
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
+from rapidsim.analysis.flow.build import build_graph
+from rapidsim.analysis.flow.graph import ControlFlowGraph
 from rapidsim.analysis.parameters import Callee, ExpectedType
-from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol
+from rapidsim.analysis.program import RoutineSymbol, Symbol, UnknownSymbol, does
 from rapidsim.analysis.suggestions import closest
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.language.types import Type
@@ -85,6 +87,9 @@ class Analysis:
     wanted_of_undeclared: dict[tree.DataReference, ExpectedType] = field(default_factory=dict)
     """What such a use must have, where it is known: not all signals are named like one."""
 
+    graph_of: dict[tree.Node, ControlFlowGraph] = field(default_factory=dict)
+    """The control-flow graphs of routines, built on demand by `flow`."""
+
     nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
     """By what was looked for, the nearest known name."""
 
@@ -94,8 +99,8 @@ class Analysis:
         Args:
             name: The unknown name.
             scope: Identifies the known names, such as the module whose names they are.
-            candidates: Produces them. Beyond `MOST_COMPARED` unknown names that would take too long, and
-                none is returned.
+            candidates: Produces the candidates. Beyond `MOST_COMPARED` unknown names that would
+                take too long, and none is returned.
         """
         key = (name.key, scope)
         if key not in self.nearest:
@@ -103,6 +108,22 @@ class Analysis:
                 return None
             self.nearest[key] = closest(name.text, candidates)
         return self.nearest[key]
+
+    def flow(
+        self, routine: tree.Routine, functions: Sequence[tree.FunctionCall] | None = None
+    ) -> ControlFlowGraph:
+        """Return the control-flow graph of a routine.
+
+        Args:
+            routine: A checked routine.
+            functions: The function calls in it, in source order, if they are listed already.
+        """
+        graph = self.graph_of.get(routine)
+        if graph is None:
+            graph = self.graph_of[routine] = build_graph(
+                routine, lambda call: does(self.symbol_of.get(call)), functions
+            )
+        return graph
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""

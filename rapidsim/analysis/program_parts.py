@@ -9,10 +9,13 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
+from operator import or_
 from typing import TypeVar
 
 from rapidsim.analysis.context import Analysis
+from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
+from rapidsim.analysis.flow.summaries import summarise
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
@@ -121,41 +124,51 @@ class Facts:
         return found
 
     @cached_property
-    def callees_first(self) -> tuple[ProgramPart, ...]:
-        """The routines in bottom-up call order, as far as there is one."""
-        ordered: dict[ProgramPart, None] = {}
-        seen: set[ProgramPart] = set()
-        for first in self.routine_parts:
-            stack = [(first, False)]
-            while stack:
-                part, is_done = stack.pop()
-                if is_done:
-                    ordered[part] = None
-                elif part not in seen:
-                    seen.add(part)
-                    stack.append((part, True))
-                    stack += [(callee, False) for callee in self.call_graph[part]]
-        return tuple(ordered)
-
-    @cached_property
     def bit_of(self) -> Mapping[ProgramPart, int]:
         """A bit for each routine: sets of routines are integers, which are quick to join."""
-        return {part: 1 << number for number, part in enumerate(self.callees_first)}
+        return {part: 1 << number for number, part in enumerate(self.routine_parts)}
 
     @cached_property
     def reached_from(self) -> Mapping[ProgramPart, int]:
         """The bits of all routines that each routine may cause to run, itself included."""
-        reached = dict(self.bit_of)
-        changed = True
-        while changed:
-            changed = False
-            for part in self.callees_first:
-                joined = reached[part]
-                for callee in self.call_graph[part]:
-                    joined |= reached[callee]
-                if joined != reached[part]:
-                    reached[part], changed = joined, True
-        return reached
+
+        def summary_of(part: ProgramPart, known: Mapping[ProgramPart, int]) -> int:
+            return reduce(or_, (known[one] for one in self.call_graph[part]), self.bit_of[part])
+
+        return summarise(self.routine_parts, self.call_graph.__getitem__, 0, summary_of)
+
+    @cached_property
+    def returning(self) -> Mapping[tree.Routine, bool]:
+        """Whether a call of each routine can return; a server with an endless loop cannot."""
+
+        def summary_of(part: ProgramPart, known: Mapping[ProgramPart, bool]) -> bool:
+            def never_returns(node: tree.Node) -> bool:
+                callee = self.callee_of(node)
+                return callee is not None and not known[callee]
+
+            graph = self.flow(part)
+            is_unread = tree.InvalidStatement in part.nodes
+            return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
+
+        found = summarise(self.routine_parts, self.call_graph.__getitem__, False, summary_of)
+        return {part.routine: can for part, can in found.items() if part.routine is not None}
+
+    def can_return(self, call: tree.Call | tree.FunctionCall) -> bool:
+        """Whether control can continue past a call."""
+        routine = self.routine_called(call)
+        return routine is None or self.returning.get(routine, True)
+
+    def callee_of(self, node: tree.Node) -> ProgramPart | None:
+        """The routine of the task that a node calls; None for a CONNECT, which calls nothing."""
+        if not isinstance(node, tree.Call | tree.FunctionCall):
+            return None
+        routine = self.routine_called(node)
+        return None if routine is None else self.part_of.get(routine)
+
+    def flow(self, part: ProgramPart) -> ControlFlowGraph:
+        """The control-flow graph of a routine."""
+        assert part.routine is not None
+        return self.analysis.flow(part.routine, part.all(tree.FunctionCall))
 
     @cached_property
     def moving(self) -> int:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container
 from itertools import takewhile
-from typing import TypeAlias
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.error_clauses import depends_on_error
+from rapidsim.analysis.flow.graph import ENTRY, EXIT, NORMAL, ControlFlowGraph, EdgeKind
 from rapidsim.analysis.names.name_violations import DuplicateName
 from rapidsim.analysis.passes.flow_violations import (
     ContinueOutsideLoop,
@@ -17,14 +17,15 @@ from rapidsim.analysis.passes.flow_violations import (
     ReturnValue,
     UnreachableCode,
 )
-from rapidsim.analysis.program import Symbol, does
+from rapidsim.analysis.program import does
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
-_Symbols: TypeAlias = Mapping[tree.Node, Symbol]
+_MAY_FOLLOW = NORMAL | EdgeKind.TRYNEXT | EdgeKind.UNREAD
+"""The edges by which a statement counts as reached."""
 
 
 def check_flow(routine: tree.Routine, context: Context) -> None:
@@ -33,9 +34,11 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
     _check_answers(routine, context)
     _check_returns(routine, context)
     _check_labels(routine, context)
+    graph = context.analysis.flow(routine)
+    reached = graph.reached(_MAY_FOLLOW, graph.entries)
     for body in clauses(routine):
         _check_next_turns(body, context)
-        _check_reached(body, context, is_resumed=body is routine.body and _resumes(routine))
+        _check_reached(body, graph, reached, context)
 
 
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
@@ -106,7 +109,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
                 context.report(ReturnValue(problem, cure, gives_value=True), node)
             case _:
                 pass
-    if isinstance(routine, tree.Func) and _can_complete(routine.body, context.analysis.symbol_of):
+    if isinstance(routine, tree.Func) and _can_complete(context.analysis.flow(routine)):
         closing = tree.Node(max(routine.start, routine.end - len("ENDFUNC")), routine.end)
         context.report(
             MissingReturn(routine.name.text, routine.type.text),
@@ -117,97 +120,45 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
     if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
         # A clause that decides by ERRNO may be complete for the errors that occur.
         assert isinstance(routine, tree.Func)
-        if _can_complete(handler.body, context.analysis.symbol_of):
+        graph = context.analysis.flow(routine)
+        if graph.handler is not None and _can_complete(graph, graph.handler):
             missing = MissingReturn(routine.name.text, routine.type.text, is_clause=True)
             context.report(missing, handler)
 
 
-def _check_reached(body: tree.Body, context: Context, *, is_resumed: bool) -> None:
-    """Report what stands behind a statement that never passes, once up to the next label.
+def _check_reached(
+    body: tree.Body, graph: ControlFlowGraph, reached: Container[int], context: Context
+) -> None:
+    """Report the unreachable statements of a list, each time the first one up to the next reached.
 
     Args:
-        body: A statement list.
-        context: Takes the reports.
-        is_resumed: TRYNEXT may go on behind a statement of the list that failed.
+        body: A statement list that control enters.
+        graph: The control flow of its routine.
+        reached: The blocks that control enters.
+        context: Receives the findings.
     """
     last: tree.Statement | None = None
-    is_reported = False
     for position, statement in enumerate(body):
-        if isinstance(statement, tree.Label):
-            last, is_reported = None, False
-        if last is not None:
-            if not is_reported and not _is_for_safety(body[position:]):
+        if graph.block_of[statement] in reached:
+            last = statement
+            for block in blocks(statement):
+                _check_reached(block, graph, reached, context)
+        elif last is not None:
+            unreached = takewhile(lambda one: graph.block_of[one] not in reached, body[position:])
+            # A RETURN after an endless loop is a precaution.
+            if not all(isinstance(one, tree.Return | tree.Empty) for one in unreached):
                 place = Related(context.module.span(last), "this never goes on to the next one")
                 context.report(UnreachableCode(), statement, place)
-            is_reported = True
-            continue
-        for block in blocks(statement):
-            _check_reached(block, context, is_resumed=is_resumed)
-        if _leads_elsewhere(statement, context.analysis.symbol_of, is_resumed=is_resumed):
-            last = statement
+            last = None
 
 
-def _resumes(routine: tree.Routine) -> bool:
-    handler = routine.error.body if routine.error is not None else ()
-    return any(isinstance(statement, tree.TryNext) for statement in statements(handler))
-
-
-def _leads_elsewhere(statement: tree.Statement, symbol_of: _Symbols, *, is_resumed: bool) -> bool:
-    """Whether execution surely never goes on behind a statement."""
-    if is_resumed:
-        match statement:
-            case tree.Exit() | tree.Goto() | tree.Return(value=None):
-                return True
-            case _:
-                return False
-    # Of what could not be read nobody knows where it leads.
-    if any(
-        isinstance(node, tree.InvalidStatement | tree.Placeholder)
-        for node in statements((statement,))
-    ):
-        return False
-    return not _passes(statement, symbol_of)
-
-
-def _is_for_safety(rest: tree.Body) -> bool:
-    """Whether nothing but a RETURN stands there up to the next label."""
-    before_label = takewhile(lambda statement: not isinstance(statement, tree.Label), rest)
-    return all(isinstance(statement, tree.Return | tree.Empty) for statement in before_label)
-
-
-def _can_complete(body: Sequence[tree.Statement], symbol_of: _Symbols) -> bool:
-    """Whether execution can run past the last statement of a list."""
-    goes_on = True
-    for statement in body:
-        if isinstance(statement, tree.Label):
-            goes_on = True
-        elif goes_on:
-            goes_on = _passes(statement, symbol_of)
-    return goes_on
-
-
-def _passes(statement: tree.Statement, symbol_of: _Symbols) -> bool:
-    match statement:
-        case tree.Return() | tree.Raise() | tree.Exit() | tree.Goto():
-            return False
-        case tree.Retry() | tree.TryNext() | tree.InvalidStatement() | tree.Placeholder():
-            return False
-        case tree.Call():
-            return Trait.LEAVE not in does(symbol_of.get(statement))
-        case tree.If(branches=branches, otherwise=otherwise):
-            return otherwise is None or any(
-                _can_complete(body, symbol_of)
-                for body in (*(branch.body for branch in branches), otherwise)
-            )
-        case tree.Test(cases=cases, default=default):
-            return default is None or any(
-                _can_complete(body, symbol_of) for body in (*(case.body for case in cases), default)
-            )
-        case tree.While(condition=tree.BoolLiteral(value=True), body=body):
-            # RAPID has no statement that leaves a loop but a jump.
-            return any(isinstance(node, tree.Goto) for node in statements(body))
-        case _:
-            return True
+def _can_complete(graph: ControlFlowGraph, start: int = ENTRY) -> bool:
+    """Whether control can get from a block to the end of its clause's text without a RETURN."""
+    return any(
+        edge.to == EXIT and edge.by is None
+        for index in graph.reached(NORMAL, (start,))
+        for edge in graph.blocks[index].edges
+    )
 
 
 def _check_labels(routine: tree.Routine, context: Context) -> None:

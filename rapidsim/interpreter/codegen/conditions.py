@@ -1,21 +1,24 @@
 """What conditions imply about the integers of a routine.
 
 After `IF n<2 RETURN;` n is at least 2, and in `WHILE k<=9` k is at most 9 until it is assigned.
-Sums of such integers need no check. Routines with an ERROR clause or with labels are left alone:
-there a statement may be reached in other ways.
+Sums of such integers need no check. A forward analysis over the control-flow graph.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 
-from rapidsim.analysis.program import Program, RoutineSymbol
+from rapidsim.analysis.flow.build import build_graph
+from rapidsim.analysis.flow.graph import Edge, EdgeKind
+from rapidsim.analysis.flow.solve import forward
+from rapidsim.analysis.program import Program, RoutineSymbol, does
 from rapidsim.analysis.tree_walk import blocks, descendants, statements
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.intervals import Interval, rounded
 from rapidsim.interpreter.codegen.written_paths import bare, declaration
 from rapidsim.syntax import tree
+from rapidsim.values import value_class
 
 _Bounds = Mapping[tree.Node, Interval]
 _Of = Callable[[tree.Expression], Interval | None]
@@ -35,11 +38,25 @@ def narrowed(
         integers: Bounds of variables that hold everywhere, by declaration.
         of: Gives the bounds of an expression.
     """
-    if _is_jump_target(routine):
-        return {}
-    flow = _Flow(program, integers, of)
-    flow.follow(routine.node.body, {})
-    return flow.intervals
+    graph = build_graph(routine.node, lambda call: does(program.symbol_of.get(call)), ())
+    conditions = _Conditions(program, integers, of)
+    # A clause can be entered from anywhere, and so can what RETRY and TRYNEXT lead to.
+    resumed = [
+        edge.to
+        for block in graph.blocks
+        for edge in block.edges
+        if edge.kind in EdgeKind.RETRY | EdgeKind.TRYNEXT
+    ]
+    nothing: _Bounds = {}
+    starts = dict.fromkeys((*graph.entries, *resumed), nothing)
+    states = forward(graph, starts, conditions.after, _common, conditions.along)
+    found: dict[tree.Node, Interval] = {}
+    for index, bounds in states.items():
+        for node in graph.blocks[index].steps:
+            if not isinstance(node, tree.For):
+                found |= conditions.at_references(node, bounds)
+            bounds = conditions.after(node, bounds)
+    return found
 
 
 def never_shows(data: tree.Data, routine: RoutineSymbol, program: Program) -> bool:
@@ -78,76 +95,40 @@ def _is_jump_target(routine: RoutineSymbol) -> bool:
     return routine.node.error is not None or routine.node.undo is not None or any(labels)
 
 
-@dataclass(slots=True)
-class _Flow:
+@value_class(frozen=True, slots=True)
+class _Conditions:
+    """The transfer functions: assignments forget bounds, conditions narrow them."""
+
     program: Program
     integers: _Bounds
     of: _Of
-    intervals: dict[tree.Node, Interval] = field(default_factory=dict)
 
-    def follow(self, body: tree.Body, bounds: _Bounds) -> _Bounds | None:
-        """Walk through statements; what is known after them, None if control never gets there."""
-        for statement in body:
-            after = self._statement(statement, bounds)
-            if after is None:
-                return None
-            bounds = after
-        return bounds
+    def after(self, node: tree.Node, bounds: _Bounds) -> _Bounds:
+        """What is known after a step."""
+        if not bounds or not isinstance(node, tree.Assignment | tree.Call):
+            return bounds
+        assigned = self._assigned(node)
+        return {data: known for data, known in bounds.items() if data is not assigned}
 
-    def _statement(self, statement: tree.Statement, bounds: _Bounds) -> _Bounds | None:
-        match statement:
-            case tree.Return() | tree.Raise() | tree.Exit():
-                self._name(descendants(statement), bounds)
-                return None
-            case tree.If(branches=branches, otherwise=otherwise):
-                rest: _Bounds = bounds
-                ends = []
-                for branch in branches:
-                    self._name(descendants(branch.condition), rest)
-                    holds = self._bounds_where(branch.condition, rest, holds=True)
-                    ends.append(self.follow(branch.body, holds))
-                    rest = self._bounds_where(branch.condition, rest, holds=False)
-                ends.append(self.follow(otherwise or (), rest))
-                return _common(ends)
-            case tree.CompactIf(condition=condition, statement=inner):
-                self._name(descendants(condition), bounds)
-                done = self._statement(inner, self._bounds_where(condition, bounds, holds=True))
-                return _common([done, self._bounds_where(condition, bounds, holds=False)])
-            case tree.While(condition=condition, body=body):
-                bounds = self._forgets(bounds, body)
-                self._name(descendants(condition), bounds)
-                self.follow(body, self._bounds_where(condition, bounds, holds=True))
-                return self._bounds_where(condition, bounds, holds=False)
-            case tree.For(first=first, last=last, step=step, body=body):
-                parts = [part for part in (first, last, step) if part is not None]
-                self._name(descendants(*parts), bounds)
-                bounds = self._forgets(bounds, body)
-                self.follow(body, bounds)
-                return bounds
-            case tree.Test():
-                bounds = self._forgets(bounds, *blocks(statement))
-                for block in blocks(statement):
-                    self.follow(block, bounds)
-                return bounds
-            case _:
-                self._name(descendants(statement), bounds)
-                return self._forgets(bounds, (statement,))
+    def along(self, edge: Edge, bounds: _Bounds) -> _Bounds:
+        """What is known past an edge."""
+        if edge.holds is None or not isinstance(
+            edge.by, tree.Binary | tree.Unary | tree.Parenthesised
+        ):
+            return bounds
+        return self._bounds_where(edge.by, bounds, holds=edge.holds)
 
-    def _name(self, nodes: Iterable[tree.Node], facts: _Bounds) -> None:
-        """Note what is known where variables are named."""
-        for node in nodes:
-            if isinstance(node, tree.DataReference):
-                home = declaration(node, self.program) if facts else None
-                bounds = None if home is None else facts.get(home)
-                if bounds is not None:
-                    self.intervals[node] = bounds
-
-    def _forgets(self, facts: _Bounds, *bodies: tree.Body) -> _Bounds:
-        """What is still known when some statements may have assigned."""
-        if not facts:
-            return facts
-        changed = {self._assigned(one) for one in statements(*bodies)}
-        return {node: bounds for node, bounds in facts.items() if node not in changed}
+    def at_references(self, node: tree.Node, bounds: _Bounds) -> dict[tree.Node, Interval]:
+        """The bounds of the variables that a step names, by reference."""
+        if not bounds:
+            return {}
+        return {
+            one: bounds[home]
+            for one in descendants(node)
+            if isinstance(one, tree.DataReference)
+            and (home := declaration(one, self.program)) is not None
+            and home in bounds
+        }
 
     def _assigned(self, statement: tree.Statement) -> tree.Node | None:
         match statement:
@@ -196,21 +177,16 @@ class _Flow:
                 low, high = max(low, limit.low), min(high, limit.high)
             case _:
                 return facts
-        # Who comes here all the same knows no less.
+        # Fall-through keeps all facts.
         return {**facts, node: replace(bounds, low=low, high=high)} if low <= high else facts
 
 
-def _common(alternatives: Iterable[_Bounds | None]) -> _Bounds | None:
-    """What is known where several ways meet."""
-    every = [way for way in alternatives if way is not None]
-    if not every:
-        return None
-    shared = set.intersection(*(set(way) for way in every))
+def _common(one: _Bounds, other: _Bounds) -> _Bounds:
+    """What is known where two paths meet."""
     return {
         node: replace(
-            every[0][node],
-            low=min(way[node].low for way in every),
-            high=max(way[node].high for way in every),
+            bounds, low=min(bounds.low, other[node].low), high=max(bounds.high, other[node].high)
         )
-        for node in shared
+        for node, bounds in one.items()
+        if node in other
     }

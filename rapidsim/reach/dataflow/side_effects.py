@@ -10,6 +10,7 @@ from dataclasses import field
 from functools import cached_property
 from typing import TypeGuard
 
+from rapidsim.analysis.flow.summaries import summarise
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -154,20 +155,21 @@ class ProgramEffects:
     @cached_property
     def _routine_effects(self) -> dict[RoutineSymbol, Effects]:
         direct = self._by_routine
+
+        def callees(routine: RoutineSymbol) -> Iterable[RoutineSymbol]:
+            return self.routines if direct[routine].calls_anything else direct[routine].calls
+
+        def effects_of(routine: RoutineSymbol, known: Mapping[RoutineSymbol, Effects]) -> Effects:
+            return self._with_calls(direct[routine], known)
+
         nothing = Effects(frozenset(), frozenset(), moves=False)
-        effects = dict.fromkeys(self.routines, nothing)
-        while True:
-            grown = {routine: self._with_calls(direct[routine], effects) for routine in effects}
-            if grown == effects:
-                return effects
-            effects = grown
+        return summarise(self.routines, callees, nothing, effects_of)
 
     def _with_calls(
         self, direct: _DirectEffects, effects: Mapping[RoutineSymbol, Effects]
     ) -> Effects:
-        called = (
-            effects.values() if direct.calls_anything else map(effects.__getitem__, direct.calls)
-        )
+        calls = self.routines if direct.calls_anything else direct.calls
+        called = map(effects.__getitem__, calls)
         below = _united(called)
         given = {
             symbol

@@ -29,3 +29,14 @@ MODULE nobody_lets_go
     count:=count+1;
   ENDPROC
 ENDMODULE
+! ---
+MODULE jumps_past
+  VAR num count;
+  PROC main()
+    IDisable;                         ! found
+    IF count>3 GOTO over;
+    IEnable;
+  over:
+    count:=count+1;
+  ENDPROC
+ENDMODULE

@@ -34,3 +34,20 @@ MODULE near_miss
     unlock;
   ENDPROC
 ENDMODULE
+! ---
+MODULE server
+  VAR num count;
+  PROC main()
+    IDisable;
+    serve;
+  ENDPROC
+  PROC serve()
+    WHILE TRUE DO
+      count:=count+1;
+      WaitTime 1;
+    ENDWHILE
+  ENDPROC
+  PROC unlock()
+    IEnable;
+  ENDPROC
+ENDMODULE

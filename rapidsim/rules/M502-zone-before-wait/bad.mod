@@ -89,3 +89,23 @@ MODULE through_calls
     ENDIF
   ENDPROC
 ENDMODULE
+! ---
+MODULE nested
+  VAR bool is_heavy;
+  VAR bool is_slow;
+  CONST robtarget p10:=[[600,0,600],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];
+  PROC main()
+    MoveL p10,v100,z10,tool0;         ! found
+    IF is_heavy THEN
+      WaitTime 1;
+    ENDIF
+    WaitTime 2;
+    MoveL p10,v100,z20,tool0;         ! found
+    IF is_heavy THEN
+      IF is_slow THEN
+        WaitTime 1;
+      ENDIF
+    ENDIF
+    WaitTime 2;
+  ENDPROC
+ENDMODULE

@@ -2,9 +2,9 @@
 MODULE placement
   PROC main()
     RETRY;                              ! error: F406
-    TRYNEXT;                            ! error: F406 ! warning: F401
+    TRYNEXT;                            ! error: F406
     RAISE;                              ! error: F406
-    RAISE 5;
+    RAISE 5;                            ! warning: F401
   ERROR
     RAISE;
   UNDO

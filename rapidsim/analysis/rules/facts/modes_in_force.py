@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Set as AbstractSet
+from functools import cache
+from math import inf
+from typing import TypeAlias
 
+from rapidsim.analysis.flow.graph import ENTRY, EXIT
+from rapidsim.analysis.flow.solve import after_steps, forward
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.known_values import known_value
-from rapidsim.analysis.rules.facts.reached_routines import mask_of, reached
+from rapidsim.analysis.rules.facts.reached_routines import mask_of
 from rapidsim.library.table import LibraryRoutine
-from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
@@ -37,8 +42,8 @@ class _Setting:
 _NO_DISPLACEMENTS = (((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)), (0.0,) * 6)
 """A pose and offsets of axes that displace nothing."""
 
-_Open = Mapping[str, tree.Call]
-"""The modes that may be in force, each with the instruction that set it."""
+_Open: TypeAlias = frozenset[tuple[str, tree.Call]]
+"""The modes that may be in force, each with an instruction that set it."""
 
 
 def unrestored_modes(
@@ -47,7 +52,7 @@ def unrestored_modes(
     """The modes that may be in force at some exit of a routine, each at the first such exit.
 
     Args:
-        part: A routine; one with jumps yields nothing.
+        part: A routine; one with text that could not be read yields nothing.
         facts: The task.
         matters: Which instructions to look at; those that restore their modes count as well.
     """
@@ -61,88 +66,67 @@ def unrestored_modes(
         for call, setting in settings.items()
         if not setting.is_back and (row := facts.installed(call)) is not None and matters(row)
     }
-    if not modes or not part.nodes.keys().isdisjoint((tree.Goto, tree.InvalidStatement)):
+    if not modes or tree.InvalidStatement in part.nodes:
         return
-    assert part.routine is not None
-    ways = _PathWalker(
-        part, {call: one for call, one in settings.items() if one.mode in modes}, facts
-    )
-    left = ways.follow(part.routine.body, {})
-    if left is not None:
-        ways.end(left, "ends")
-    for mode, (call, ends) in ways.found.items():
-        yield UnrestoredMode(call, ends, mode)
+    exits = sorted(_exits(part, facts, settings, modes), key=lambda one: one.position)
+    found: dict[str, UnrestoredMode] = {}
+    for one in exits:
+        for mode, call in sorted(one.open_modes, key=lambda pair: pair[1].start):
+            found.setdefault(mode, UnrestoredMode(call, one.ends, mode))
+    yield from found.values()
 
 
-class _PathWalker:
-    """Follows the ways through one routine and keeps what is in force where they end."""
+@value_class(frozen=True, slots=True)
+class _RoutineExit:
+    """A place where a routine returns, with the modes that may be in force there."""
 
-    def __init__(
-        self, part: ProgramPart, settings: Mapping[tree.Call, _Setting], facts: Facts
-    ) -> None:
-        self._part = part
-        self._settings = settings
-        self._facts = facts
-        self._back: dict[str, int] = {}
-        self.found: dict[str, tuple[tree.Call, str]] = {}
+    position: float
+    ends: str
+    open_modes: _Open
 
-    def end(self, open_modes: _Open, ends: str) -> None:
-        """Record an exit of the routine."""
-        for mode, call in open_modes.items():
-            self.found.setdefault(mode, (call, ends))
 
-    def follow(self, body: tree.Body, open_modes: _Open) -> _Open | None:
-        """What may be in force after a statement list; None if execution never gets there."""
-        current: _Open | None = open_modes
-        for statement in body:
-            if current is None:
-                return None
-            current = self._step(statement, current)
-        return current
+def _exits(
+    part: ProgramPart, facts: Facts, settings: Mapping[tree.Call, _Setting], modes: AbstractSet[str]
+) -> Iterator[_RoutineExit]:
+    """The places where a routine returns with some of `modes` in force."""
 
-    def _step(self, statement: tree.Statement, current: _Open) -> _Open | None:
-        match statement:
-            case tree.Call():
-                setting = self._settings.get(statement)
-                if setting is None:
-                    return self._called(statement, current)
-                rest = {mode: call for mode, call in current.items() if mode != setting.mode}
-                return rest if setting.is_back else {**rest, setting.mode: statement}
-            case tree.Return():
-                line = self._part.module.span(statement).line
-                self.end(current, f"returns on line {line}")
-                return None
-            case tree.Raise() | tree.Exit() | tree.Retry() | tree.TryNext():
-                return None
-            case tree.If(branches=branches, otherwise=otherwise):
-                ways = [self.follow(branch.body, current) for branch in branches]
-                ways.append(current if otherwise is None else self.follow(otherwise, current))
-                return _joined(ways)
-            case tree.CompactIf(statement=inner):
-                return _joined([self._step(inner, current), current])
-            case tree.Test(cases=cases, default=default):
-                ways = [self.follow(case.body, current) for case in cases]
-                ways.append(current if default is None else self.follow(default, current))
-                return _joined(ways)
-            case tree.For(body=body) | tree.While(body=body):
-                return _joined([self.follow(body, current), current])
-            case _:
-                return current
+    @cache
+    def restoring(mode: str) -> int:
+        return routines_with(mode, facts, back=True)
 
-    def _called(self, call: tree.Call, current: _Open) -> _Open | None:
-        """What may be in force behind any other call: what it may put back counts as put back."""
-        if Trait.LEAVE in self._facts.does(call):
+    def step(node: tree.Node, state: _Open) -> _Open | None:
+        if not isinstance(node, tree.Call | tree.FunctionCall):
+            return state
+        setting = settings.get(node) if isinstance(node, tree.Call) else None
+        if setting is not None and isinstance(node, tree.Call):
+            if setting.mode not in modes:
+                return state
+            rest = frozenset(pair for pair in state if pair[0] != setting.mode)
+            return rest if setting.is_back else rest | {(setting.mode, node)}
+        if not facts.can_return(node):
             return None
-        if not current or self._facts.routine_called(call) is None:
-            return current
-        within = reached([call], self._facts)
-        return {mode: by for mode, by in current.items() if not within & self._putting_back(mode)}
+        callee = facts.callee_of(node)
+        if not state or callee is None:
+            return state
+        # What a callee may restore counts as restored.
+        within = facts.reached_from[callee]
+        return frozenset(pair for pair in state if not within & restoring(pair[0]))
 
-    def _putting_back(self, mode: str) -> int:
-        """The bits of the routines that put a mode back."""
-        if mode not in self._back:
-            self._back[mode] = routines_with(mode, self._facts, back=True)
-        return self._back[mode]
+    graph = facts.flow(part)
+    nothing: _Open = frozenset()
+    for index, state in forward(graph, {ENTRY: nothing}, step, frozenset.union).items():
+        block = graph.blocks[index]
+        for edge in block.edges:
+            if edge.to == EXIT:
+                at_end = after_steps(block.steps, state, step)
+                if at_end:
+                    yield _exit_at(part, edge.by, at_end)
+
+
+def _exit_at(part: ProgramPart, by: tree.Node | None, open_modes: _Open) -> _RoutineExit:
+    if by is None:
+        return _RoutineExit(inf, "ends", open_modes)
+    return _RoutineExit(by.start, f"returns on line {part.module.span(by).line}", open_modes)
 
 
 def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
@@ -151,18 +135,6 @@ def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
     return mask_of(
         lambda part: any(_setting(call, facts) == setting for call in part.all(tree.Call)), facts
     )
-
-
-def _joined(states: list[_Open | None]) -> _Open | None:
-    """What may be in force where ways meet."""
-    arriving = [way for way in states if way is not None]
-    if not arriving:
-        return None
-    joined: dict[str, tree.Call] = {}
-    for way in arriving:
-        for mode, call in way.items():
-            joined.setdefault(mode, call)
-    return joined
 
 
 def _setting(call: tree.Call, facts: Facts) -> _Setting | None:

@@ -1,0 +1,109 @@
+"""The control-flow graph of a routine: blocks of steps and the edges between them.
+
+A step is what is evaluated at once: a function call, then the expression or statement that contains
+it. Blocks that no edge leads to are kept: the statements that begin there are unreachable. Calls
+are steps, not edges; what a call does is the callee's summary (`summaries`). After Aho, Lam, Sethi
+and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
+iteration and after each one, so that an analysis can tell "before the loop" from "after an
+iteration".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import Flag, auto
+
+from rapidsim.syntax import tree
+
+
+class EdgeKind(Flag):
+    """Why control follows an edge."""
+
+    NEXT = auto()
+    """The step is done, or a condition is decided."""
+    JUMP = auto()
+    """GOTO."""
+    BACK = auto()
+    """To the test of the next iteration."""
+    RETURN = auto()
+    ERROR = auto()
+    """From a statement that may fail to the ERROR clause."""
+    RETRY = auto()
+    """From a statement that failed to itself, by way of the ERROR clause."""
+    TRYNEXT = auto()
+    """From a statement that failed past it, by way of the ERROR clause."""
+    UNREAD = auto()
+    """Around text that the parser could not read, which may contain anything."""
+
+
+NORMAL = EdgeKind.NEXT | EdgeKind.JUMP | EdgeKind.BACK | EdgeKind.RETURN
+"""The edges that control follows while nothing fails."""
+
+
+@dataclass(slots=True, eq=False)
+class Edge:
+    """A transition to another block."""
+
+    to: int
+    kind: EdgeKind
+    by: tree.Node | None = None
+    """What decides: a condition, a CASE, a FOR; a RETURN, or None at the end of the text."""
+    holds: bool | None = None
+    """The outcome of the condition that leads along the edge."""
+
+
+@dataclass(slots=True, eq=False)
+class Block:
+    """Steps that execute one after another."""
+
+    steps: list[tree.Node] = field(default_factory=list)
+    edges: list[Edge] = field(default_factory=list)
+
+
+ENTRY, EXIT, RAISED, ENDED = range(4)
+"""Blocks: the first one; where the routine returns, ends with an error, ends the program."""
+
+
+@dataclass(slots=True, eq=False)
+class ControlFlowGraph:
+    """The blocks of a routine and of its clauses."""
+
+    blocks: Sequence[Block]
+    block_of: Mapping[tree.Node, int]
+    """The block in which each statement begins."""
+    clauses: Sequence[int]
+    """The blocks in which the BACKWARD, ERROR and UNDO clauses begin."""
+    handler: int | None
+    """The block in which the ERROR clause begins; one of `clauses`."""
+    loop_tests: frozenset[int]
+    """The blocks that decide about another iteration of a loop."""
+
+    @property
+    def entries(self) -> tuple[int, ...]:
+        """The blocks in which the routine and its clauses begin."""
+        return (ENTRY, *self.clauses)
+
+    def reached(
+        self,
+        kinds: EdgeKind,
+        starts: Sequence[int] = (ENTRY,),
+        stops: Callable[[tree.Node], bool] | None = None,
+    ) -> set[int]:
+        """Return the blocks that control can enter.
+
+        Args:
+            kinds: The edges to follow.
+            starts: The blocks to begin with.
+            stops: Whether control never continues past a step.
+        """
+        seen, stack = set(starts), list(starts)
+        while stack:
+            block = self.blocks[stack.pop()]
+            if stops is not None and any(map(stops, block.steps)):
+                continue
+            for edge in block.edges:
+                if edge.kind in kinds and edge.to not in seen:
+                    seen.add(edge.to)
+                    stack.append(edge.to)
+        return seen
