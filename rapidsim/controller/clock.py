@@ -1,12 +1,12 @@
-"""How time passes for one task: the program pointer's time, what falls due meanwhile, limits.
+"""Virtual time of one task: time of the program pointer, dispatch of events, limits.
 
 The program pointer's time is an instant plus an offset. After a fly-by move the instant is "the
-robot starts that move", which nobody knows until the path is planned; the program runs on and what
-it does is dated later. Whoever must know the time or the position calls `resolve_time`.
+robot starts that move", which is unknown until the path is planned; the program runs ahead and its
+effects are dated later. Callers that need the time or the position call `resolve_time`.
 
-RAPID statements take no virtual time except waits, motion, and a small fixed cost a loop turn. All
-time passes in `pass_time`, which asks the cell's `turns` how far it may go: whoever holds virtual
-time to something else, such as the wall, takes their place there.
+RAPID statements take no virtual time except waits, motion, and a small fixed cost per loop turn.
+All time passes in `pass_time`, which requests each advance from the cell's `scheduler`; a pace,
+such as the wall clock, replaces that scheduler.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _ROUNDING_S = 1e-9
 
 @dataclass(slots=True)
 class ActiveWait:
-    """A wait that is under way."""
+    """A wait in progress."""
 
     ended_by: str = CUT_OFF
 
@@ -58,15 +58,15 @@ class TaskClock:
         table: InterruptTable,
         place: Place,
     ) -> None:
-        """Start at time zero with the arm where the unit says and the pointer at `place`."""
+        """Start at time zero with the arm where the unit has it and the pointer at `place`."""
         self.place = place
         self.ticks_left = 0
         self.event_sources: tuple[EventSource, ...] = ()
-        """In the order in which they happen at one time; set once, when all exist."""
+        """In the order of dispatch at equal times; set once, when all exist."""
         self.observers: list[Callable[[], None]] = []
-        """Called at each statement that reports, to look at what the program has changed."""
+        """Called at each statement that reports, to check the program's data for changes."""
         self.time_reads = 0
-        """How often the program has asked for the time."""
+        """Number of times the program has read the time."""
         self._cell = cell
         self._unit = unit
         self._journal = journal
@@ -75,20 +75,20 @@ class TaskClock:
         self._polling = BusyWaitDetector(lambda: self.program_state())
         self._time = PointerTime()
         self.effect_count = 0
-        """How often the program has done more than look."""
+        """Number of statements with side effects so far."""
         self._reported = place
-        """The place of the last call that did more than look, where a round begins."""
+        """Place of the last statement with side effects: the start of a poll iteration."""
         self._passed_s = 0.0
-        """Everything up to this time [s] has happened; nothing happens before it any more."""
+        """Time [s] up to which all events were dispatched; none is dispatched before it again."""
         self._serves = False
-        """Whether what falls due is served between two statements."""
+        """Whether due events are dispatched between two statements."""
         self._handler_depth = 0
-        """How many traps and the like run, one within the other."""
+        """Number of nested handlers that run (traps and the like)."""
         self._failure: RapidError | None = None
-        """The error with which a trap wants to end the statement it interrupts."""
+        """The error with which a trap ends the statement it interrupts."""
         self.idle_until_s = -math.inf
-        """Until then [s] the program only polls, unless something that tasks share changes; what
-        decides whose turn it is takes that back."""
+        """Until then [s] the program only polls, unless shared data changes; the scheduler then
+        resets it."""
         self._viewed_s: float | None = None
         """The time [s] of `at_time`; None outside it."""
         cell.listeners.append(table)
@@ -105,12 +105,12 @@ class TaskClock:
         return self._time.is_known
 
     def synchronise(self) -> float:
-        """The time [s] of the current statement, with every other task caught up.
+        """Return the time [s] of the current statement after all other tasks have caught up.
 
-        Whoever reads or changes what tasks share does this first.
+        Called before reading or changing anything that tasks share.
         """
         if self._viewed_s is not None:
-            # The others have caught up already, and the program's own time may not be known yet.
+            # The others have caught up already, and the program's own time may still be unknown.
             return self._viewed_s
         now_s = self.resolve_time()
         if self._cell.is_shared:
@@ -125,18 +125,18 @@ class TaskClock:
         return self.resolve_time()
 
     def hold_until(self, time_s: float) -> None:
-        """What the current statement reads stays unchanged until a time [s]."""
+        """Note that all that the current statement reads stays unchanged until a time [s]."""
         self.discount_effect()
         self._polling.note_stable_until(time_s)
 
     def date_and_time(self) -> datetime:
-        """What the controller's clock shows."""
+        """Date and time of the controller's clock."""
         seconds = math.floor(self.now())
         self.hold_until(seconds + 1.0)
         return self._cell.starts_at + timedelta(seconds=seconds)
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
-        """Let virtual time pass; with `in_position`, first let the robot come to rest."""
+        """Let virtual time pass; with `in_position`, first bring the robot to rest."""
         self.note_line()
         if in_position:
             self.bring_to_rest()
@@ -150,7 +150,7 @@ class TaskClock:
         """Record that the current statement waits, if it takes time, and what ends the wait.
 
         Args:
-            awaited: What it waits for.
+            awaited: The awaited condition, for the journal.
         """
         place, start_s, wait = self.place, self.resolve_time(), ActiveWait()
         try:
@@ -162,11 +162,11 @@ class TaskClock:
                 self._journal.wait(Wait(task, place, awaited, start_s, end_s, ended_by))
 
     def long_work(self) -> AbstractContextManager[None]:
-        """Work that `--max-wall` may interrupt; raises as `ClockService.long_work` says."""
+        """Guard work that `--max-wall` may interrupt; raises as `ClockService.long_work` does."""
         return self._cell.watchdog.interrupting()
 
     def service(self) -> None:
-        """Do what is due and grant the next slice.
+        """Dispatch due events and grant the next slice of ticks.
 
         Raises:
             TimeLimitReached: When a time limit is reached.
@@ -180,7 +180,7 @@ class TaskClock:
             self.resolve_time()
         if time.is_known:
             due_s = self.next_due_s()
-            # Ticks add up to a rounding less: what is due in this very tick is due now.
+            # Ticks sum to a rounding error less: an event due in this very tick is due now.
             is_now = due_s is not None and 0.0 < due_s - time.known_s < _ROUNDING_S
             self._serves = True
             try:
@@ -191,13 +191,13 @@ class TaskClock:
         self.grant()
 
     def _skip_rounds(self) -> None:
-        """Skip to the next thing that happens if the program only polls for it.
+        """Skip to the next event if the program only polls for it.
 
         Raises:
-            PollsForever: If nothing ever happens.
+            PollsForever: If no event can end the polling.
         """
         if self.place is not self._reported:
-            # A copy of its own, so that a call from this very statement shows, too.
+            # A new object, so that a call from this very statement is noticed, too.
             self.place = self._reported = replace(self.place)
             self.effect_count += 1
         used, now_s = self._time.used, self._time.known_s
@@ -206,7 +206,7 @@ class TaskClock:
             return
         due_s = self.next_due_s()
         own_s = min(math.inf if due_s is None else due_s, self._polling.stable_until_s)
-        # Others that poll, too, need not wait for this one.
+        # Other polling tasks need not wait for this one.
         self.idle_until_s = own_s
         until_s = min(own_s, self._cell.scheduler.next_s(self))
         if math.isinf(until_s) and self._cell.scheduler.mark_waiting(self):
@@ -214,7 +214,7 @@ class TaskClock:
                 "the program loops forever here: nothing that it looks at ever changes"
             )
         round_s = ticks * self._time.tick_s
-        # The last round before it is made: in which tick of it the program looks, it may tell.
+        # Stop one iteration early: the tick in which the program reads the change may matter.
         rounds = math.ceil((min(until_s, self._cell.max_time_s) - now_s) / round_s - 1e-6) - 1
         if rounds > 0:
             self._polling.again(used, ticks)
@@ -223,7 +223,7 @@ class TaskClock:
             self._polling.note_failed_check(used)
 
     def end_time_s(self) -> float:
-        """When everything is over [s]: both the program pointer and the arm."""
+        """Time [s] at which both the program pointer and the arm are done."""
         pointer_s = self._time.known_s if self._time.is_known else 0.0
         return min(self._cell.max_time_s, max(pointer_s, self._unit.queue.trajectory.duration))
 
@@ -238,20 +238,20 @@ class TaskClock:
         return self._time.offset_s > LOOK_AHEAD_SLACK_S
 
     def follow(self, instant: Instant) -> None:
-        """Go to an instant, known or not."""
+        """Set the pointer to an instant, known or not."""
         self._time.follow(instant)
 
     def set(self, time_s: float) -> None:
-        """Go to a known time [s], whatever falls due before it."""
+        """Set the pointer to a known time [s] without dispatching the events due before it."""
         self._time.set(time_s)
 
     def go_to(self, time_s: float) -> None:
-        """Pass time up to `time_s` [s], whatever instant the program was at; see `pass_time`."""
+        """Pass time up to `time_s` [s], whatever instant the program is at; see `pass_time`."""
         self._time.follow(Instant())
         self.pass_time(time_s)
 
     def notify_tasks(self) -> None:
-        """Let the other tasks look: what they share has changed."""
+        """Notify the other tasks of a change of shared data."""
         self._cell.notify(self.moment())
 
     def run_in_background(self) -> None:
@@ -259,18 +259,18 @@ class TaskClock:
         self._time.tick_s = BACKGROUND_TICK_S
 
     def tick(self) -> None:
-        """Let a little time pass, as a turn of a loop takes: what may go on for ever needs some."""
+        """Let the time of one loop turn pass, so that endless loops take virtual time, too."""
         self.ticks_left -= 1
         if self.ticks_left < 0:
             self.service()
 
     def moment(self) -> Moment:
-        """When the current statement happens."""
+        """Moment of the current statement."""
         self._time.settle(self.ticks_left)
         return self._time.moment()
 
     def grant(self) -> None:
-        """Grant the program ticks until something is due."""
+        """Grant the program ticks until the next event is due."""
         self._cell.watchdog.check()
         due_s = self.next_due_s()
         until_s = min(self._cell.max_time_s, math.inf if due_s is None else due_s)
@@ -286,20 +286,20 @@ class TaskClock:
         if not time.is_known:
             offset_s = time.offset_s
             self.await_restart()
-            # Meanwhile another task of the team may have ended the block.
+            # During that wait another task of the team may have ended the block.
             if self._unit.queue.is_open:
                 self.pass_time(self._unit.queue.commit_last_start())
             while self._unit.queue.is_open and (
                 self._unit.queue.is_halted or self._unit.queue.commit_last_start() > time.known_s
             ):
-                # Something on the way has stopped the robot, so it starts the move later.
+                # An event before that start has stopped the robot, so the move starts later.
                 self.await_restart()
                 self.pass_time(self._unit.queue.commit_last_start())
             self.pass_time(time.known_s + offset_s)
         return time.known_s
 
     def pass_time(self, until_s: float) -> None:
-        """Go to a later time, serving the interrupts that fall due on the way.
+        """Advance to a later time, serving the interrupts that fall due until then.
 
         Raises:
             TimeLimitReached: When the time limit comes first.
@@ -321,10 +321,10 @@ class TaskClock:
             raise TimeLimitReached(f"the time limit of {limit_s:g} s was reached")
 
     def await_event(self, deadline_s: float) -> bool:
-        """Let time pass until something happens that a program may notice, or a deadline [s].
+        """Let time pass until an event that a program may notice, or until a deadline [s].
 
         Returns:
-            False if there is no deadline and nothing will ever happen.
+            False if there is no deadline and no further event.
         """
         next_s = self.next_due_s()
         until_s = deadline_s if next_s is None else min(next_s, deadline_s)
@@ -338,16 +338,16 @@ class TaskClock:
         return True
 
     def next_due_s(self) -> float | None:
-        """When the next thing happens by itself [s]: a signal change, an interrupt, on the path.
+        """Time [s] of the next event (signal change, interrupt, on the path); None if none.
 
-        While the program runs ahead, nobody asks for what happens on the path, which would plan it.
+        While the program runs ahead, events on the path are excluded: reading them would plan it.
         """
         known = self._time.is_known
         times = [one.next_s() for one in self.event_sources if known or not one.on_path]
         return min((time_s for time_s in times if time_s is not None), default=None)
 
     def serve_due(self, until_s: float) -> float:
-        """Carry out everything due by a time; returns when the last of it ended [s]."""
+        """Dispatch all events due by a time; returns when the last of them ended [s]."""
         ended_s = 0.0
         while True:
             self._cell.watchdog.check()
@@ -365,14 +365,14 @@ class TaskClock:
             ended_s = max(ended_s, due.dispatch_next(self._passed_s, until_s))
 
     def run_handler(self, due_s: float, run: Callable[[], None]) -> float:
-        """Run something in between, then continue where the program was.
+        """Run a handler, then continue where the program was.
 
         Args:
-            due_s: It begins at this time [s], or as soon after as it can.
-            run: Takes its time.
+            due_s: Time [s] at which it begins, or as soon after that as it can.
+            run: The handler; its statements pass time.
 
         Returns:
-            When it has ended [s].
+            Time [s] at which the handler has ended.
         """
         start_s = max(due_s, self._passed_s)
         instant, offset_s, place = self._time.instant, self._time.offset_s, self.place
@@ -383,7 +383,7 @@ class TaskClock:
         try:
             run()
         except Exception:
-            # An error of it goes on where an ERROR clause of what was interrupted lists it.
+            # An ERROR clause of the interrupted code may handle the error and continue.
             self._passed_s = max(self._passed_s, self.resolve_time())
             raise
         finally:
@@ -400,13 +400,14 @@ class TaskClock:
         return ended_s
 
     def leave_ticks(self, left: int) -> None:
-        """Restore the ticks left: a loop that counts its own was not asked for them."""
+        """Restore the ticks of a caller: a loop that counts its own ticks must not use them."""
         self.ticks_left = self._time.hold(self.ticks_left, left)
 
     def fail_later(self, error: RapidError) -> None:
         """Raise an error at the statement that a trap interrupts, once the trap has ended.
 
-        Where that is none that can fail, as in a loop that computes, it is the next that can.
+        In code that cannot fail, such as a loop that computes, the next statement that can raises
+        it.
         """
         self._failure = error
 
@@ -431,11 +432,11 @@ class TaskClock:
                 )
 
     def drive_to_stop(self, corner: CornerKind = CornerKind.STOP) -> None:
-        """End the block of moves and wait until the arm stands still at its end.
+        """End the block of moves and wait until the arm is at rest at its end.
 
-        What happens on the way may stop the robot and start it again, so the end may move.
-        Source: RAPID Overview, "Motion and I/O principles". A controller was measured to go on some
-        40 ms earlier; then CRobT after a stop point would miss the point, which nobody expects.
+        Events until then may stop the robot and start it again, so the end may move.
+        Source: RAPID Overview, "Motion and I/O principles". A real controller continues some 40 ms
+        earlier (measured); then CRobT after a stop point would miss the point, against expectation.
         """
         while self._unit.queue.is_open:
             if self._unit.queue.is_halted:
@@ -443,27 +444,27 @@ class TaskClock:
                 continue
             reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close(corner))
             self.go_to(0.0)
-            # A trap on the way may stop the robot, or clear its path: then the end comes sooner.
+            # A trap may stop the robot, or clear its path: then the end is earlier.
             while not self._unit.queue.is_open and self._time.known_s < reached_s:
                 due_s = self.next_due_s()
                 self.pass_time(reached_s if due_s is None else min(due_s, reached_s))
                 reached_s = min(reached_s, self._unit.queue.trajectory.duration)
 
     def bring_to_rest(self) -> None:
-        """End an open block and wait until the arm stands still."""
+        """End an open block and wait until the arm is at rest."""
         if self._unit.queue.is_open and not self._unit.queue.is_halted:
             self.resolve_time()
             self.drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
         self.pass_time(max(self.resolve_time(), self._unit.queue.trajectory.duration))
 
     def serve_persistent_changes(self) -> None:
-        """Serve the interrupts of persistents that the program has changed since."""
+        """Serve the interrupts of persistents that the program has changed since the last check."""
         now_s = self.resolve_time()
         self._table.raise_changed(now_s)
         self.pass_time(now_s)
 
     def at_time(self, now_s: float, read: Callable[[], T]) -> T:
-        """Look at the cell as it is at a time [s], without letting time pass."""
+        """Read the cell's state at a time [s], without letting time pass."""
         before, self._viewed_s = self._viewed_s, now_s
         try:
             return read()
@@ -471,7 +472,7 @@ class TaskClock:
             self._viewed_s = before
 
     def _note_foreign_changes(self, now_s: float) -> None:
-        """Notice which persistents another task has changed, without serving the interrupts."""
+        """Detect persistents that another task has changed, without serving the interrupts."""
         self.at_time(now_s, lambda: self._table.raise_changed(now_s))
 
     def cause(self) -> Cause:
@@ -490,7 +491,7 @@ class TaskClock:
         self._journal.line(self.moment(), self.place)
 
     def discount_effect(self) -> None:
-        """Take back the count of the current statement, which has changed nothing."""
+        """Undo the count of the current statement, which had no side effect."""
         self.effect_count -= 1
 
     def event(self, kind: EventKind, message: str, **details: object) -> None:

@@ -1,11 +1,11 @@
-"""Reading where the arm of a task is, as often as a program likes.
+"""Reading the position of a task's arm, at any rate.
 
-A reading is exact for the instant at which it is made, and holds for a millisecond, as long as what
-`ClkRead` shows, or until an arm that stands moves. A program that asks in every turn of a loop
-therefore gets a new one each millisecond, later than turn by turn by no more than that. Readings
-that follow each other in even steps are worked out together, ahead of time, for as long as nothing
-changes the path. A program takes its steps from a clock in single precision, so they are a little
-uneven: of each instant to come its neighbourhood is worked out.
+A reading is exact for the instant at which it is made, and holds for a millisecond, as long as a
+value of `ClkRead`, or until an arm at rest moves. A program that reads in every turn of a loop
+therefore gets a new reading each millisecond, later than turn by turn by no more than that.
+Readings at regular intervals are computed in batches, ahead of time, for as long as nothing changes
+the path. A program takes its intervals from a clock in single precision, so they are slightly
+irregular: each predicted instant is computed with its neighbourhood.
 """
 
 from __future__ import annotations
@@ -23,20 +23,20 @@ from rapidsim.language.data import RobTarget, ToolData, WobjData
 from rapidsim.language.moves import Place
 
 HOLDS_S = 1e-3
-"""So long [s] a reading holds. Unverified: no manual says how old a position may be that a program
-reads; the resolution of `ClkRead` is the finest that a program can tell times by."""
+"""Time [s] for which a reading holds. Unverified: no manual specifies the age of a position that a
+program reads; the resolution of `ClkRead` is the finest that a program can distinguish."""
 _AT_ONCE = 64
-"""So many readings are worked out together, at most."""
+"""Maximum number of readings in a batch."""
 _SAME_S = 1e-9
-"""Instants so near [s] are one: the ticks of a loop add up to a rounding less."""
+"""Instants that differ by less [s] are equal: the ticks of a loop sum to a rounding error less."""
 _NEAR_S = 1e-4
-"""So much earlier or later [s] than in even steps a reading may come. A clock that has run for half
-an hour is shown so coarsely, and a parabola over so short a time misses an arm by 1e-7 rad where
-its acceleration jumps, and by less than 1e-9 elsewhere."""
+"""Maximum deviation [s] of a reading from the regular interval. It is the resolution of a clock in
+single precision after half an hour, and a parabola over so short a time misses an arm by 1e-7 rad
+where its acceleration jumps, and by less than 1e-9 elsewhere."""
 
 
 class Reading(NamedTuple):
-    """Where an arm was found."""
+    """Measured position of an arm."""
 
     time_s: float
     joints: Array
@@ -44,20 +44,20 @@ class Reading(NamedTuple):
     external: Array
     """Shape (e,) [m or rad]."""
     targets: dict[tuple[ToolData, WobjData], RobTarget]
-    """What of it was worked out, by tool and work object."""
+    """Robtargets computed from it so far, by tool and work object."""
 
 
 class _Expected(NamedTuple):
-    """Where an arm will be about an instant, if nothing changes."""
+    """Predicted position of an arm about an instant, if nothing changes."""
 
     time_s: float
     joints: Array
-    """Shape (3, n) [rad]: `_NEAR_S` earlier, then, and as much later."""
+    """Shape (3, n) [rad]: `_NEAR_S` before the instant, at it, and as much after it."""
     external: Array
     """Shape (3, e) [m or rad]."""
 
     def at(self, now_s: float) -> Reading:
-        """The arm at an instant near by."""
+        """The arm at an instant near the predicted one."""
         part = (now_s - self.time_s) / _NEAR_S
         weights = (
             np.array([part * (part - 1.0), 2.0 - 2.0 * part * part, part * (part + 1.0)]) / 2.0
@@ -67,46 +67,46 @@ class _Expected(NamedTuple):
 
 @dataclass(slots=True, eq=False)
 class PositionReader:
-    """Reads one robot's position for those who ask at times that never go back."""
+    """Reads one robot's position at times that never decrease."""
 
     unit: MechanicalUnit
     resolver: Resolver
     _version: tuple[int, int] | None = None
-    """What the robot would do when the readings were made."""
+    """Version of the robot's plan for which the readings were made."""
     _last: Reading | None = None
     _ahead: list[_Expected] = field(default_factory=list)
-    """Of later readings, the next one last."""
+    """Predicted readings, the next one last."""
     _even_from_s: float = math.inf
-    """When [s] the first of the readings was made that follow each other in even steps."""
+    """Time [s] of the first reading of the current regular series."""
     _steps: int = 1
-    """How many there were since."""
+    """Number of intervals since that first reading."""
     _step_s: float = math.inf
-    """How long [s] one is."""
+    """Mean interval [s] of the series."""
     _count: int = 1
-    """How many readings were worked out together."""
+    """Number of readings in the last batch."""
 
     def read(self, now_s: float) -> Reading:
-        """Where the robot is at a time [s] that has come, or was found no longer ago than holds."""
+        """Position of the robot at a time [s], or an earlier reading if that still holds."""
         self.unit.solo_queue.start_is_free = False
         before = None if self._last is None else self._last.time_s
         if self._version != self.unit.version:
-            # Whoever reads evenly goes on with it, but what comes may soon be something else again.
+            # A regular series continues, but the plan may change again soon: reduce the batch.
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
             self._count = max(1, self._count // 8)
         if self.unit.solo_queue.is_guided:
-            # Only the sensor knows where it will be.
+            # The sensor's future values are unknown, so nothing can be predicted.
             self._step_s = math.inf
             self._ahead.clear()
         last = self._last
         if last is None or not last.time_s <= now_s < self.stays_until(last) - _SAME_S:
             self._last = last = self._next(now_s, before)
-            # What it was too late for may have come to light.
+            # The read may have ended the block because it was too late for a corner, a new version.
             self._version = self.unit.version
         return last
 
     def stays_until(self, reading: Reading) -> float:
-        """Until when [s] nobody gets another reading, if nothing else happens."""
+        """Time [s] until which `read` returns this reading if no event intervenes."""
         queue = self.unit.queue
         waits = queue.is_open and not queue.is_halted
         waits |= self.unit.solo_queue.is_guided
@@ -114,9 +114,9 @@ class PositionReader:
         return math.inf if still else reading.time_s + HOLDS_S
 
     def target(self, reading: Reading, tool: ToolData, wobj: WobjData, place: Place) -> RobTarget:
-        """Where the TCP was then; see `Resolver.target`."""
+        """Robtarget of a reading in a tool and a work object; see `Resolver.target`."""
         known = reading.targets.get((tool, wobj))
-        # Another robot may hold the work object, and has moved since.
+        # Another robot that holds the work object may have moved since.
         if known is None or self.resolver.may_have_carrier(wobj):
             joints, external = reading.joints, reading.external
             known = self.resolver.target(joints, external, tool, wobj, place)
@@ -140,12 +140,12 @@ class PositionReader:
         return Reading(now_s, samples.joints[0], samples.external[0], {})
 
     def _follow(self, now_s: float, before_s: float | None) -> bool:
-        """Whether a reading comes after the one before as that did after its own."""
+        """Update the series with a reading; return whether it has the interval of the series."""
         step_s = math.inf if before_s is None else now_s - before_s
         is_even = abs(step_s - self._step_s) < _NEAR_S
         if is_even:
             self._steps += 1
-            # Over all of them, for one by one they are uneven.
+            # The mean over all intervals, because single ones are irregular.
             self._step_s = (now_s - self._even_from_s) / self._steps
         else:
             self._even_from_s, self._steps = now_s - step_s, 1

@@ -1,8 +1,8 @@
-"""What all tasks of a cell share: signals and what drives them, the home folder, the operator.
+"""State that all tasks of a cell share: signals and their sources, home folder, operator.
 
-A signal that changes triggers everything that depends on it at the same instant: signals that
-follow it, interrupts, and stimuli whose condition comes true. Changes that are still to come wait
-in one list; a task lets them happen while it passes time.
+A signal change triggers everything that depends on it at the same instant: connected signals,
+interrupts, and stimuli whose condition becomes true. Future changes are kept in one list; a task
+dispatches them while it passes time.
 
 Passing time goes through `scheduler`, so that several tasks can share one clock.
 """
@@ -46,57 +46,57 @@ CELL_TASK = "cell"
 
 
 class SignalListener(Protocol):
-    """Is told of signals that change: a task's interrupts, a search."""
+    """Receives signal changes (interrupts, searches)."""
 
     def listens_to(self, signal: str) -> bool:
         """Whether changes of this signal matter."""
         ...
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """A signal this listens to has changed."""
+        """Handle a change of a signal for which `listens_to` is true."""
         ...
 
 
 class EventLogListener(Protocol):
-    """Whose interrupts entries of the event log may raise."""
+    """Receives event-log entries that may raise interrupts."""
 
     @property
     def is_listening(self) -> bool:
-        """Whether any entry does."""
+        """Whether any entry may raise an interrupt."""
         ...
 
     def error_logged(self, entry: LoggedError, now_s: float) -> None:
-        """An entry has come into the event log."""
+        """Handle a new entry of the event log."""
         ...
 
 
 class SampledSignal(Protocol):
-    """A test signal of an axis."""
+    """Test signal of an axis."""
 
     def value(self, now_s: float, reader: object) -> float:
-        """Value as sampled last before a time [s], for the task that reads it."""
+        """Value sampled last before a time [s], for the task that reads it."""
         ...
 
 
 class TimeScheduler(Protocol):
-    """Decides who may pass time: the one place where a scheduler of several tasks takes over."""
+    """Grants time advances. A multitasking scheduler replaces it."""
 
     def request_advance(self, task: object, time_s: float) -> float:
         """Let the other tasks catch up to a time [s].
 
         Returns:
-            How far the task may go: the time it asked for, or an earlier one if something has
-            happened by then that it may want to know of. Infinite if it was asked for and nothing
-            will ever happen.
+            Time up to which the task may advance: the requested time, or an earlier one if an event
+            that may matter to it has happened by then. Infinite if infinity was requested and no
+            event follows.
         """
         ...
 
     def next_s(self, task: object) -> float:
-        """When the next of the other tasks is due [s]; infinite if none is."""
+        """Time [s] at which the next of the other tasks is due; infinite if none is."""
         ...
 
     def wake_at(self, time_s: float) -> None:
-        """Wake the other tasks at a time [s] at which something happens."""
+        """Wake the other tasks at the time [s] of an event."""
         ...
 
     def mark_waiting(self, task: object) -> bool:
@@ -105,37 +105,37 @@ class TimeScheduler(Protocol):
 
 
 class SingleTaskScheduler:
-    """One task has the clock to itself."""
+    """Scheduler of a cell with one task."""
 
     def request_advance(self, task: object, time_s: float) -> float:
-        """As far as it likes."""
+        """Grant the requested time."""
         del task
         return time_s
 
     def next_s(self, task: object) -> float:
-        """There are no others."""
+        """Return infinity: there are no other tasks."""
         del task
         return math.inf
 
     def wake_at(self, time_s: float) -> None:
-        """Nobody to wake."""
+        """Do nothing: there are no other tasks."""
 
     def mark_waiting(self, task: object) -> bool:
-        """Nobody else does anything."""
+        """Return True: the only task waits."""
         del task
         return True
 
 
 @value_class(frozen=True, slots=True)
 class Cause:
-    """What caused a change."""
+    """Origin of a change: a task and the statement, or the station."""
 
     journal: Journal
     place: Place | None = None
 
     @property
     def description(self) -> str:
-        """The task and the line, or the station."""
+        """Task and line, or the station, as text."""
         if self.place is None:
             return "the station" if self.journal.task == CELL_TASK else self.journal.task
         return f"{self.journal.task}, {self.place.span.file}:{self.place.span.line}"
@@ -143,7 +143,7 @@ class Cause:
 
 @value_class(frozen=True, slots=True)
 class _Change:
-    """How a signal came to its value."""
+    """Last change of a signal: text, moment and cause."""
 
     kind: str
     moment: Moment
@@ -152,7 +152,7 @@ class _Change:
 
 @value_class(frozen=True, slots=True)
 class _ScheduledChange:
-    """Something scheduled for a moment."""
+    """A change scheduled for a moment."""
 
     moment: Moment
     act: Callable[[Moment], None]
@@ -161,22 +161,22 @@ class _ScheduledChange:
 
 
 class Cell:
-    """The signals, the world around the robot, and what waits for what.
+    """The signals, the environment of the robot, and the dependencies between them.
 
-    Changes that are to come are a `event_source.EventSource` of every task.
+    Its future changes are an `event_source.EventSource` of every task.
     """
 
     on_path = False
 
     def __init__(self, inputs: CellInputs, journal: Journal) -> None:
-        """Set the cell up at time zero; what happens by itself is recorded beside `journal`."""
+        """Set the cell up at time zero; changes without a task are recorded next to `journal`."""
         self.max_time_s = inputs.max_time_s
         self.watchdog = Watchdog(inputs.max_wall_s, lambda: journal.noted)
         self.signals = SignalTable(inputs.io.signals)
         self.home = HomeFolder(inputs.home, inputs.ramdisk)
         self.operator = OperatorDialog(inputs.answers, inputs.answers_are_typed)
         self.pendant: Pendant | None = None
-        """Where questions wait for answers; None if they are answered at once or never."""
+        """Queue of questions to clients; None if answers are scripted or missing."""
         self.texts = TextTables()
         scripts = inputs.io.sockets
         streams = [script for script in scripts if not script.is_datagrams]
@@ -205,7 +205,7 @@ class Cell:
         self.rendezvous = RendezvousTable()
         self.scheduler: TimeScheduler = SingleTaskScheduler()
         self.is_shared = False
-        """Whether other tasks may change what one task waits for."""
+        """Whether other tasks may change signals and data for which a task waits."""
         self.has_clients = False
         """Whether clients may act at any time, so that programs must keep pace with robots."""
         self.logbook: Callable[[str, LoggedError, float], None] | None = None
@@ -213,14 +213,14 @@ class Cell:
         self.listeners: list[SignalListener] = []
         self.error_listeners: list[EventLogListener] = []
         self.event_count = 0
-        """Counts everything that another task may have to react to."""
+        """Number of events to which another task may have to react."""
         self._fingers: dict[str, Fingers] = {}
         """By folded name of the task."""
         self._io = inputs.io
         self._outside_cause = Cause(journal.for_task(CELL_TASK))
         self._scheduled: list[_ScheduledChange] = []
         self._last_changes: dict[str, _Change] = {}
-        """By folded name, how each signal came to its value."""
+        """Last change of each signal, by folded name."""
         self._true: set[int] = set()
         """Indices of the stimuli whose condition holds."""
         sources = [cross.condition for cross in self._io.crosses]
@@ -243,11 +243,11 @@ class Cell:
         return self._fingers[folded]
 
     def attach_scheduler(self, turns: TimeScheduler) -> None:
-        """Let several tasks take turns."""
+        """Replace the scheduler by one of several tasks."""
         self.scheduler, self.is_shared = turns, True
 
     def detach_scheduler(self) -> None:
-        """End sharing, so that results of the run are read without waiting for other tasks."""
+        """Restore the scheduler of one task: results are read without waiting for others."""
         self.scheduler, self.is_shared = SingleTaskScheduler(), False
 
     def has_listener(self, name: str) -> bool:
@@ -264,7 +264,7 @@ class Cell:
         """Change a signal with all that depends on it; the time is known if anything does.
 
         Returns:
-            Whether it had another value before: otherwise nothing happens.
+            Whether the value differs from the old one; an equal value has no effect.
         """
         old = self.signals.read(name)
         if not self.signals.write(name, value):
@@ -289,7 +289,7 @@ class Cell:
 
     @property
     def has_log_listeners(self) -> bool:
-        """Whether an entry of the event log matters to anybody."""
+        """Whether any listener needs the entries of the event log."""
         return self.logbook is not None or any(one.is_listening for one in self.error_listeners)
 
     def log(self, task: str, entry: LoggedError, time_s: float) -> None:
@@ -299,13 +299,13 @@ class Cell:
         self.error_logged(entry, time_s)
 
     def error_logged(self, entry: LoggedError, time_s: float) -> None:
-        """Raise the interrupts of all tasks that want an entry of the event log."""
+        """Raise the interrupts of all tasks that are connected to an entry of the event log."""
         for one in tuple(self.error_listeners):
             one.error_logged(entry, time_s)
         self.notify(Moment(Instant(time_s)))
 
     def forget(self, listeners: Set[int]) -> None:
-        """Tell some listeners, given by identity, nothing any more."""
+        """Remove the listeners of these identities."""
         self.listeners[:] = [one for one in self.listeners if id(one) not in listeners]
         left = [one for one in self.error_listeners if id(one) not in listeners]
         self.error_listeners[:] = left
@@ -349,19 +349,19 @@ class Cell:
             self.network.close()
 
     def happen(self, time_s: float, act: Callable[[float], None]) -> None:
-        """Schedule something at a later time [s] that changes no signal."""
+        """Schedule an action at a later time [s] that changes no signal."""
         moment = Moment(Instant(time_s))
         self._scheduled.append(_ScheduledChange(moment, lambda now: act(now.time_s), ()))
         self.notify(moment)
 
     def notify(self, moment: Moment) -> None:
-        """Let the other tasks react to what happens at a moment."""
+        """Wake the other tasks for an event at a moment."""
         self.event_count += 1
         if self.is_shared:
             self.scheduler.wake_at(moment.time_s)
 
     def next_s(self) -> float | None:
-        """Time [s] of the next change whose time is known; None if there is none."""
+        """Time [s] of the next change whose time is known; None if no such change is scheduled."""
         times = [
             one.moment.time_s for one in self._scheduled if one.moment.instant.time is not None
         ]
@@ -378,7 +378,7 @@ class Cell:
         return coming.moment.time_s
 
     def advance_to(self, time_s: float) -> None:
-        """Changes keep their times."""
+        """Do nothing: changes keep their times."""
 
     def may_change(self, name: str) -> bool:
         """Whether a signal may change without a program, directly or through others."""
@@ -431,7 +431,7 @@ class Cell:
         self.notify(moment)
 
     def _stimulate(self, name: str, moment: Moment) -> None:
-        """Start the stimuli whose condition has come true with a signal."""
+        """Start the stimuli whose condition became true by a change of a signal."""
         for index, stimulus in enumerate(self._io.stimuli):
             if stimulus.when is None or name.lower() not in _folded(stimulus.when.signals()):
                 continue

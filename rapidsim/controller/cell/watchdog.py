@@ -1,12 +1,12 @@
-"""The end of a run that takes longer on the computer's clock than it may.
+"""Limit of a run on the computer's clock (wall clock).
 
-This is the only thing in a run that knows that clock, and it only ends the run. Nobody pays for
-reading it: a thread sleeps until the time is over, then raises a flag that long work looks at, and
-takes away the ticks of the tasks, so that every loop asks for new ones at its next turn. Work that
-cannot look (a module that is loaded passes the parser, the checker and the compiler) is interrupted
-at once, and so is the whole run if nothing has looked for a second; never numba while it compiles
-(`COMPILING`). What was noted must be written
-yet: the more it is, the earlier the time is over.
+This is the only part of a run that reads the wall clock, and it only ends the run. Polling the
+limit costs next to nothing: a thread sleeps until the limit, then sets a flag that long work
+checks, and takes the ticks of the tasks, so that every loop requests new ones at its next turn.
+Work that cannot check the flag (loading a module runs the parser, the checker and the compiler) is
+interrupted at once, and so is the whole run if nothing has checked the flag for a second; never
+numba while it compiles (`COMPILING`). Recorded items must still be written: the more they are, the
+earlier the limit.
 """
 
 from __future__ import annotations
@@ -25,44 +25,44 @@ from rapidsim.controller.pointer_time import NO_TICKS
 from rapidsim.motion.numba_jit import COMPILING
 
 _AGAIN_S: Final = 0.02
-"""How long [s] until it takes the ticks of a task away again, in case more were just granted."""
+"""Period [s] of taking the ticks of all tasks again, in case more were just granted."""
 
 _PATIENCE_S: Final = 1.0
 """Time [s] from the limit until the run is interrupted, whatever it is doing."""
 _LOOKS_S: Final = 0.1
-"""How often [s] it looks how much has been recorded."""
+"""Period [s] at which the number of recorded items is checked."""
 _WRITING_S: Final = 25e-6
-"""How long [s] each recorded item takes to be dated, sorted and written as JSON and events."""
+"""Time [s] to date, sort and write a recorded item as JSON and events."""
 _FREE_S: Final = 1.0
-"""How long [s] writing may take beyond the limit."""
+"""Time [s] that writing may take beyond the limit."""
 
 
 class _Interrupted(WallLimitReached):
-    """Raised by the thread of the watchdog in that of the run."""
+    """Raised by the thread of the watchdog in the thread of the run."""
 
     def __init__(self) -> None:
         super().__init__("the run was cut off at its limit on the computer's clock")
 
 
 class Ticking(Protocol):
-    """What runs loops."""
+    """A task that runs loops."""
 
     ticks_left: int
-    """Ticks that are left; below zero a loop asks for more, and whoever grants them looks."""
+    """Remaining ticks; below zero a loop requests more, and the grant checks the limit."""
 
 
 class Watchdog:
-    """Watches one run."""
+    """Watches the wall-clock time of one run."""
 
     runs_ended: ClassVar[int] = 0
-    """How many runs of this process had no more time: on a faster computer they would go on."""
+    """Number of runs of this process ended by their limit, machine dependent."""
 
     def __init__(self, limit_s: float | None, noted: Callable[[], int]) -> None:
         """Begin to watch a run.
 
         Args:
-            limit_s: It may take so long [s]; None for ever.
-            noted: How many things it has noted that will be written when it is over.
+            limit_s: Maximum duration [s]; None for no limit.
+            noted: Returns the number of recorded items that will be written at the end.
         """
         self._noted = noted
         self._limit_s = math.inf if limit_s is None else limit_s
@@ -76,7 +76,7 @@ class Watchdog:
         self._at_work: int | None = None
         """The thread doing work that may be interrupted."""
         self._is_unresponsive = False
-        """Whether the run was interrupted because nothing in it looked."""
+        """Whether the run was interrupted because nothing in it checked the flag."""
         if limit_s is not None:
             Thread(target=self._watch, name="rapidsim --max-wall", daemon=True).start()
 
@@ -87,7 +87,7 @@ class Watchdog:
 
     @property
     def left_s(self) -> float:
-        """How long the run may still take [s]; infinite without a limit."""
+        """Remaining time [s] of the run; infinite without a limit."""
         return max(0.0, self._ends_s - monotonic()) if self._limit_s < math.inf else math.inf
 
     def watch(self, task: Ticking) -> None:
@@ -95,14 +95,14 @@ class Watchdog:
         self._tasks.append(task)
 
     def forget(self, task: Ticking) -> None:
-        """Leave the loops of a task alone."""
+        """Stop interrupting the loops of a task."""
         self._tasks.remove(task)
 
     def check(self) -> None:
-        """End the run, once, if its time is over. Costs next to nothing.
+        """End the run, once, if its limit is reached. Costs next to nothing.
 
         Raises:
-            WallLimitReached: If it is.
+            WallLimitReached: If the limit is reached.
         """
         if self._is_over and not self._rests.is_set():
             self._rests.set()
@@ -112,10 +112,10 @@ class Watchdog:
 
     @contextmanager
     def interrupting(self) -> Iterator[None]:
-        """Interrupt what is done within it when the time is over.
+        """Interrupt the body of the context at the limit.
 
         Raises:
-            WallLimitReached: If it was interrupted.
+            WallLimitReached: If the body was interrupted.
         """
         self.check()
         self._at_work = get_ident()
@@ -161,12 +161,12 @@ class Watchdog:
                 return
 
     def _no_longer(self) -> None:
-        """End interruptible work; an exception on its way is raised in here or before."""
+        """End interruptible work; an exception already raised arrives in here or before."""
         with self._lock:
             interrupted, self._at_work = self._at_work is None, None
         if interrupted and not isinstance(sys.exception(), _Interrupted):
-            # One that is raised in this thread by now comes up when the sleep is over. If none
-            # does, it has come before and another took its place; `check` ends the run then.
+            # An exception raised in this thread arrives by the end of the sleep. If none does, it
+            # arrived earlier and was replaced by another; `check` ends the run then.
             sleep(_AGAIN_S)
 
 

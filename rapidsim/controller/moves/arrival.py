@@ -1,9 +1,9 @@
 """The configuration at the end of a move to a pose, with the turns of its axes.
 
-With ConfJ or ConfL on the controller stops at a stored configuration that the arm cannot take. So
-does a run, unless it is told to take the nearest that works: programs are often run against another
-work object than they were taught with, and the rest of them is worth seeing. What meets a stored
-configuration is decided in `motion.configurations.compliance`.
+With ConfJ or ConfL on the controller stops at a stored configuration that the arm cannot take. A
+run stops, too, unless it has the option to take the nearest that works: programs are often run
+against another work object than they were taught with, and the rest of the run has its value.
+`motion.configurations.compliance` decides which configurations match a stored one.
 """
 
 from __future__ import annotations
@@ -76,12 +76,12 @@ _TOLD_DEVIATION = np.radians(0.5)
 
 @value_class(frozen=True, slots=True)
 class Arrivals:
-    """Finds how a robot stands at the ends of its moves."""
+    """Finds the configurations of a robot at the ends of its moves."""
 
     robot: Robot
     journal: Journal
     uses_nearest: bool = False
-    """Whether a stored configuration that does not work gives way to the nearest that does."""
+    """Whether the nearest working configuration replaces a stored one that does not work."""
     exact: bool = False
     """Whether a stored configuration is not met where cf1, cf4 or cf6 is one quarter turn off."""
 
@@ -94,8 +94,8 @@ class Arrivals:
             request: The move.
             stored: The configuration in its target.
             segment: Ends at the pose.
-            is_short: It is a short line, and the joints of its end are those it arrives with; else
-                they do not count.
+            is_short: Whether it is a short line that arrives with the joints of its end; otherwise
+                these are ignored.
 
         Raises:
             NotReachableError: When the end cannot be reached.
@@ -143,7 +143,7 @@ class Arrivals:
         """Every configuration that reaches a pose.
 
         Raises:
-            NotReachableError: When there is none.
+            NotReachableError: When no configuration reaches it.
         """
         working = configurations(self.robot, base_from_flange)
         if working:
@@ -157,10 +157,10 @@ class Arrivals:
     def at_target(
         self, base_from_flange: Transform, target: str, stored: ConfData, near: Array, place: Place
     ) -> Configuration:
-        """How the arm would stand at a target without moving there, by the rules of moves.
+        """Configuration of the arm at a target by the rules of moves, without moving there.
 
         Raises:
-            NotReachableError: When it cannot, and the nearest is not taken.
+            NotReachableError: When it has none, and the nearest is not to be taken.
         """
         if not has_branches(self.robot.kinematics):
             return stored_or_nearest(self.working(base_from_flange, target), stored, near)
@@ -189,7 +189,7 @@ class Arrivals:
     def _chosen(
         self, request: LocatedMoveRequest, stored: ConfData, segment: Segment
     ) -> Configuration:
-        """The configuration as stored, where that works; else the nearest."""
+        """The configuration as stored, if that works; else the nearest."""
         near = segment.start.joints
         if not _in_joints(segment):
             arrived = self._end_of_curve(segment)
@@ -214,7 +214,7 @@ class Arrivals:
     def _best_configuration(
         self, base_from_flange: Transform, wanted: Quarters, near: Array
     ) -> Configuration | None:
-        """The configuration that holds best to a stored one, on its branch; None if none can."""
+        """The configuration that meets a stored one best, on its branch; None if there is none."""
         tolerated = 0 if self.exact else TOLERATED_QUARTERS
         met = named(self.robot, base_from_flange, wanted, tolerated)
         if met is not None:
@@ -229,7 +229,7 @@ class Arrivals:
         wanted: Quarters,
         stored: Configuration | None,
     ) -> ConfigurationNotReachable:
-        """Why a target is not reached as stored; a run goes on with what holds to its branch."""
+        """Finding for a target not reached as stored; a match on its branch replaces it."""
         if stored is not None and not self.exact:
             (working,) = by_stored(self.robot, base_from_flange[None], [wanted])
             return replacement_finding(target, wanted, stored, working)
@@ -266,7 +266,7 @@ class Arrivals:
     def _hold_to_stored(
         self, request: LocatedMoveRequest, stored: ConfData, segment: Segment, chosen: Configuration
     ) -> None:
-        """Stop the run, or report it, where a controller would stop: at another configuration.
+        """Stop the run, or report it, if a controller would stop at the chosen configuration.
 
         Raises:
             MoveImpossible: When the nearest is not to be taken.
@@ -300,7 +300,7 @@ class Arrivals:
         stored: Configuration | None,
         arrival: Configuration,
     ) -> ConfigurationNotReachable | ConfigurationChangesOnLine | None:
-        """What is wrong with the arrival of a line or arc; None if planning says where it fails."""
+        """Finding for the arrival of a line or arc; None if planning reports the failure."""
         if stored is None or (self.exact and self._match(stored, wanted) is not Match.EXACT):
             return self._not_as_stored(
                 request.name, self._base_from_flange(request, segment), wanted, None
@@ -327,7 +327,7 @@ class Arrivals:
     def _is_monitored(self, request: LocatedMoveRequest, segment: Segment) -> bool:
         """Whether ConfJ or ConfL is on for a move of an arm whose solutions confdata names.
 
-        Nobody knows beforehand in which quarter turns a path ends that a sensor corrects.
+        The quarter turns at the end of a path that a sensor corrects cannot be predicted.
         """
         if request.request.move.sensed is not SensorInfluence.NEVER:
             return False
@@ -350,15 +350,15 @@ class Arrivals:
         return found or self._working(request, segment)
 
     def _base_from_flange(self, request: LocatedMoveRequest, segment: Segment) -> Transform:
-        """Where the flange has to be at the end of a segment."""
+        """Pose of the flange at the end of a segment."""
         end, placed = segment.end, request.request.placed
         return placed.base_from_flange(self.robot.kinematics, end.base_from_tcp, end.external)
 
     def _end_of_curve(self, segment: Segment) -> Configuration | None:
-        """Where a line or arc arrives: on the branch it starts on, with the turns made on the way.
+        """Configuration at the end of a line or arc: the branch of its start, with the turns made.
 
-        None where that branch does not get there, or only past a joint limit; the planner then says
-        where the path fails.
+        None if that branch does not reach the end, or only past a joint limit; the planner then
+        reports where the path fails.
         """
         curves, arms = self._curve(segment)
         x = _ALONG * curves.length[0]
@@ -381,17 +381,17 @@ class Arrivals:
     def _wrist_circle(
         self, request: LocatedMoveRequest, segment: Segment
     ) -> tuple[Segment, Configuration]:
-        """An arc that two wrist axes lead: it ends where they take the tool, whatever is stored.
+        """Complete an arc of two wrist axes: its end follows from them, whatever is stored.
 
         Raises:
-            MoveImpossible: Where they cannot, or not within their limits.
+            MoveImpossible: If they cannot make it, or not within their limits.
         """
         kinematics, end = self.robot.kinematics, segment.end
         led = wrist_circle_error(kinematics, segment)
         taken = segment.start.joints if led is None else led.arrival
         arrived = replace(segment, end=end_of_circle(replace(end, joints=taken)))
-        # Such a failure is of this arc alone; with the corners of its neighbours it would be told
-        # only after they have been looked at, and they start from where it ends.
+        # Such a failure concerns only this arc; with the corners of its neighbours it would be
+        # reported after them, and they start from its end.
         fault = build_path(self.robot, [replace(arrived, zone=None)], MotionModel())
         if isinstance(fault, PathFault):
             violation = fault_violation(fault, request.name)
@@ -405,7 +405,7 @@ class Arrivals:
     def _locked(
         self, request: LocatedMoveRequest, arrival: Configuration, segment: Segment
     ) -> Configuration:
-        r"""The arrival with axis 4 at 0 or half a turn; tells how far that turns the tool."""
+        r"""Return the arrival with axis 4 at 0 or half a turn; report the tool's deviation."""
         pose = segment.end.base_from_tcp
         kinematics = self.robot.kinematics
         joints = lock_axis_4(kinematics, pose, segment.tcp_from_flange, arrival.joints)
@@ -442,7 +442,7 @@ class Arrivals:
 
 
 def _in_joints(segment: Segment) -> bool:
-    """Whether a segment ends in the configuration that is chosen, not where its way leads."""
+    """Whether a segment ends in the chosen configuration instead of one continued along a curve."""
     return segment.geometry is Geometry.JOINT or segment.wrist_in_joints
 
 

@@ -1,4 +1,4 @@
-"""What the controller of a task asks of its robot's motion, alone or in step with others."""
+"""Interface of a task's controller to the motion of its robot, alone or in a team."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 
 class MotionQueue(Protocol):
-    """A robot's moves and how far they are decided, alone or in step with others.
+    """A robot's moves and the decided part of its motion, alone or in a team.
 
-    Whatever plans raises `MotionError` when what is on the path turns out not to be passable.
+    Every method that plans raises `MotionError` if the path turns out not to be passable.
     """
 
     @property
@@ -26,22 +26,22 @@ class MotionQueue(Protocol):
 
     @property
     def moves(self) -> MoveLog:
-        """All moves the robot was ever given."""
+        """All moves the robot ever got."""
         ...
 
     @property
     def end(self) -> Waypoint:
-        """Where the last queued move ends."""
+        """End of the last queued move."""
         ...
 
     @property
     def version(self) -> int:
-        """Changes whenever what the robot will do may change."""
+        """Changes whenever the planned motion of the robot may change."""
         ...
 
     @property
     def is_open(self) -> bool:
-        """Whether a block of moves waits for its end."""
+        """Whether a block of moves is open: its end is not decided."""
         ...
 
     @property
@@ -51,7 +51,7 @@ class MotionQueue(Protocol):
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block are still ahead of the robot."""
+        """Number of moves of the open block that are not yet travelled."""
         ...
 
     @property
@@ -60,15 +60,15 @@ class MotionQueue(Protocol):
         ...
 
     def close(self, corner: CornerKind = CornerKind.STOP) -> float:
-        """End the block with a stop; the command time [s] at which it is reached."""
+        """End the block with a stop; return the command time [s] at which it is reached."""
         ...
 
     def commit_last_start(self) -> float:
-        """Fix the path up to the start of the last move; the command time [s] of that start."""
+        """Fix the path up to the start of the last move; return its command time [s]."""
         ...
 
     def commit_ahead(self) -> float | None:
-        """Fix what later moves cannot change; until when [s], or None if that is nothing."""
+        """Fix what later moves cannot change; return its end [s], or None if there is none."""
         ...
 
     def nominal_last_start(self) -> float:
@@ -76,21 +76,21 @@ class MotionQueue(Protocol):
         ...
 
     def preview(self) -> Trajectory:
-        """What the robot will do if nothing more is said."""
+        """Trajectory if no further move is queued."""
         ...
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """Where a move of the current block starts and ends [m] on the preview; None for others."""
+        """Path positions [m] of start and end of a move of the current block; None for others."""
         ...
 
     def path_ratio(self, queued: QueuedMove) -> float:
-        """How far [m] the run's place goes on for a metre of the TCP's way on such a move."""
+        """Change [m] of the path position per metre that the TCP travels on such a move."""
         ...
 
     def seen(self, now_s: float, times: Array) -> Samples:
-        """The arm at times (k,) [s] in order, those to come if nothing more is said.
+        """The arm at increasing times (k,) [s]; future ones as if no further move is queued.
 
-        A block that it is too late to go on with now [s] ends with a stop.
+        A block that is too late to be continued now [s] ends with a stop.
         """
         ...
 
@@ -99,33 +99,33 @@ class MotionQueue(Protocol):
         ...
 
     def halt(self, now_s: float, in_s: float = 0.0) -> float:
-        """Stop on the path, see `stopping.halt`; the command time [s] at which the robot stands."""
+        """Stop on the path, see `stopping.halt`; return the command time [s] of the standstill."""
         ...
 
     def resume(self, now_s: float) -> None:
-        """Let the robot go on from where it was stopped."""
+        """Continue from where the robot was stopped."""
         ...
 
     def leave(self) -> None:
-        """Leave the robot on its way; nothing is planned any more."""
+        """Leave the robot in motion; planning ends."""
         ...
 
     def clear(self) -> None:
-        """Forget what is left of the path of a robot that stands."""
+        """Discard the remaining path of a robot at rest."""
         ...
 
     def off_path_reason(self) -> str:
-        """How far the arm stands from where it left the path it is to take up, in words.
+        """Distance from where the path to be resumed was left, as text.
 
-        Empty where it is near enough to go back there by itself.
+        Empty if the arm is near enough to return by itself.
         """
         ...
 
 
 def foreseen(queue: MotionQueue) -> Trajectory:
-    """What the robot will do if nothing more is said, for somebody who looks on; never raises.
+    """Trajectory if no further move is queued, for observers; never raises.
 
-    Where that cannot be planned, it is what is decided: whoever asks for the moves hears why.
+    Falls back to the committed part; the next read of the moves raises the cause.
     """
     with suppress(MotionError):
         return queue.preview()

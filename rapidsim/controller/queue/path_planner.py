@@ -1,9 +1,9 @@
-"""A path, planned as late as possible and no later.
+"""Lazy planning of a path: as late as possible and no later.
 
-Moves are put on the path one by one. Nothing is planned until somebody must know: a stop point ends
-the block, or the program looks at time or position. What was planned before the program could say
-more is tentative; `commit` fixes the part that has been travelled, and the rest is planned again
-when another move arrives, from the same place with the same speed.
+Moves are appended to the path one by one. Planning waits until a result is needed: a stop point
+ends the block, or the program reads time or position. A plan made before the program could queue
+more is tentative; `commit` fixes the travelled part, and the rest is planned again when another
+move arrives, from the same place with the same speed.
 
 A move that arrives when the robot is already within the zone of the last one is too late: that
 corner has become a stop (corner path failure).
@@ -36,23 +36,23 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MAX_OPEN_MOVES = 2000
-"""The most moves planned in one go; a longer block is committed as it is planned."""
+"""Maximum number of moves planned in one go; a longer block is committed as it is planned."""
 LOOK_AHEAD_SLACK_S = 0.01
-"""The program may think this long at a fly-by point before it makes a difference to the path, and
-after a stop before it counts as waiting."""
+"""The program may compute this long at a fly-by point before it affects the path, and after a stop
+before it counts as waiting."""
 _ROUNDING_S = 1e-9
 TOLERATED_EXCESS = 0.01
 """Share of the path speed by which a re-planned start may be too fast to brake for a new corner."""
 
 Build: TypeAlias = Callable[[Sequence[QueuedMove], int | None], Path]
-"""The geometry of moves, one of which, by its number, may stop where it has a zone; raises a
+"""Builds the geometry of moves, one of which, by its index, may stop where it has a zone; raises a
 `MotionError` that blames a move."""
 Moved: TypeAlias = Callable[[Sequence[QueuedMove], Path | None], None]
-"""Is told which moves were timed, taken back or cut off, and on which path they began."""
+"""Receives moves that were timed, withdrawn or truncated, with the path on which they began."""
 
 
 def untold(moves: Sequence[QueuedMove], path: Path | None) -> None:
-    """For robots about whose moves nobody has to be told."""
+    """Ignore the moves: for robots without an observer of them."""
 
 
 @dataclass(eq=False)

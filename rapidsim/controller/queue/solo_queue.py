@@ -1,4 +1,4 @@
-"""The moves of a robot that moves alone, and the paths it has stored meanwhile."""
+"""Motion queue of a robot that moves alone, with its stored paths."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 from rapidsim.values import value_class
 
 REGAINED_M = 0.010
-"""How far [m] the TCP may be from where it left its path to return by itself."""
+"""Distance [m] of the TCP from where it left its path up to which it returns by itself."""
 REGAINED = np.radians(20.0)
-"""How far [rad] the tool may have turned for that."""
+"""Rotation [rad] of the tool up to which the robot returns by itself."""
 _OTHER_STANCE = np.radians(90.0)
-"""An axis this far off is in another configuration, even if the tool is close."""
+"""An axis that differs by this much has another configuration, even if the tool is close."""
 
 
 @value_class(frozen=True, slots=True)
@@ -45,7 +45,7 @@ class _Stored:
     block: MotionBlock
     end: Waypoint
     position: Waypoint
-    """Where the arm stood."""
+    """Position of the arm when the path was stored."""
 
 
 class GuidedMotion(Protocol):
@@ -53,11 +53,11 @@ class GuidedMotion(Protocol):
 
     @property
     def section(self) -> GuidedSection:
-        """Its motion so far; it grows."""
+        """Recorded motion so far; it grows."""
         ...
 
     def release(self) -> None:
-        """Brake now and stand still to the end of the stretch."""
+        """Brake now and rest until the end of the section."""
         ...
 
 
@@ -69,7 +69,7 @@ class CorrectedMotion(Protocol):
         ...
 
     def settle(self) -> None:
-        """Leave the robot standing where it is; its path continues from there."""
+        """Leave the robot at rest where it is; its path continues from there."""
         ...
 
 
@@ -80,17 +80,17 @@ class SoloQueue:
     robot: Robot
     planner: BlockPlanner
     end: Waypoint
-    """Where the last queued move ends."""
+    """End of the last queued move."""
     _stored: list[_Stored] = field(default_factory=list)
     guided: GuidedMotion | None = None
-    """What moves the robot at the moment; None while it is on its path."""
+    """Guidance that moves the robot now; None while it follows its path."""
     corrected: CorrectedMotion | None = None
-    """What leads the robot beside its path; None while it is on it."""
+    """Path correction that offsets the robot from its path; None if there is none."""
     start_is_free: bool = False
     """Whether the arm may begin elsewhere: it has not moved, and its position is not known to the
     station or the program."""
     _left_at: Waypoint | None = None
-    """Where the path that was taken up again had been left."""
+    """Position at which the resumed path had been left."""
 
     @property
     def trajectory(self) -> Trajectory:
@@ -99,17 +99,17 @@ class SoloQueue:
 
     @property
     def moves(self) -> MoveLog:
-        """All moves the robot was ever given, alone or with others."""
+        """All moves the robot ever got, alone or with others."""
         return self.planner.moves
 
     @property
     def version(self) -> int:
-        """Changes whenever what the robot will do may change."""
+        """Changes whenever the planned motion of the robot may change."""
         return self.planner.version
 
     @property
     def is_open(self) -> bool:
-        """Whether a block of moves waits for its end."""
+        """Whether a block of moves is open: its end is not decided."""
         return self.planner.is_open
 
     @property
@@ -119,7 +119,7 @@ class SoloQueue:
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block are still ahead of the robot."""
+        """Number of moves of the open block that are not yet travelled."""
         return self.planner.open_moves
 
     @property
@@ -129,7 +129,7 @@ class SoloQueue:
 
     @property
     def stored(self) -> int:
-        """How many paths are stored."""
+        """Number of stored paths."""
         return len(self._stored)
 
     @property
@@ -144,13 +144,13 @@ class SoloQueue:
         self.end = start
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
-        """Put a move on the path; see `BlockPlanner.append`."""
+        """Append a move to the path; see `BlockPlanner.append`."""
         queued.level = self.stored
         self.planner.append(queued, now_s)
         self.end = queued.segment.end
 
     def take(self, queued: QueuedMove) -> None:
-        """Note a move that the robot makes in a team, which plans it."""
+        """Record a move that the robot makes in a team; the team plans it."""
         queued.number, queued.level = len(self.moves), self.stored
         self.moves.append(queued)
         self.end = queued.segment.end
@@ -172,15 +172,15 @@ class SoloQueue:
         return self.planner.nominal_last_start()
 
     def preview(self) -> Trajectory:
-        """What the robot will do if nothing more is said."""
+        """Trajectory if no further move is queued."""
         return self.planner.preview()
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """Where a move of the current block starts and ends [m] on the preview."""
+        """Path positions [m] of start and end of a move of the current block; None for others."""
         return self.planner.places_of(queued)
 
     def path_ratio(self, queued: QueuedMove) -> float:
-        """For a robot alone, place and distance travelled are the same."""
+        """Return 1: for a robot alone, path position and travelled distance are the same."""
         del queued
         return 1.0
 
@@ -202,7 +202,7 @@ class SoloQueue:
         return stopping.halt(self.planner, now_s, in_s)
 
     def guide(self, guided: GuidedMotion) -> None:
-        """Let something other than the path move a robot that stands."""
+        """Let a guidance, not the path, move a robot at rest."""
         self.guided = guided
         self.trajectory.guide(guided.section)
 
@@ -222,11 +222,11 @@ class SoloQueue:
         stopping.resume(self.planner, now_s)
 
     def leave(self) -> None:
-        """Leave the robot on its way; see `stopping.leave`."""
+        """Leave the robot in motion and stop planning; see `stopping.leave`."""
         stopping.leave(self.planner)
 
     def clear(self) -> None:
-        """Forget what is left of the path of a robot that stands."""
+        """Discard the remaining path of a robot at rest."""
         self._left_at = None
         stopping.clear(self.planner)
         if self.corrected is not None:
@@ -234,24 +234,24 @@ class SoloQueue:
         self.end = self.standing()
 
     def store(self) -> None:
-        """Keep the path of a robot that stands, and begin another."""
+        """Store the path of a robot at rest, and begin another."""
         if self.corrected is not None:
             self.corrected.settle()
         self.planner.version += 1
         stands = self.standing()
-        # A path that was taken up and not gone on with is left where it was left before.
+        # A restored path that was not continued keeps the position at which it was left first.
         left_at, self._left_at = self._left_at or stands, None
         self._stored.append(_Stored(self.planner.block, self.end, left_at))
         self.planner.block, self.end = MotionBlock(), stands
 
     def restore(self) -> None:
-        """Take up the path that was kept last, where it was left."""
+        """Restore the path stored last at the position where it was left."""
         self.planner.version += 1
         kept = self._stored.pop()
         self.planner.block, self.end, self._left_at = kept.block, kept.end, kept.position
         kept.block.plan = None
         if not kept.block.is_open:
-            # Nothing is left of it to go on with: what comes next begins where the arm stands.
+            # No move of it remains: the next move begins at the position of the arm.
             self.end, self._left_at = self.standing(), None
 
     def continue_from(self, ready_s: float) -> None:
@@ -262,14 +262,14 @@ class SoloQueue:
         planner.block = MotionBlock(is_halted=planner.is_halted)
 
     def off_path_reason(self) -> str:
-        """How far the arm stands from where it left its path, in words; empty if near enough."""
+        """Distance of the arm from where it left its path, as text; empty if near enough."""
         block, left_at = self.planner.block, self._left_at
         if left_at is None or not block.is_open:
             return ""
         return self.distance_from(left_at, block.moves[block.commit.move].segment)
 
     def distance_from(self, left_at: Waypoint, segment: Segment) -> str:
-        """Distance of the arm from where it left a segment, in words; empty if it can return."""
+        """Distance of the arm from where it left a segment, as text; empty if it can return."""
         tool = segment.tcp_from_flange.inverse()
         stands = self.standing()
         here, there = (one.base_from_tcp @ tool for one in (stands, left_at))
@@ -286,20 +286,20 @@ class SoloQueue:
         )
 
     def standing(self) -> Waypoint:
-        """Where the command ends, as a flange without a tool."""
+        """Waypoint at the end of the command, of the flange without a tool."""
         samples = self.at_past(self.trajectory.duration)
         joints: Array = samples.joints[0]
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
-        """All planned moves, with the times at which the arm is seen to make them."""
+        """All planned moves, with the times at which the real arm (after lag) makes them."""
         done = [
             (index, queued)
             for index, queued in self.moves.numbered()
             if queued.ended_s is not None and queued.started.time is not None
         ]
         both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])
-        # Most moves begin where the one before ends.
+        # Most moves begin where the previous one ends.
         places, row = np.unique(both.reshape(-1), return_inverse=True)
         seen_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2)
         return tuple(
@@ -311,13 +311,13 @@ class SoloQueue:
 def solo_queue(
     robot: Robot, model: MotionModel, start: Waypoint, check_deadline: Look = undisturbed
 ) -> SoloQueue:
-    """The queue of a robot that stands somewhere at time zero.
+    """Queue of a robot at rest at time zero.
 
     Args:
         robot: The arm.
-        model: How its controller moves it.
-        start: Where it stands.
-        check_deadline: Called while it plans; raises to end that.
+        model: Motion model of its controller.
+        start: Its position.
+        check_deadline: Called during planning; raises to interrupt it.
     """
     model = model_of(robot, model)
     trajectory = Trajectory(start, model.window, model.smoothing, model.filter_averages)
