@@ -1,11 +1,10 @@
-"""Detecting that a loop only polls, so that it can skip to the next thing that happens.
+"""Detection of busy waits: loops that only poll, so that time can skip to the next event.
 
-A program whose state is the same at the same place a few ticks later, and which has asked nothing
-of the controller meanwhile but to look, will be there again after as many ticks, and again, until
-something happens that it may notice.
+A program whose state repeats at the same place a few ticks later, without side effects in between,
+will be there again after as many ticks, and again, until an event that it may notice.
 
-What it looks at may change by itself, as a clock does: whoever tells the program such a value says
-how long it stays as it is.
+A value that it reads may change by itself, as a clock does: the function that returns such a value
+also notes until when it stays unchanged.
 """
 
 from __future__ import annotations
@@ -16,47 +15,47 @@ from dataclasses import dataclass
 from itertools import zip_longest
 
 FIRST_LOOK = 200
-"""Ticks that a program may use without a wait before polling is looked for."""
+"""Number of ticks without a wait after which the search for polling begins."""
 LONGEST_ROUND = 100
-"""The longest round that is detected, in ticks."""
+"""Longest iteration [ticks] that is detected."""
 SELDOM = 100_000
-"""A program that computes is checked ever less often, but at least once in so many ticks."""
+"""Maximum number of ticks between two checks of a program that computes."""
 
 
 @dataclass(slots=True, eq=False)
 class BusyWaitDetector:
-    """Looks for rounds of one task's program."""
+    """Detects repeated iterations of one task's program."""
 
     state: Callable[[], Iterable[object]]
-    """All that decides what the program does next, in parts to be compared; it ends with None where
-    it is too much."""
+    """Everything that decides the program's next statement, in parts to be compared; it ends with
+    None if it is too large."""
     _observed_ticks: int = 0
-    """Ticks at which watching began."""
+    """Number of ticks at which the observation began."""
     _since: int = 0
-    """Ticks at the state that later ones are compared with."""
+    """Number of ticks at the state with which later ones are compared."""
     _seen: tuple[object, tuple[object, ...]] | None = None
-    """What the program had done by then, and its state; None while nothing is watched."""
+    """Count of effects at that state, and the state; None while nothing is observed."""
     _pause: int = FIRST_LOOK
     _next: int = FIRST_LOOK
     _done: object = None
-    """What it had done at the last look."""
+    """Count of effects at the last check."""
     stable_until_s: float = math.inf
-    """Until this time [s], everything that the watched round has read stays the same."""
+    """Time [s] until which all values that the observed iteration has read stay the same."""
 
     def note_stable_until(self, until_s: float) -> None:
         """Note that the program has read something that stays unchanged until a time [s]."""
         self.stable_until_s = min(self.stable_until_s, until_s)
 
     def ticks_left(self, used: int) -> int:
-        """How many ticks may go by before `observe` is asked, given those that were used so far."""
+        """Number of ticks that may pass before `observe` is called, after `used` ticks so far."""
         return 0 if self._seen is not None else max(0, self._next - used)
 
     def observe(self, used: int, done: object) -> int | None:
-        """The ticks of a round that the program repeats; None while none is known.
+        """Number of ticks of the iteration that the program repeats; None if none is detected.
 
         Args:
             used: Ticks so far.
-            done: Equal to what it was earlier if the program has only looked since.
+            done: Count of effects; unchanged if the program has only read since.
         """
         if self._seen is None:
             if used >= self._next:
@@ -67,7 +66,7 @@ class BusyWaitDetector:
             if all(a == b for a, b in zip_longest(state, self.state())):
                 return used - self._since
             if used - self._observed_ticks < LONGEST_ROUND:
-                # Rounds may begin later: compare with a state ever further on.
+                # Iterations may begin later: compare with ever later states.
                 # Source: Brent (1980), An improved Monte Carlo factorization algorithm.
                 if used - self._since >= self._since - self._observed_ticks:
                     self._keep(used, done)
@@ -76,12 +75,12 @@ class BusyWaitDetector:
         return None
 
     def again(self, used: int, ticks: int) -> None:
-        """Rounds of so many ticks were skipped; look after the next one whether there are more."""
-        # What ends the wait falls into the next, and what is seen of it stands after that.
+        """Note that iterations of so many ticks were skipped; check for more after the next one."""
+        # The end of the wait falls into the next iteration, and the reaction follows it.
         self._seen, self._next, self._pause = None, used + 2 * ticks, FIRST_LOOK
 
     def note_failed_check(self, used: int) -> None:
-        """Nothing was found, or it was of no use; look later, and ever less often."""
+        """Note that nothing was detected or skipped; check later, at growing intervals."""
         self._seen = None
         self._pause = min(2 * self._pause, SELDOM)
         self._next = used + self._pause
@@ -93,7 +92,7 @@ class BusyWaitDetector:
         self._keep(used, done)
 
     def _keep(self, used: int, done: object) -> None:
-        """Compare with the present state."""
+        """Save the current state for comparison."""
         self.stable_until_s = math.inf
         state = tuple(self.state())
         if state[-1:] == (None,):

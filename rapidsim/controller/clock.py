@@ -406,7 +406,7 @@ class TaskClock:
     def fail_later(self, error: RapidError) -> None:
         """Raise an error at the statement that a trap interrupts, once the trap has ended.
 
-        In code that cannot fail, such as a loop that computes, the next statement that can raises
+        If that statement cannot fail, as in a loop that computes, the next one that can fail raises
         it.
         """
         self._failure = error

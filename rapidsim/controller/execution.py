@@ -1,11 +1,11 @@
-"""Stopping and restarting the program of one task: by itself, or from outside.
+"""Stopping and restarting the program of one task, by itself or by a client.
 
-In a run of its own nobody starts a program that has stopped, so the run ends. Where somebody may,
-the program stands where it is while virtual time passes, as in a trap that waits; the robot stops
-on its path and goes on from there. Interrupts that come meanwhile are lost unless they are safe.
+In a run without clients nothing can restart a stopped program, so the run ends. With clients the
+program waits while virtual time passes, as in a trap that waits; the robot stops on its path and
+continues from there. Interrupts during the stop are lost unless they are safe.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "Stop", "ISignalDI"
-(SingleSafe). That waits for a time count what passes while the program stands is our reading.
+(SingleSafe). That waits for a time include the duration of the stop is our reading.
 """
 
 from __future__ import annotations
@@ -46,13 +46,13 @@ class TaskExecution:
     cell: Cell
     table: InterruptTable
     processes: StopProcesses
-    """What a stop does to process signals."""
+    """Effect of a stop on process signals."""
     stops_all: Callable[[str], None] | None = None
-    """Stops all tasks, for a reason; None if nobody would start them again."""
+    """Stops all tasks, for a reason; None if nothing would restart them."""
     resumed: Callable[[], None] | None = None
     """Called when the program continues."""
     stopped: Callable[[], None] | None = None
-    """Called when the program stops and its robot has been told to."""
+    """Called after the program and its robot were stopped."""
     is_halted: bool = False
     """Whether the program waits to be started."""
     _stop_request: _StopRequest | None = None
@@ -61,7 +61,7 @@ class TaskExecution:
         """Stop all tasks that are executing.
 
         Raises:
-            Stopped: If nobody starts it again.
+            Stopped: If nothing can restart it.
         """
         if self.stops_all is None:
             raise Stopped(reason)
@@ -76,14 +76,14 @@ class TaskExecution:
         self.processes.watch(StopProcess(restart, process, shadow))
 
     def end(self) -> None:
-        """The program has stopped for good, and its robot has finished its moves."""
+        """Handle the final stop of the program, after its robot has finished its moves."""
         stood_s = max(self.clock.pointer_s(), self.unit.queue.trajectory.duration)
         self.processes.stop(stood_s, stood_s, on_path=False)
         if self.stopped is not None:
             self.stopped()
 
     def request_stop(self, at_s: float, *, on_path: bool) -> None:
-        """Stop at the present time [s], before the program does anything more."""
+        """Stop at the present time [s], before the next statement."""
         if not self.is_halted and self._stop_request is None:
             self._stop_request = _StopRequest(at_s, on_path)
 
@@ -92,7 +92,7 @@ class TaskExecution:
         self.is_halted, self._stop_request = False, None
 
     def next_s(self) -> float | None:
-        """When the program stops [s]; see `event_source.EventSource`."""
+        """Time [s] at which the program stops; see `event_source.EventSource`."""
         return None if self._stop_request is None else self._stop_request.at_s
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
@@ -103,10 +103,10 @@ class TaskExecution:
         return self.clock.run_handler(asked.at_s, lambda: self._rest(on_path=asked.on_path))
 
     def advance_to(self, time_s: float) -> None:
-        """Nothing to do: a stop is requested for the present time."""
+        """Do nothing: a stop is requested for the present time."""
 
     def await_restart(self) -> None:
-        """Wait until somebody starts the program; its robot finishes its moves."""
+        """Wait until a client starts the program; its robot finishes its moves."""
         self._rest(on_path=False)
 
     def _rest(self, *, on_path: bool) -> None:
@@ -114,7 +114,7 @@ class TaskExecution:
         stopped = on_path and not queue.is_halted
         stood_s = since_s
         if stopped:
-            # What cannot be planned is reported when the program comes to it again.
+            # A planning error is reported when the program reaches it again.
             with suppress(MotionError):
                 stood_s = queue.halt(since_s)
         self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)

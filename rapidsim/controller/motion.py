@@ -1,4 +1,4 @@
-"""The motion of one task: moving its robot, and where it is."""
+"""Motion of one task: its moves and the position of its robot."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ class TaskMotion:
 
     @property
     def corrections(self) -> dict[int, Pos]:
-        """What each correction generator that is connected adds to the path [mm]."""
+        """Offset of the path [mm] by each connected correction generator."""
         return self.state.corrections
 
     @property
     def settings(self) -> MotionSettings:
-        """The settings for the moves to come."""
+        """The settings of the next moves."""
         return self.state.settings
 
     @settings.setter
@@ -53,17 +53,17 @@ class TaskMotion:
         self.state.settings = settings
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
-        """Put a move on the path, with what happens along it."""
+        """Append a move to the path, with the triggers along it."""
         self.put(move, lambda queued: self.triggers.mark(queued, triggers))
 
     def current_joints(self) -> JointTarget:
-        """Where the axes are now."""
+        """Current positions of the axes."""
         self.clock.note_line()
         reading = self._reading()
         return self.resolver.joint_target(reading.joints, reading.external)
 
     def current_speeds(self) -> JointTarget:
-        """How fast the axes are now [deg/s or mm/s]: their change in the last millisecond."""
+        """Current speeds of the axes [deg/s or mm/s]: their change in the last millisecond."""
         self.clock.note_line()
         now_s, queue = self.clock.resolve_time(), self.unit.queue
         seen = queue.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
@@ -78,7 +78,7 @@ class TaskMotion:
         return is_guided or queue.is_open or queue.trajectory.duration > self.clock.resolve_time()
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
-        """Where the TCP is now; None takes the tool or work object of the last move."""
+        """Current robtarget of the TCP; None selects the tool or work object of the last move."""
         self.clock.note_line()
         tool, wobj = tool or self.state.tool, wobj or self.state.wobj
         reading = self._reading(holds_on=not self.resolver.may_have_carrier(wobj))
@@ -93,7 +93,7 @@ class TaskMotion:
         return self.state.wobj
 
     def active_names(self) -> tuple[str, str]:
-        """The names of these two in the program."""
+        """The names of the active tool and work object in the program."""
         return self.state.tool_name, self.state.wobj_name
 
     def activate(self, data: ToolData | WobjData, name: str) -> None:
@@ -104,7 +104,7 @@ class TaskMotion:
             self.state.wobj, self.state.wobj_name = data, name
 
     def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
-        """Where the path ends so far, without what generators correct."""
+        """Robtarget of the end of the path so far, without the offsets of correction generators."""
         end = self.unit.queue.end
         stands = self.resolver.target(end.joints, end.external, tool, wobj, self.clock.place)
         last = self.unit.queue.moves[-1].move if self.unit.queue.moves else None
@@ -115,7 +115,7 @@ class TaskMotion:
         return last.programmed if came else stands
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
-        """Where the TCP would be with the axes at given positions."""
+        """Robtarget of the TCP with the axes at other positions."""
         external = self.resolver.external(joints.extax)
         given = self.resolver.joints(joints)
         return self.resolver.target(given, external, tool, wobj, self.clock.place)
@@ -131,7 +131,7 @@ class TaskMotion:
         return JointTarget(self.resolver.rob_joint(joints), target.extax)
 
     def finish(self) -> None:
-        """Let the robot come to rest after the last statement."""
+        """Bring the robot to rest after the last statement."""
         self.unit.solo_queue.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
@@ -143,8 +143,8 @@ class TaskMotion:
         """Let the robot finish the moves it has before the program stops with an error.
 
         Returns:
-            Why it cannot finish them: an error that came before the one that stops the program,
-            which runs ahead of the robot.
+            The reason if it cannot finish them, else None. That error precedes the one that stops
+            the program, which runs ahead of the robot.
         """
         self.unit.solo_queue.end_guidance()
         queue = self.unit.queue
@@ -157,9 +157,9 @@ class TaskMotion:
         return None
 
     def end_with_the_run(self) -> None:
-        """Stop the robot at the time limit if it still moves then: what follows is not part of it.
+        """Stop the robot at the time limit if it still moves then: later motion is not in the run.
 
-        A failure on the way has been told; it need not keep the robot from stopping before.
+        A failure of a move before it was already reported; it does not prevent the stop.
         """
         limit_s, queue = self.cell.max_time_s, self.unit.queue
         if not queue.is_halted and queue.trajectory.command_end > limit_s:
@@ -167,10 +167,10 @@ class TaskMotion:
                 queue.halt(limit_s)
 
     def _reading(self, *, holds_on: bool = True) -> Reading:
-        """Where the robot is while the statement runs, which is no more than a look.
+        """Reading of the robot's position for the current statement, which only polls.
 
         Args:
-            holds_on: Whether what is read stays while the robot stands.
+            holds_on: Whether the reading stays valid while the robot is at rest.
         """
         reading = self.reader.read(self.clock.resolve_time())
         until_s = self.reader.stays_until(reading)

@@ -1,7 +1,7 @@
 """A robot whose path a sensor corrects: EGMMoveL and EGMMoveC.
 
-At each sample the sensor is told where the robot is, and what it answers is decided up to the next
-one. The path itself stays as it is planned: the robot is led beside it.
+At each sample the sensor receives the robot's position, and its answer determines the motion up to
+the next sample. The planned path is unchanged: the correction is an offset from it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.motion.trajectory.trajectory import Samples
 
 _TOLD_AHEAD: Final = 3
-"""So many samples a sensor that is told beforehand is told."""
+"""Number of samples sent at once to a sensor with look-ahead."""
 _ROUNDING: Final = 1e-6
 
 
@@ -38,39 +38,39 @@ class ActivePathCorrection:
     """Implements `solo_queue.CorrectedMotion`."""
 
     identity: SensorIdentity
-    """Whose sensor it is."""
+    """Identity of the sensor."""
     unit: MechanicalUnit
     resolver: Resolver
     sensor: GuidanceSensor
     law: PathCorrection
     section: CorrectedSection
-    """What comes of it."""
+    """The resulting offsets of the path."""
     sample_s: float
     silence_s: float
     bring_to_rest: Callable[[], None]
-    """Lets the robot come to the end of its path."""
+    """Brings the robot to the end of its path."""
     frames: Frames
-    """In which the sensor is told where the TCP is."""
+    """Frames in which the sensor receives the pose of the TCP."""
     next_s: float = 0.0
-    """When the next sample is [s]."""
+    """Time [s] of the next sample."""
     runs: bool = False
     """Whether the robot is on a path that is corrected."""
     silent_s: float = 0.0
-    """So long [s] the sensor has said nothing."""
+    """Time [s] since the last answer of the sensor."""
     ended: EndReason | None = None
-    """What has gone wrong."""
+    """Reason why the correction ended; None while it runs."""
 
     def begin(self, now_s: float) -> None:
-        """Let a path begin that is corrected."""
+        """Begin a corrected path."""
         self.runs, self.silent_s = True, 0.0
         self.next_s = math.ceil(now_s / CYCLE_S - _ROUNDING) * CYCLE_S
         self.sensor.correct(self.next_s, self.sample_s)
 
     def sample(self, passed_s: float) -> EndReason | None:
-        """Tell and hear; why the correction must end, if it must.
+        """Exchange a sample with the sensor; return the reason to end the correction, None if none.
 
         Args:
-            passed_s: Nothing happens before this time [s] any more.
+            passed_s: Time [s] before which no further event happens.
         """
         self._advance_to(passed_s)
         now_s, self.next_s = self.next_s, self.next_s + self.sample_s
@@ -96,20 +96,20 @@ class ActivePathCorrection:
 
     @property
     def told_s(self) -> float:
-        """When the last sample was [s]."""
+        """Time [s] of the last sample."""
         return self.next_s - self.sample_s
 
     def rest(self) -> float:
-        """End the correction of a robot that has come to the end of its path; when it stands [s].
+        """End the correction of a robot at the end of its path; return the time [s] it is at rest.
 
-        It stays beside its path, and a path that is corrected goes on from there.
+        The offset remains, and a later corrected path continues with it.
         """
         self.runs = False
         self.section.extend(self.section.end_s, CYCLE_S, self.law.rest())
         return self.section.end_s
 
     def last_word(self, guided: Guided) -> None:
-        """Tell the sensor that its correction has ended."""
+        """Notify the sensor that its correction has ended."""
         end_s = self.section.end_s
         told = feedback_at(
             self.unit, self.resolver, lambda _: self.frames, np.array([end_s]), guided
@@ -143,13 +143,13 @@ class ActivePathCorrection:
         self.next_s += max(0, late) * self.sample_s
 
     def _decide(self, start_s: float, samples: Samples, first: int, directions: Array) -> bool:
-        """Lead the robot up to the next sample; whether it can be there.
+        """Determine the offset up to the next sample; return whether the arm can reach it.
 
         Args:
-            start_s: From when on [s].
-            samples: Where the robot is, a cycle each.
-            first: The first of these that counts.
-            directions: Where to the path leads then (k, 3).
+            start_s: Time [s] at which it begins.
+            samples: Positions of the robot, one a cycle from `first` on.
+            first: Index of the first relevant sample.
+            directions: Directions of the path at these samples (k, 3).
         """
         moves, stretch = self.unit.solo_queue.moves, self.section
         sensed = [moves[k].move.sensed is SensorInfluence.CORRECTED for k in samples.move[first:]]

@@ -1,13 +1,13 @@
 r"""The path recorder: moving back along the path that was made, and forward again.
 
-What is recorded are the moves of the path level on which the recorder was started. Backwards each
-is made again the other way round, from where the robot stands on it: a line as a line, an arc as an
-arc (one that was interrupted as a line), a joint move as one to the joints it began at.
-Configurations are not monitored meanwhile.
+The recorder records the moves of the path level on which it was started. Backwards each move is
+made in reverse, from the position of the robot on it: a line as a line, an arc as an arc (an
+interrupted arc as a line), a joint move as one to the joints of its start. Configurations are not
+monitored during this.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathRecStart",
-"PathRecMoveBwd", "PathRecMoveFwd". Which point is meant without \ID is our reading: backwards the
-place where the recorder was started, forwards the place where the last way back began.
+"PathRecMoveBwd", "PathRecMoveFwd". The point meant without \ID is our reading: backwards the place
+where the recorder was started, forwards the place where the last backward motion began.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rapidsim.language.moves import Interpolation, Move
 from rapidsim.motion.geometry.segments import Waypoint
 
 _SAME_JOINTS = 1e-4
-"""An arm that stands so near [rad] to the end of a move has made it."""
+"""Joint distance [rad] up to which an arm counts as at the end of a move."""
 
 
 @dataclass(slots=True, eq=False)
@@ -44,22 +44,22 @@ class TaskPathRecorder:
     state: MotionState
     put: EnqueueMove
     _ids: dict[int, int] = field(default_factory=dict)
-    """For each identifier, the number of moves given to the robot when it was set."""
+    """For each identifier, the number of moves that the robot had got when it was set."""
     _level: int = 0
     _last: int | None = None
     """One past the last recorded move; None while the recorder is running."""
     _queued: list[QueuedMove] = field(default_factory=list)
-    """The moves of the way back, in recorded order."""
+    """The moves to be made backwards, in recorded order."""
     _origin: Waypoint | None = None
-    """Where the last way back began; None if the robot is there."""
+    """Start of the last backward motion; None if the robot is there."""
     _executed: list[QueuedMove] = field(default_factory=list)
-    """The moves made back and forward, which are not recorded."""
+    """The moves made backward and forward, which are not recorded."""
     _departures: int = 0
-    """How many of `_queued` the robot has not moved back along."""
+    """Number of `_queued` moves along which the robot has not moved back."""
 
     @property
     def first(self) -> int | None:
-        """The number of the first recorded move; None if there is none."""
+        """Number of the first recorded move; None if nothing is recorded."""
         return min(self._ids.values(), default=None)
 
     def start_recording(self) -> int:
@@ -102,7 +102,7 @@ class TaskPathRecorder:
             speed: None for the recorded speeds.
 
         Raises:
-            RapidError: ERR_PATH, where no such path is recorded.
+            RapidError: ERR_PATH, if no such path is recorded.
         """
         self._require_stored_path()
         way = self._moves_back_to(identifier) if self._ids else []
@@ -124,15 +124,15 @@ class TaskPathRecorder:
     def move_forward(
         self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
     ) -> None:
-        """Move forward again to a place, or to where the way back began.
+        """Move forward again to a place, or to the start of the backward motion.
 
         Args:
-            identifier: Of the place; None for where the way back began.
+            identifier: Of the place; None for the start of the backward motion.
             offset: Of the TCP from the path [mm], in the tool's frame.
             speed: None for the recorded speeds.
 
         Raises:
-            RapidError: ERR_PATH, where the robot has not gone back.
+            RapidError: ERR_PATH, if the robot has not moved back.
         """
         self._require_stored_path()
         if not self.can_move_forward(identifier):
@@ -169,14 +169,14 @@ class TaskPathRecorder:
         ]
 
     def _moves_back_to(self, identifier: int | None) -> Sequence[QueuedMove]:
-        """The moves that lead from a place to where the robot stands, in recorded order."""
+        """The moves from a place to the position of the robot, in recorded order."""
         given = self._started_moves() if self._origin is None else self._queued[: self._departures]
         first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
         index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
         return [one for one in given if index[id(one)] >= first]
 
     def _place_of(self, identifier: int) -> int:
-        """How many moves of the way back lie before a place."""
+        """Number of moves of the backward motion that lie before a place."""
         index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
         first = self._ids.get(identifier, 0)
         return sum(index[id(one)] < first for one in self._queued)
@@ -184,7 +184,7 @@ class TaskPathRecorder:
     def _standing_at(
         self, queued: QueuedMove, waypoint: Waypoint, offset: Pos | None
     ) -> RobTarget | JointTarget:
-        """A place of a recorded move as a target of a move."""
+        """Convert a waypoint of a recorded move to a target."""
         move = queued.move
         external = self.resolver.ext_joint(waypoint.external)
         if move.interpolation is Interpolation.AXES and offset is None:
@@ -199,7 +199,7 @@ class TaskPathRecorder:
         return target._replace(trans=Pos(trans.x + x, trans.y + y, trans.z + z))
 
     def _make(self, of: QueuedMove, move: Move, speed: SpeedData | None) -> None:
-        """Make a move on the way of a recorded one, whatever configuration it leads to."""
+        """Make a move along a recorded one, whatever configuration results."""
         assert self._origin is not None
         is_last = of is self._queued[-1]
         off = np.abs(of.segment.end.joints - self._origin.joints).max()

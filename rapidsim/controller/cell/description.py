@@ -1,6 +1,6 @@
-"""What is around the program: signals, how they are wired, what happens to inputs, socket peers.
+"""Description of the cell: signals, cross connections, stimuli of inputs, socket peers.
 
-All of it is plain data, read from a station file or from the file that `--io` names.
+All of it is plain data, read from a station file or from the file of `--io`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rapidsim.values import value_class
 
 
 class SignalKind(StrEnum):
-    """What a signal carries, and whether it is an input or an output."""
+    """Type of a signal's value, and whether it is an input or an output."""
 
     DI = "di"
     DO = "do"
@@ -30,13 +30,13 @@ class SignalKind(StrEnum):
 
 _LONGEST_NUMBER = 10
 GROUP_WIDTH = 32
-"""The number of bits of an undeclared group, and the most a group can have."""
+"""Number of bits of an undeclared group, and the maximum of a group."""
 
 
 def mapped_bits(text: str) -> tuple[int, ...]:
-    """The bits of a device that `0-3,8` names, the lowest of the group first.
+    """Bits of a device that a text such as `0-3,8` defines, the lowest of the group first.
 
-    At most as many as a group can have; a text that cannot be read gives none.
+    At most as many as a group can have; empty if the text is invalid.
     """
     found: list[int] = []
     for part in text.replace(" ", "").split(","):
@@ -57,7 +57,7 @@ FIRST_ROBOT = "ROB_1"
 
 
 class Status(StrEnum):
-    """What of a controller's state a system output shows, in the words of its configuration."""
+    """State of a controller that a system output shows, in the words of its configuration."""
 
     TASK_EXECUTING = "TaskExecuting"
     CYCLE_ON = "CycleOn"
@@ -75,7 +75,7 @@ class Status(StrEnum):
 
     @property
     def at_start(self) -> float:
-        """Its value as a run begins: automatic mode, motors on, no error, robots at rest."""
+        """Value at the start of a run: automatic mode, motors on, no error, robots at rest."""
         return float(self not in _NOT_IN_A_RUN)
 
 
@@ -98,9 +98,9 @@ class SignalDeclaration:
     """Its initial value."""
     lowest: float | None = None
     highest: float | None = None
-    """Logical limits; None if there are none."""
+    """Logical limits; None if not limited."""
     status: Status | None = None
-    """What it shows, if it is a system output."""
+    """The controller state that it shows, if it is a system output."""
     task: str | None = None
     """The task whose state it shows; None for any."""
     unit: str = FIRST_ROBOT
@@ -109,41 +109,41 @@ class SignalDeclaration:
 
 @value_class(frozen=True, slots=True)
 class Stimulus:
-    """A change of inputs from outside: at a time, or after a condition became true."""
+    """An external change of inputs: at a time, or after a condition became true."""
 
     values: Mapping[str, float]
-    """What the signals become."""
+    """New values of the signals."""
     at_s: float | None = None
     """Virtual time of the first change."""
     every_s: float | None = None
-    """Time from one change to the next; None happens once."""
+    """Time from one change to the next; None if it happens once."""
     when: Condition | None = None
     after_s: float = 0.0
-    """From the condition becoming true to the change."""
+    """Delay from the condition becoming true to the change."""
     pulse_s: float | None = None
     """After this time the signals return to their previous values."""
 
 
 @value_class(frozen=True, slots=True)
 class Gripper:
-    """How a program works a gripper: the signals that close it and that say that it has closed."""
+    """A gripper of a program: the signals that close it and those that confirm that."""
 
     name: str
     close: Condition
-    """While it holds, the gripper closes or is closed; else it opens or is open."""
+    """While it holds, the gripper closes or is closed; otherwise it opens or is open."""
     closed: Condition | None = None
     """The feedback; None if the gripper has none."""
     acts_at_rest: bool = True
     """Whether the arm must be at rest when it closes or opens."""
     load_kg: float = 0.0
-    """Mass of what it holds; 0 if not specified."""
+    """Mass of the held object; 0 if not specified."""
     task: str | None = None
-    """The task whose robot carries it; None is that of the first robot."""
+    """The task whose robot carries it; None for that of the first robot."""
 
 
 @value_class(frozen=True, slots=True)
 class CrossConnection:
-    """A signal that follows others, by the I/O system or a device and not by the program."""
+    """A signal that the I/O system or a device derives from others, without the program."""
 
     result: str
     condition: Condition
@@ -153,7 +153,7 @@ class CrossConnection:
 
 @value_class(frozen=True, slots=True)
 class DescribedFingers:
-    """What the station says of a servo gripper."""
+    """A servo gripper as the station describes it."""
 
     object_mm: float
     """Position at which closing fingers meet an object."""
@@ -161,7 +161,7 @@ class DescribedFingers:
     """The task of its robot; None for all."""
 
     def is_of(self, task: str) -> bool:
-        """Whether it describes the gripper of a task."""
+        """Whether it is the gripper of a task."""
         return self.task is None or self.task.lower() == task.lower()
 
 
@@ -179,7 +179,7 @@ class CellIo:
     grippers: tuple[Gripper, ...] = ()
     smart_grippers: tuple[DescribedFingers, ...] = ()
     parts: tuple[PartPose, ...] = ()
-    """Where the parts are that a torch searches; the first that applies counts."""
+    """Poses of the parts that a torch searches; the first that applies counts."""
 
     def and_also(self, other: CellIo) -> CellIo:
         """Both combined; if both declare a signal, the other's declaration counts."""
@@ -206,7 +206,7 @@ class CellIo:
 
     @property
     def read(self) -> tuple[str, ...]:
-        """Names of the signals that connections, stimuli and grippers look at, each once."""
+        """Names of the signals that connections, stimuli and grippers read, each once."""
         looked_at = [cross.condition for cross in self.crosses]
         looked_at += [stimulus.when for stimulus in self.stimuli if stimulus.when]
         for gripper in self.grippers:

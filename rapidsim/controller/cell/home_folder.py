@@ -1,9 +1,9 @@
-"""The controller's home folder on our disk, which a program cannot leave.
+"""The controller's home folder on the user's disk, which a program cannot leave.
 
-RAPID names files "HOME:/log/today.txt" or just "today.txt". Both mean a place inside the folder the
-run was given. Other disks, TEMP: or the C: of a virtual controller's computer, are folders in it
-that have their names; so is RAMDISK:, unless it was given a folder of its own. Whatever would lie
-outside, through "..", an absolute path or a link, is refused, as are devices: a program is
+RAPID names files "HOME:/log/today.txt" or just "today.txt". Both mean a place inside the home
+folder of the run. Other disks, TEMP: or the C: of a virtual controller's computer, are folders in
+it that have their names; so is RAMDISK:, unless it has a folder of the user's disk. Paths that lead
+outside, through "..", an absolute path or a link, are refused, as are devices: a program is
 untrusted input.
 """
 
@@ -38,14 +38,14 @@ _MOST_OPEN = 100
 _LONGEST_LINE = 10_000_000
 """[bytes]; a home folder may contain a file that has no end."""
 _DISK = re.compile(r"TEMP|RAMDISK|BACKUP|PC|REMOVABLEDISK\d*|USBDISK\d*|[A-Z]")
-"""Disks besides HOME: those of a controller, its server, drives of a computer."""
+"""Disks other than HOME: those of a controller, its server, drives of a computer."""
 _HOME_FOLDER = "HOME/"
 """A path that begins with it is relative to the parent of HOME:."""
 _MODES = {FileMode.READ: "rb", FileMode.WRITE: "wb", FileMode.APPEND: "ab"}
 
 
 class _Disk:
-    """The limit on what a run may write: a loop must not fill the user's disk."""
+    """Limit of the data that a run may write: a loop must not fill the user's disk."""
 
     def __init__(self) -> None:
         """Begin with an empty disk."""
@@ -56,7 +56,7 @@ class _Disk:
         """Use more bytes.
 
         Raises:
-            RapidError: ERR_FILEACC, if they are not there.
+            RapidError: ERR_FILEACC, if the limit is exceeded.
         """
         if self._used + count > DISK_BYTES:
             raise rapid_error(
@@ -108,7 +108,7 @@ class HomeFile:
         return line.rstrip(b"\r\n") if line else None
 
     def read(self, count: int) -> bytes:
-        """Up to `count` bytes; none at the end of the file."""
+        """Read up to `count` bytes; empty at the end of the file."""
         return self._to_read().read(count)
 
     def rewind(self) -> None:
@@ -126,7 +126,7 @@ class HomeFile:
 
     @property
     def is_closed(self) -> bool:
-        """Whether the program has closed it."""
+        """Whether the program has closed the file."""
         return self._stream.closed
 
     def _open(self) -> BinaryIO:
@@ -153,18 +153,18 @@ class HomeFolder:
         self._written: dict[Path, float] = {}
         """The written files, and the virtual time [s] at which each was last opened to write."""
         self._loaded: dict[Path, float] = {}
-        """For each program file that was read, when it had been written [s]."""
+        """For each program file that was read, the time [s] at which it was last written."""
         self._disk = _Disk()
         self.lacks = False
-        """Whether somebody asked for what is not there."""
+        """Whether the program has requested a file or folder that does not exist."""
 
     def open_file(
         self, path: str, mode: FileMode, now_s: float = 0.0, owner: object = None
     ) -> OpenFile:
-        """Open a file named as RAPID names it, for somebody who may close all of its own.
+        """Open a file by its RAPID name for an owner, whose files `close_all` can close.
 
         Raises:
-            RapidError: ERR_FILEOPEN, with the reason; ERR_FILEACC where the disk is full.
+            RapidError: ERR_FILEOPEN, with the reason; ERR_FILEACC if the disk is full.
         """
         place = self._place(path)
         self._files = [one for one in self._files if not one.is_closed]
@@ -191,11 +191,11 @@ class HomeFolder:
         return file
 
     def read(self, path: str, most: int) -> tuple[Path, bytes]:
-        """All of a program file, and where it is as the user named the folder.
+        """Content of a program file, and its path as the user named the folder.
 
         Raises:
-            RapidError: ERR_FILNOTFND if there is none, ERR_IOERROR if it cannot be read,
-                ERR_PRGMEMFULL if it has more than `most` bytes.
+            RapidError: ERR_FILNOTFND if it does not exist, ERR_IOERROR if it cannot be read,
+            ERR_PRGMEMFULL if it has more than `most` bytes.
         """
         try:
             place = self._place(path)
@@ -236,7 +236,7 @@ class HomeFolder:
         self._written[target] = now_s
 
     def rename(self, old: str, new: str) -> None:
-        """Give a file another name or place; raises as `copy` does."""
+        """Rename or move a file; raises as `copy` does."""
         source, target = self._regular(old), self._free(new)
         with _refusals(new):
             self._disk.make(target)
@@ -252,7 +252,7 @@ class HomeFolder:
         self._written.pop(place, None)
 
     def make_folder(self, path: str) -> None:
-        """Make a folder that is not there yet."""
+        """Make a folder that does not exist yet."""
         place = self._place(path)
         with _refusals(path):
             self._disk.make(place)
@@ -292,13 +292,13 @@ class HomeFolder:
         return place.stat().st_size if place.is_file() else None
 
     def written_s(self, path: str) -> float | None:
-        """When the run wrote a file, 0 if it did not; None if there is no such file."""
+        """Time [s] at which the run wrote a file, 0 if it did not; None if it does not exist."""
         place = self._place(path, or_root=True)
         self._note_missing(place)
         return self._written.get(place, 0.0) if place.exists() else None
 
     def loaded_s(self, path: str) -> float:
-        """When the run had written a program file before reading it, 0 if it did not."""
+        """Time [s] at which the run wrote a program file before reading it, 0 if it did not."""
         return self._loaded.get(self._place(path), 0.0)
 
     def bytes_in(self, path: str) -> int:
@@ -307,7 +307,7 @@ class HomeFolder:
         return sum(one.lstat().st_size for one in place.rglob("*") if one.is_file())
 
     def close_all(self, owner: object = None) -> None:
-        """Close what an owner left open; None means all."""
+        """Close the files that an owner has open; None closes all."""
         for file in self._files:
             if owner is None or file.owner is owner:
                 file.close()
@@ -317,7 +317,7 @@ class HomeFolder:
         return tuple((str(path), path.stat().st_size) for path in self._written if path.exists())
 
     def _regular(self, path: str) -> Path:
-        """The place of an existing file."""
+        """Path of an existing file."""
         for file in self._files:
             file.flush()
         place = self._place(path)
@@ -327,11 +327,11 @@ class HomeFolder:
         return place
 
     def _note_missing(self, place: Path) -> None:
-        """Note where somebody asks for what is not there."""
+        """Record a request of a file or folder that does not exist."""
         self.lacks = self.lacks or not place.exists()
 
     def _free(self, path: str) -> Path:
-        """The place of a file that does not exist yet."""
+        """Path of a file that does not exist yet."""
         place = self._place(path)
         if place.exists():
             raise rapid_error(ERR_FILEEXIST, f"{path} is there already")
@@ -343,7 +343,7 @@ class HomeFolder:
         return place in (root, _real(self._ramdisk)) or (named_so and not place.exists())
 
     def _place(self, path: str, *, or_root: bool = False) -> Path:
-        """The place of a RAPID path on our disk; the home folder itself only if allowed."""
+        """Path on the user's disk of a RAPID path; the home folder itself only if allowed."""
         root = _real(self._folder)
         if root is None:
             raise RapidError(ERR_FILEOPEN, f"{path}: the run has no home folder (use --home)")
@@ -361,7 +361,8 @@ class HomeFolder:
             raise RapidError(ERR_FILEOPEN, f"{path!r} is not a file name")
         place = Path(os.path.realpath(root / rest.lstrip("/")))
         if place.is_symlink() or os.path.realpath(place) != str(place):
-            # What stands behind a link to itself is not resolved, and could hide one that leaves.
+            # The target of a link to itself is not resolved, and could hide a link that leads
+            # outside.
             raise RapidError(ERR_FILEOPEN, f"{path} is a link to itself")
         is_whole_disk = place in (root, root / disk.removesuffix("HOME"))
         if not place.is_relative_to(root) or (is_whole_disk and not or_root):
@@ -375,7 +376,7 @@ def _real(folder: Path | None) -> Path | None:
 
 @contextmanager
 def _refusals(path: str) -> Iterator[None]:
-    """Turn what the disk refuses into the error that a program can catch."""
+    """Convert errors of the disk to the error that a program can catch."""
     try:
         yield
     except OSError as error:

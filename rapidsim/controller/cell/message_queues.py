@@ -1,10 +1,10 @@
-"""The RAPID message queues of a cell: one a task, and one for each client outside.
+"""The RAPID message queues of a cell: one per task, and one for each external client.
 
-`MessageQueues` is the door for whoever serves such clients: `connect` gives a client its queue,
-`find` the queue of a task, and `MessageQueue.put` delivers at an instant of virtual time.
+Servers of such clients use `MessageQueues`: `connect` returns the queue of a client, `find` that of
+a task, and `MessageQueue.put` delivers at an instant of virtual time.
 
 Source: Technical reference manual System parameters, "RMQ Type", "RMQ Mode", "RMQ Max Message
-Size", "RMQ Max No Of Messages". That a message is as long as its text is our reading.
+Size", "RMQ Max No Of Messages". The length of a message being that of its text is our reading.
 """
 
 from __future__ import annotations
@@ -27,17 +27,17 @@ MOST_MESSAGES = 10
 
 
 class QueueType(StrEnum):
-    """Whose messages a task takes."""
+    """Senders whose messages a task accepts."""
 
     NONE = "none"
     INTERNAL = "internal"
-    """Those of other tasks."""
+    """Other tasks."""
     REMOTE = "remote"
-    """Those of clients outside the controller, too."""
+    """Other tasks and clients outside the controller."""
 
 
 class QueueMode(StrEnum):
-    """How a task receives messages."""
+    """Reception of messages by a task."""
 
     INTERRUPT = "interrupt"
     SYNCHRONOUS = "synchronous"
@@ -45,7 +45,7 @@ class QueueMode(StrEnum):
 
 @value_class(frozen=True, slots=True)
 class QueueSettings:
-    """The queue of a task as the system parameters describe it."""
+    """Settings of a task's queue as in the system parameters."""
 
     type: QueueType = QueueType.REMOTE
     mode: QueueMode | None = None
@@ -55,7 +55,7 @@ class QueueSettings:
 
 
 class DeliveryResult(StrEnum):
-    """What became of a message."""
+    """Result of a delivery."""
 
     KEPT = "kept"
     ANSWERS = "answers"
@@ -65,7 +65,7 @@ class DeliveryResult(StrEnum):
 
 @value_class(slots=True, eq=False)
 class _PendingReply:
-    """What RMQSendWait waits for."""
+    """Message for which RMQSendWait waits."""
 
     sender: Slot
     kind: MessageKind
@@ -81,13 +81,13 @@ class MessageQueue:
     messages: list[Message] = field(default_factory=list)
     is_open: bool = True
     is_absent: bool = False
-    """Its task is not in the run: what comes is lost."""
+    """Whether its task is not in the run: messages to it are lost."""
     raises_interrupt: Callable[[Message, float], bool] = lambda message, now_s: False
     """Raises the interrupts that wait for a message; returns whether there are any."""
     _awaited: _PendingReply | None = None
 
     def put(self, message: Message, now_s: float) -> DeliveryResult:
-        """Deliver a message at a time [s] that every task has come up to.
+        """Deliver a message at a time [s] to which all tasks are synchronised.
 
         Raises:
             RapidError: ERR_RMQ_INVALID, ERR_RMQ_MSGSIZE or ERR_RMQ_FULL.
@@ -144,7 +144,7 @@ class MessageQueues:
     _queues: dict[str, MessageQueue] = field(default_factory=dict)
 
     def open_for(self, task: str, settings: QueueSettings) -> MessageQueue:
-        """The queue of a task, which begins with it; the one it had before is gone."""
+        """Open the queue of a starting task; its earlier queue is disconnected."""
         self.disconnect(f"RMQ_{task}")
         queue = MessageQueue(f"RMQ_{task}", settings)
         self.absent -= {queue.name}
@@ -153,19 +153,19 @@ class MessageQueues:
         return queue
 
     def connect(self, client: str, max_messages: int = MOST_MESSAGES) -> MessageQueue:
-        """The queue of a client, whose messages wait until it fetches them."""
+        """The queue of a client, which keeps messages until the client fetches them."""
         settings = QueueSettings(
             mode=QueueMode.SYNCHRONOUS, max_bytes=MOST_BYTES, max_messages=max_messages
         )
         return self._queues.setdefault(client, MessageQueue(client, settings))
 
     def disconnect(self, client: str) -> None:
-        """A client has gone; whoever sends to it is told."""
+        """Close the queue of a client; later senders to it get an error."""
         if queue := self._queues.pop(client, None):
             queue.is_open = False
 
     def find(self, name: str, *, is_external: bool = False) -> MessageQueue | None:
-        """The queue of a name; a client finds those of tasks only where they are remote."""
+        """Return the queue of a name or None; clients find tasks only if they are remote."""
         queue = self._queues.get(name)
         if queue is None and name in self.absent and not is_external:
             return MessageQueue(name, QueueSettings(), is_absent=True)

@@ -1,7 +1,7 @@
 """Streams of bytes between the program and its peers: scripts and other tasks.
 
-A connection has two ends. What one end sends arrives at the other at once; a script answers after
-the time it says. Nothing here waits: tasks wait, and things that happen later are scheduled.
+A connection has two ends. Data that one end sends arrives at the other at once; a script answers
+after its delay. This module never waits: tasks wait, and later actions are scheduled.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from rapidsim.controller.cell.socket_scripts import SocketScript, SocketStep
 from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
 
 Schedule = Callable[[float, Callable[[float], None]], None]
-"""Lets a function be called with the time at a virtual time [s]."""
+"""Schedules a call, with the time as argument, at a virtual time [s]."""
 
 LOCAL = ("localhost", "127.0.0.1", "0.0.0.0", "")
 """Addresses of the controller itself."""
@@ -31,10 +31,10 @@ class StreamEnd:
     is_open: bool = True
     other_end: StreamEnd | None = None
     notice: Callable[[float], None] | None = None
-    """What happens, at a time [s], when something arrived or the other end closed."""
+    """Called with the time [s] when data arrived or the other end closed."""
 
     def send(self, data: bytes, now_s: float) -> None:
-        """Bring bytes to the other end."""
+        """Send bytes to the other end."""
         other = self.other_end
         if other is None or self.has_ended:
             return
@@ -71,19 +71,19 @@ class Port:
 
 @dataclass(eq=False, slots=True)
 class ScriptedPeer:
-    """A script at one end of a connection, as far as it has come."""
+    """A script at one end of a connection, with its progress."""
 
     script: SocketScript
     end: StreamEnd
     schedule: Schedule
     ended: Callable[[float], None]
-    """Called when the connection is over."""
+    """Called when the connection has ended."""
     _at: int = 0
     _is_busy: bool = False
-    """A step waits for its time."""
+    """Whether a step waits for its time."""
 
     def notice(self, now_s: float) -> None:
-        """Go on as far as what has arrived allows."""
+        """Continue as far as the received data allows."""
         if self.end.has_ended:
             self.ended(now_s)
             return
@@ -120,44 +120,44 @@ class ScriptedPeer:
 
 
 class ExternalPeer(Protocol):
-    """Who is beyond the scripts; see `outside_streams`."""
+    """Peers beyond the scripts; see `outside_streams`."""
 
     def opened(self, port: Port, address: str) -> None:
-        """A program listens."""
+        """Handle a program that listens at a port."""
         ...
 
     def closed(self, port: Port) -> None:
-        """It listens no more."""
+        """Handle a program that stops listening."""
         ...
 
     def called(self, address: str, port: int) -> StreamEnd | None:
-        """A program's end of the connection it asks for, once somebody has answered."""
+        """The program's end of a requested connection, once it is accepted; None before."""
         ...
 
     def hung_up(self, address: str, port: int, now_s: float) -> None:
-        """A program no longer wants a connection that it asked for."""
+        """Cancel a connection that a program requested."""
         ...
 
 
 class SocketTable:
-    """The ports that programs have bound and the scripts that talk to them."""
+    """The ports that programs have bound and the scripts connected to them."""
 
     def __init__(self, scripts: Sequence[SocketScript], schedule: Schedule) -> None:
-        """Let scripts do what they do at the times they say."""
+        """Make the table; scripts act at their own times."""
         self._scripts = tuple(scripts)
         self._schedule = schedule
         self.external: ExternalPeer | None = None
-        """None where nobody is there but scripts and tasks."""
+        """None if the only peers are scripts and tasks."""
         self._ports: dict[int, Port] = {}
         self._busy: set[int] = set()
-        """Indices of the scripts that are connected, on their way, or done."""
+        """Indices of the scripts that are connected, are connecting, or have ended."""
 
     def is_scripted(self, port: int, *, serves: bool) -> bool:
         """Whether a script serves a port, or connects to it."""
         return any(one.port == port and one.serves == serves for one in self._scripts)
 
     def bind(self, port: int, address: str) -> Port:
-        """Take a port, at an address if that matters.
+        """Bind a port, at an address if that matters.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -168,7 +168,7 @@ class SocketTable:
         return bound
 
     def listen(self, port: Port, now_s: float) -> None:
-        """Open a port; scripts that connect to it set out.
+        """Listen at a port; scripts that connect to it start to do so.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -181,7 +181,7 @@ class SocketTable:
                 self._set_out(index, now_s)
 
     def close_port(self, port: Port) -> None:
-        """Give a port back."""
+        """Release a port."""
         port.listens = False
         if self.external is not None:
             self.external.closed(port)
@@ -189,7 +189,7 @@ class SocketTable:
             del self._ports[port.port]
 
     def connect(self, address: str, port: int, now_s: float) -> StreamEnd | None:
-        """Connect to a script that serves, or to a task that listens; None if there is none."""
+        """Connect to a script that serves or a task that listens; None if neither exists."""
         name = f"{address}:{port}"
         for script in self._scripts:
             if script.serves and script.port == port and script.address in ("", address):
@@ -212,12 +212,12 @@ class SocketTable:
             self.external.hung_up(address, port, now_s)
 
     def _listening(self, port: int) -> Port | None:
-        """The port of that number, if a program listens there."""
+        """The port of a number, if a program listens there; else None."""
         found = self._ports.get(port)
         return found if found is not None and found.listens else None
 
     def _set_out(self, index: int, now_s: float) -> None:
-        """Let a script connect to the program's port after its time."""
+        """Let a script connect to the program's port after its delay."""
         script = self._scripts[index]
         self._busy.add(index)
 

@@ -1,8 +1,8 @@
-"""What happened when, while the times themselves may still be unknown.
+"""Dated record of a run, while the times themselves may still be unknown.
 
 The program runs ahead of the robot: an output set after a fly-by move happens when the robot starts
-that move, and that time is only known once the path is planned. An `Instant` stands for such a
-time until it is; entries refer to it and are dated when the run is over.
+that move, and that time is unknown until the path is planned. An `Instant` represents such a time;
+entries refer to it and are dated when the run is over.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from rapidsim.language.moves import Place
 from rapidsim.values import value_class
 
 MOST_EVENTS = 1_000_000
-"""The most events of a run: an endless loop that writes would otherwise use up the memory."""
+"""Maximum number of events of a run: an endless loop that writes would exhaust the memory."""
 
 
 class Instant:
@@ -63,7 +63,7 @@ class Moment:
 
 @value_class(frozen=True, slots=True)
 class ErrorMark:
-    """When an error was raised: what is noted while it is answered comes after it."""
+    """Moment of an error and its position: events of its handler follow it."""
 
     moment: Moment
     position: int
@@ -74,18 +74,18 @@ class ErrorMark:
 class _Entry:
     moment: Moment
     event: Event
-    """Its time counts for nothing."""
+    """Its own time is unused."""
     is_committed: bool = False
 
     def dated(self) -> Event:
-        """The event, when its time is known."""
+        """The event with its time, which must be known."""
         # The details of an error change as long as it is raised.
         return replace(self.event, time_s=self.moment.time_s, details=dict(self.event.details))
 
 
 @value_class(slots=True)
 class _Tally:
-    """How often an error was raised and answered in one way."""
+    """Number of times that an error was raised and answered in one way."""
 
     error: AnsweredError
     first: Moment
@@ -103,7 +103,7 @@ class Journal:
     retains_all: bool = True
     """Whether statements, waits and findings are kept, which grow without bound."""
     moves_given: int = 0
-    """How many moves the task's robot has been given."""
+    """Number of moves that the task's robot has got."""
     _events: list[_Entry] = field(default_factory=list)
     _lines: list[tuple[Moment, Place]] = field(default_factory=list)
     _waits: list[Wait] = field(default_factory=list)
@@ -114,14 +114,14 @@ class Journal:
     _unsimulated: dict[tuple[str, str, bool], int] = field(default_factory=dict)
     _first_met: dict[tuple[str, str, bool], Place] = field(default_factory=dict)
     on_finding: Callable[[Diagnostic], None] | None = None
-    """Told at once what is found or not simulated, once for each rule and place."""
+    """Called at once with each finding or unsimulated routine, once for each rule and place."""
     remarks: int = 0
-    """How often something was found, has failed or was not simulated."""
+    """Number of findings, failed moves and unsimulated calls so far."""
 
     def for_task(self, task: str) -> Journal:
         """The journal of another task of the cell, whose events go into the same list.
 
-        So what happens at one instant keeps the order in which it happened.
+        Events at the same instant thus keep the order in which they happened.
         """
         return Journal(task, self.retains_all, _events=self._events, on_finding=self.on_finding)
 
@@ -145,11 +145,11 @@ class Journal:
         self._events.insert(position, entry)
 
     def error_mark(self, moment: Moment) -> ErrorMark:
-        """The place of an error among the events, to be noted when it has been answered."""
+        """Position of an error among the events, at which it is recorded once it is answered."""
         return ErrorMark(moment, len(self._events))
 
     def error(self, mark: ErrorMark, error: AnsweredError) -> None:
-        """Record an error that was raised at a mark; those of one kind are one event."""
+        """Record an error that was raised at a mark; errors of one kind are one event."""
         tally = self._errors.get(error) or self._same_tally(error)
         if tally is None:
             entry, details = self._error_event(mark, error)
@@ -201,7 +201,7 @@ class Journal:
         return events
 
     def restore(self, events: Iterable[Event]) -> None:
-        """Record again what was taken."""
+        """Record taken events again."""
         self._events[:0] = [_Entry(Moment(Instant(one.time_s)), one) for one in events]
 
     def line(self, moment: Moment, place: Place) -> None:
@@ -224,7 +224,7 @@ class Journal:
     ) -> None:
         """Record a finding; with `once`, only the first of those that share the key.
 
-        What is `assumed` is no error: the run goes on.
+        A finding that is `assumed` is no error: the run continues.
         """
         if once is not None:
             if self.has_finding(once):
@@ -302,11 +302,11 @@ class Journal:
         )
 
     def first_met(self, notice: Unsimulated) -> Place:
-        """Where a routine that was not simulated was first called."""
+        """Place at which an unsimulated routine was first called."""
         return self._first_met[notice.name, notice.treated_as, notice.is_unknown]
 
 
 def not_simulated_finding(name: str, treated_as: str, place: Place) -> Diagnostic:
-    """A routine that was met and not simulated, or accepted without effect."""
+    """Finding for a routine that was called and not simulated, or accepted without effect."""
     kind = AcceptedWithoutEffect if treated_as.startswith(ACCEPTED) else RoutineNotSimulated
     return Diagnostic(kind(name, treated_as), place.span, routine=place.routine)

@@ -1,4 +1,4 @@
-"""From a move instruction to a segment: where its frames are, where it starts and ends."""
+"""Resolution of move instructions to segments: their frames, starts and ends."""
 
 from __future__ import annotations
 
@@ -74,9 +74,9 @@ class Resolver:
     payload_acceleration: float | None = None
     """See `MotionModel`."""
     nearest_configuration: bool = False
-    """Whether a stored configuration that does not work gives way to the nearest that does."""
+    """Whether the nearest working configuration replaces a stored one that does not work."""
     functions_fail: bool = False
-    """Whether functions that compute with a target fail all the same."""
+    """Whether functions that compute with a target fail even then."""
     exact_configuration: bool = False
     """Whether a stored configuration is not met where an axis is one quarter turn off."""
     conveyors: frozenset[str] = frozenset()
@@ -88,7 +88,7 @@ class Resolver:
     _placements: dict[tuple[ToolData, WobjData], targets.Placement | targets.NotSimulatedFrame] = (
         field(default_factory=dict)
     )
-    """Placements worked out before: programs use few tools and work objects."""
+    """Placements computed so far: programs use few tools and work objects."""
     _repeats: dict[tuple[object, ...], QueuedMove] = field(default_factory=dict)
     """Moves without findings: a cycle repeats them from the same place."""
 
@@ -103,20 +103,20 @@ class Resolver:
         starts_free: bool = False,
         lead: targets.CarrierMotion | None = None,
     ) -> QueuedMove:
-        """Work out where a move goes.
+        """Resolve a move to a queued move with its segment.
 
         Args:
             move: With its arguments evaluated.
-            place: Where it stands in the program.
-            start: Where it starts.
+            place: Its place in the program.
+            start: Its start.
             settings: Of the task.
             is_first: Whether it is the first move of the run.
-            starts_free: Whether nothing says where the arm begins with it.
-            lead: The robot of the team that carries the work object along.
+            starts_free: Whether the position of the arm before it is unknown.
+            lead: Motion of the robot of the team that carries the work object; None if none does.
 
         Raises:
             MoveImpossible: When the arm cannot make it. As on a controller, no ERROR clause is
-                called then.
+            called then.
         """
         try:
             if starts_free:
@@ -141,7 +141,7 @@ class Resolver:
         *,
         is_first: bool,
     ) -> QueuedMove:
-        """Return the move of an earlier cycle where nothing has changed; see `resolve`."""
+        """Return the move of an earlier cycle if nothing has changed; see `resolve`."""
         is_made_anew = is_first or lead is not None or self.may_have_carrier(move.wobj)
         if is_made_anew or not place.is_lasting:
             return self._resolved(move, place, start, settings, lead, is_first=is_first)
@@ -206,9 +206,9 @@ class Resolver:
     def first_start(
         self, move: Move, place: Place, start: Waypoint, settings: MotionSettings
     ) -> Waypoint | None:
-        """Where the arm begins with a line or arc, if nothing else says it; see `start_above`.
+        """Start of a line or arc as the first move, if nothing else defines it; see `start_above`.
 
-        None for other moves, and where external axes, other robots or a stationary tool take part.
+        None for other moves, and with external axes, other robots or a stationary tool.
         """
         if not isinstance(move.to, RobTarget) or not move.interpolation.leads_tcp:
             return None
@@ -219,7 +219,7 @@ class Resolver:
             for target in (move.to, move.circle_point or move.to):
                 require_orientation(_TARGET, target.rot)
         except (NotReachableError, Stopped):
-            # The move itself says what is wrong with it.
+            # Resolving the move itself reports the error.
             return None
         if placed.carrier is not None:
             return None
@@ -235,7 +235,7 @@ class Resolver:
         return Waypoint(joints, self.robot.kinematics.forward(joints), start.external)
 
     def joints(self, target: JointTarget) -> Array:
-        """Axis positions [deg, mm where the arm's axis slides] as joints (n,) [rad]."""
+        """Axis positions [deg, mm if the arm's axis slides] as joints (n,) [rad]."""
         return targets.joints(target, self.robot.kinematics)
 
     def rob_joint(self, joints: Array) -> RobJoint:
@@ -247,7 +247,7 @@ class Resolver:
         return JointTarget(self.rob_joint(joints), self.ext_joint(external))
 
     def external(self, extax: ExtJoint) -> Array:
-        """External axes (e,) [m or rad]; those that are not given are 0."""
+        """External axes (e,) [m or rad]; axes without a value are 0."""
         nothing = np.zeros(len(self.robot.external))
         return targets.external_values(extax, self.robot.external, nothing)[0]
 
@@ -258,7 +258,7 @@ class Resolver:
     def target(
         self, joints: Array, external: Array, tool: ToolData, wobj: WobjData, place: Place
     ) -> RobTarget:
-        """The target that joints (n,) [rad] and external axes (e,) [m or rad] stand at."""
+        """Robtarget of joints (n,) [rad] and external axes (e,) [m or rad]."""
         placed = self._placement(tool, wobj, place, self._holder(wobj))
         if isinstance(placed, targets.NotSimulatedFrame):
             placed = self._unmoved()
@@ -277,7 +277,7 @@ class Resolver:
         *,
         monitored: bool,
     ) -> Array:
-        """Joints (n,) [rad] of a target in its configuration; not monitored, the nearest to it.
+        """Joints (n,) [rad] of a target in its configuration; if not monitored, in the nearest.
 
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
@@ -308,9 +308,9 @@ class Resolver:
     def _end(
         self, request: LocatedMoveRequest, start: Waypoint, external: Array
     ) -> tuple[Waypoint, bool]:
-        """Where a move ends, and whether its joints there are known.
+        """End of a move, and whether the joints there are known.
 
-        To a pose they are known at the end of a short line only; else they are those of its start.
+        For a pose they are known only at the end of a short line; else those of the start are used.
         """
         move, placed = request.request.move, request.request.placed
         if isinstance(move.to, RobTarget):
@@ -342,9 +342,9 @@ class Resolver:
     def _placement_of(
         self, move: Move, place: Place, lead: targets.CarrierMotion | None
     ) -> targets.Placement:
-        """Where tool and work object of a move are."""
+        """Placement of the tool and the work object of a move."""
         if move.interpolation is Interpolation.EXTERNAL_AXES:
-            # Nothing that the arm does: its TCP stays where it is on the robot.
+            # The arm does not take part: its TCP keeps its pose on the robot.
             tcp_from_flange = targets.tcp_from_flange(move.tool)
             return targets.Placement(self.base_from_world, tcp_from_flange)
         holder = None if lead is not None else self._holder(move.wobj)
@@ -360,7 +360,7 @@ class Resolver:
         raise NotReachableError(ERR_OUTSIDE_REACH, violation)
 
     def _unmoved(self) -> targets.Placement:
-        """Where nothing moves the tool against the work object: as for a flange without a tool."""
+        """Placement without motion of the tool against the work object: a flange without a tool."""
         return targets.Placement(self.base_from_world, Transform.identity())
 
     def may_have_carrier(self, wobj: WobjData) -> bool:
@@ -370,7 +370,7 @@ class Resolver:
         return not targets.unit_of(wobj, self.robot.external)
 
     def _guesses_frame_of(self, wobj: WobjData, lead: targets.CarrierMotion | None) -> bool:
-        """Whether a unit that the run does not have moves a work object."""
+        """Whether the frame of a work object is a guess: its unit is missing from the run."""
         return lead is None and self.may_have_carrier(wobj) and not self.has_carrier(wobj)
 
     def has_carrier(self, wobj: WobjData) -> bool:
@@ -378,7 +378,7 @@ class Resolver:
         return self._holder(wobj) is not None
 
     def _holder(self, wobj: WobjData) -> Holder | None:
-        """The robot that holds a work object, where it is now."""
+        """The robot that holds a work object, at its current position; None if none holds it."""
         return self.holders.find(wobj.ufmec) if self.may_have_carrier(wobj) else None
 
     def _placement(
@@ -389,12 +389,12 @@ class Resolver:
         holder: Holder | None = None,
         lead: targets.CarrierMotion | None = None,
     ) -> targets.Placement | targets.NotSimulatedFrame:
-        """Where a tool and a work object are; `place` asks.
+        """Placement of a tool and a work object; `place` is the place that needs it.
 
         Raises:
-            NotReachableError: When one of their frames has no orientation.
-            Stopped: When nobody knows where the work object is, and nothing is guessed.
-            NotSimulated: When a conveyor of the cell carries the work object.
+            NotReachableError: When one of their frames has no orientation. Stopped: When the frame
+            of the work object is unknown, and guesses are not allowed. NotSimulated: When a
+            conveyor of the cell carries the work object.
         """
         if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
             raise NotSimulated(wobj.ufmec)
@@ -425,7 +425,7 @@ class Resolver:
         return placed
 
     def _report_unsimulated(self, request: LocatedMoveRequest) -> None:
-        """Report what SingArea and CirPathMode ask of a move but do not get."""
+        """Report requests of SingArea and CirPathMode that a move does not fulfil."""
         move, settings = request.request.move, request.request.settings
         if asked_circle_mode(move, settings) in WRIST_PAIRS:
             why = wrist_circle_problem(move, request.request.placed.carrier, self.robot)

@@ -68,23 +68,23 @@ class BlockPlanner:
     check_deadline: Look = undisturbed
     """Called while planning; raises to interrupt it."""
     repeats: PlanCache | None = None
-    """Plans kept for blocks that are repeated; None if they are not kept."""
+    """Plans kept for repeated blocks; None if they are not kept."""
     ready_s: float = 0.0
     """Earliest command time at which the next block may start."""
     settled_s: float = -math.inf
-    """When the arm is seen to stand at the end of the last block."""
+    """Time [s] at which the arm comes to rest at the end of the last block."""
     moves: MoveLog = field(default_factory=MoveLog)
-    """All that were ever put on the path."""
+    """All moves that were ever appended to the path."""
     block: MotionBlock = field(default_factory=MotionBlock)
     version: int = 0
-    """Changes whenever what the robot will do may change."""
+    """Changes whenever the planned motion of the robot may change."""
     _preview: tuple[int, Trajectory] | None = None
     _estimated: tuple[Commit, int, float] | None = None
-    """How far `nominal_last_start` got: from which commit, to which move's start, at what time."""
+    """Progress of `nominal_last_start`: its commit, the move reached, the start of that [s]."""
 
     @property
     def is_open(self) -> bool:
-        """Whether a block of moves waits for its end."""
+        """Whether a block of moves is open: its end is not decided."""
         return self.block.is_open
 
     @property
@@ -94,24 +94,24 @@ class BlockPlanner:
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block have not been travelled."""
+        """Number of moves of the open block that are not yet travelled."""
         return len(self.block.moves) - self.block.commit.move if self.is_open else 0
 
     @cached_property
     def braking_s(self) -> float:
-        """More time [s] than the arm needs to stop: the longest any axis does from full speed."""
+        """More time [s] than the arm needs to stop: the longest braking time of any axis."""
         return float(np.max(self.limits.max_speed / self.limits.max_acceleration))
 
     def append(self, queued: QueuedMove, now_s: float) -> None:
-        """Put a move on the path.
+        """Append a move to the path.
 
         Args:
             queued: The move.
-            now_s: When the program says so. Within a block that is still travelled lazily, the time
-                the robot starts the last move will do.
+            now_s: Command time [s] of the program. While the path of a block is planned lazily, the
+                time at which the robot starts the last move will do.
 
         Raises:
-            MotionError: When what is already on the path turns out not to be passable.
+            MotionError: When a move already on the path turns out not to be passable.
         """
         self.advance(now_s)
         self.version += 1
@@ -136,10 +136,10 @@ class BlockPlanner:
         self.block.plan = None
 
     def _next_start_s(self, now_s: float) -> float:
-        """When [s] a block begins that the program says at a time [s].
+        """Command time [s] at which a block begins that the program starts at a time [s].
 
-        After a slow stop the command goes on before the arm is quite at rest, but the program has
-        waited for that. What it only thinks since then is counted from where it was kept waiting.
+        After a slow stop the command continues before the arm is quite at rest, but the program has
+        waited for that. Computing since then counts from the time at which the program was delayed.
         """
         thought_s = now_s - self.settled_s
         at_once = -_ROUNDING_S < thought_s < LOOK_AHEAD_SLACK_S
@@ -162,24 +162,24 @@ class BlockPlanner:
         stop = self.block.moves[-1].move.stop
         lag_s = self.trajectory.lag_s(end_s)
         pause_s = lag_s + stop.seconds if stop else 0.0
-        # A window that a ramp has widened takes longer to run empty; the standstill stays as
-        # long, and the next move waits until it is empty.
+        # A window that a ramp has widened takes longer to run empty; the standstill has the same
+        # duration, and the next move waits until the window is empty.
         dwell_s = self.model.dwell_after(tentative.timing.braking_s) + (lag_s - self.model.window)
         if self.trajectory.has_ramps:
             dwell_s = max(dwell_s, lag_s)
         self.ready_s = end_s + max(dwell_s, pause_s)
-        # Where nothing moved, nothing is left to come to rest.
+        # Without motion there is nothing to bring to rest.
         self.settled_s = end_s + lag_s if tentative.timing.braking_s > 0.0 else -math.inf
         self.block.is_closed = True
         self.block.plan = None
         return end_s
 
     def forget(self, before_s: float, keep_from: int | None = None) -> None:
-        """Forget what nobody who looks at a time [s] or later can see.
+        """Discard what no read at a time [s] or later needs.
 
         Args:
             before_s: That time.
-            keep_from: The number of a move that is kept with all that follow.
+            keep_from: Number of a move that is kept with all that follow; None for none.
         """
         self.trajectory.forget(before_s)
         before, gone = self.block.commit, self.block.forget(before_s)
@@ -190,7 +190,7 @@ class BlockPlanner:
         self.moves.forget(before_s, needed if keep_from is None else min(needed, keep_from))
 
     def preview(self) -> Trajectory:
-        """What the robot will do if nothing more is said.
+        """Trajectory if no further move is queued.
 
         Raises:
             MotionError: See `append`.
@@ -205,7 +205,7 @@ class BlockPlanner:
         return self._preview[1]
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """Where a move of the current block starts and ends [m] on the preview; None for others."""
+        """Path positions [m] of start and end of a move of the current block; None for others."""
         moves = self.block.moves
         index = queued.number - moves[0].number if moves else -1
         if not 0 <= index < len(moves) or moves[index] is not queued:
@@ -224,7 +224,7 @@ class BlockPlanner:
             self._estimated = (commit, commit.move, commit.time_s)
         _, begin, start_s = self._estimated
         last = len(self.block.moves) - 1
-        # Each move is added once, however often somebody asks.
+        # Each move is added once, however often this is called.
         start_s += sum(nominal_s(queued.segment) for queued in self.block.moves[begin:last])
         self._estimated = (commit, last, start_s)
         return start_s
@@ -241,7 +241,7 @@ class BlockPlanner:
         return self._commit_start(len(self.block.moves) - 1)
 
     def commit_ahead(self) -> float | None:
-        """Fix as much as later moves cannot change: a braking distance stays open.
+        """Fix as much as later moves cannot change: a braking distance remains open.
 
         Returns:
             Command time [s] up to which the path is fixed; None if nothing could be fixed.
@@ -265,7 +265,7 @@ class BlockPlanner:
         """The open part of the block, planned to a stop at its last move; nothing else changes.
 
         Raises:
-            MotionError: If some of it cannot be travelled.
+            MotionError: If a section of it cannot be travelled.
         """
         block, commit = self.block, self.block.commit
         if block.plan is not None:
@@ -273,9 +273,9 @@ class BlockPlanner:
         block.plan = self._plan_from(commit)
         too_fast = block.plan.timing.start_excess > TOLERATED_EXCESS * commit.speed_m_s
         if too_fast and block.moves[commit.move].segment.zone:
-            # The corner that the next move has added is too tight for the speed the arm has: it
-            # was learnt too late, as if it had come after the zone was reached. Where to stop there
-            # would not help, it is not to blame: plans that look at other nodes differ a little.
+            # The corner that the next move has added is too tight for the speed of the arm: that
+            # move came too late, as if after the zone was reached. If a stop there does not help,
+            # the corner is not the cause: plans on other grid points differ slightly.
             stopped = self._plan_from(commit, lost_corner=commit.move)
             if stopped.timing.start_excess < 0.5 * block.plan.timing.start_excess:
                 block.plan = stopped
@@ -308,7 +308,7 @@ class BlockPlanner:
 
     @property
     def _first_open(self) -> int:
-        """The first move whose geometry a plan needs: the corner after it is half travelled."""
+        """Index of the first move that a plan needs: the corner after it is half travelled."""
         return max(self.block.commit.move - 1, 0)
 
     def _to_travel(self) -> BlockPlan:
@@ -324,7 +324,7 @@ class BlockPlanner:
             raise
 
     def _stop_before(self, index: int) -> None:
-        """Let the robot make the moves before the one it cannot make."""
+        """Plan the moves before the one that the robot cannot make, up to a stop."""
         moves = self.block.moves
         if index > self.block.commit.move:
             self.block.moves = moves[:index]
@@ -332,7 +332,7 @@ class BlockPlanner:
         self.block.moves = moves
 
     def _commit_start(self, index: int) -> float:
-        """Fix the path up to the start of a move of the block."""
+        """Fix the path up to the start of a move of the block; return its command time [s]."""
         if index <= self.block.commit.move:
             return self.block.commit.time_s
         tentative = self._to_travel()
@@ -344,11 +344,11 @@ class BlockPlanner:
         return time_s
 
     def advance(self, now_s: float, slack_s: float = LOOK_AHEAD_SLACK_S) -> None:
-        """Fix what has been travelled by now; too late for the corner, and it becomes a stop.
+        """Fix what has been travelled by now; too late for its corner, the block ends with a stop.
 
         Args:
             now_s: Command time [s].
-            slack_s: So little [s] need not be fixed.
+            slack_s: Time [s] that need not be fixed.
 
         Raises:
             MotionError: See `append`.
@@ -367,7 +367,7 @@ class BlockPlanner:
         self.block.plan = None
 
     def end_if_late(self, now_s: float) -> None:
-        """End the block if it is too late for a corner now [s]; the rest stays as open as it was.
+        """End the block if it is too late for a corner now [s]; the rest remains open.
 
         Raises:
             MotionError: See `append`.
@@ -375,7 +375,7 @@ class BlockPlanner:
         self._open_plan(now_s, 0.0)
 
     def _open_plan(self, now_s: float, slack_s: float) -> BlockPlan | None:
-        """The plan of a block that is open so long after what is fixed; too late, and it ends."""
+        """Plan of an open block that has to be fixed further; None if none, or if it ended late."""
         if not self.is_open or self.block.is_halted:
             return None
         if now_s <= self.block.commit.time_s + slack_s:
@@ -398,7 +398,7 @@ class BlockPlanner:
         return None if commit.spent_s is None else commit.spent_s + (now_s - commit.time_s)
 
     def _travel(self, tentative: BlockPlan, moves_started: int, to_m: float) -> float:
-        """Append a stretch of a plan to the trajectory and time the moves that begin on it."""
+        """Append a section of a plan to the trajectory and time the moves that begin on it."""
         path, timing = tentative.path, tentative.timing
         if tentative.lost_corner is not None:
             late = self.block.moves[tentative.lost_corner]
@@ -428,12 +428,12 @@ class BlockPlanner:
         return tentative.time_at(to_m)
 
     def _note_corner(self, queued: QueuedMove, corner: Corner) -> None:
-        """What became of the end of a move; the last of the open block is still undecided."""
+        """Record the corner at the end of a move; that of the last open move is undecided."""
         queued.zone_m, queued.corner_reason = corner.radius, corner.reason
         is_last = queued is self.block.moves[-1]
         if corner.stops and queued.corner is CornerKind.FLY_BY and not is_last:
             queued.corner = CornerKind.STOP
 
     def _braking_distance_m(self, segment: Segment) -> float:
-        """More than the TCP needs to stop from the programmed speed."""
+        """Distance [m] above that which the TCP needs to stop from the programmed speed."""
         return segment.speed.tcp * self.braking_s / segment.acceleration_share

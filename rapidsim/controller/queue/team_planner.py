@@ -1,7 +1,7 @@
-"""Robots that move together: one path queue for all, whose moves are moves of several robots.
+"""Path planning of a team: one path queue, whose moves consist of moves of several robots.
 
-A move of the team is made of one move of each robot. It is put on the path when the last task has
-said its own; planning, stopping and starting are those of one robot, on the joint path.
+A move of the team consists of one move of each robot. It is appended to the path when the last task
+has submitted its part; planning, stopping and starting work as for one robot, on the joint path.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from rapidsim.motion.trajectory.command import Piece
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 _NO_WAY_M = 1e-6
-"""A robot that moves no farther than this stays where it is, or is carried along."""
+"""A robot that moves no farther than this [m] is at rest, or is carried along."""
 
 
 @dataclass(slots=True, eq=False)
@@ -38,7 +38,7 @@ class TeamMove(QueuedMove):
 
 @dataclass(slots=True, eq=False)
 class PendingTeamMove:
-    """A move of the team that waits for tasks that have not given theirs yet."""
+    """A move of the team that waits for the parts of other tasks."""
 
     sync_id: float
     parts: dict[int, QueuedMove] = field(default_factory=dict)
@@ -47,10 +47,10 @@ class PendingTeamMove:
 
 
 class _TeamTrajectory(Trajectory):
-    """The motion over the common parameter; it gives each robot its own.
+    """Motion over the common parameter; appends to the motion of each robot, too.
 
-    Arms differ in how long the smoothing takes. In logs of two that move together, the middle of it
-    is the same: the command of a quicker one is later by half of the difference.
+    Arms differ in the duration of the smoothing. In logs of two synchronised arms its middle is the
+    same: the command of the quicker arm is later by half of the difference.
     """
 
     def __init__(self, robots: Sequence[SoloQueue], moves: MoveLog) -> None:
@@ -62,7 +62,7 @@ class _TeamTrajectory(Trajectory):
         self.delays_s = tuple(0.5 * (max(widths_s) - width_s) for width_s in widths_s)
 
     def append(self, piece: Piece) -> float:
-        """Add a piece to the motion of each robot too."""
+        """Append a piece to the motion of each robot, too."""
         path = piece.path
         assert isinstance(path, TeamPath)
         lead = self._moves[piece.first]
@@ -74,17 +74,17 @@ class _TeamTrajectory(Trajectory):
         return super().append(piece)
 
     def cut(self, time_s: float) -> None:
-        """Take back what is commanded after a time [s], for each robot too."""
+        """Withdraw the command after a time [s], for each robot, too."""
         for robot, delay_s in zip(self._robots, self.delays_s, strict=True):
             robot.trajectory.cut(time_s + delay_s)
         super().cut(time_s)
 
 
 class TeamPlanner:
-    """The joint path of several robots, planned as one robot's would be."""
+    """Planner of the joint path of several robots, planned like that of one robot."""
 
     def __init__(self, tasks: Sequence[str], robots: Sequence[SoloQueue]) -> None:
-        """Make a team of robots that stand.
+        """Make a team of robots at rest.
 
         Args:
             tasks: Names of their tasks.
@@ -110,23 +110,23 @@ class TeamPlanner:
         self.holders: set[int] = set()
         """Numbers of the robots whose tasks have stopped the team and not restarted it."""
         self._offsets = tuple(robot.trajectory.length for robot in robots)
-        """Where the joint path begins on that of each robot's whole run [m]."""
+        """Position [m] of the start of the joint path on the path of each robot's whole run."""
         self._start_offsets: dict[int, tuple[float, ...]] = {}
         """The offsets of moves, by number, that began before the path was stored."""
         self._end_offsets: dict[int, tuple[float, ...]] = {}
-        """The same of moves that had ended before."""
+        """The offsets of moves, by number, that ended before the path was stored."""
         self._stored_by: set[int] = set()
         """Numbers of the robots whose tasks have stored the path."""
         self._left_at: dict[int, Waypoint] = {}
-        """Where these robots left the path, until it is taken up again."""
+        """Waypoints at which these robots left the path, until it is resumed."""
         self._next_level: TeamPlanner | None = None
 
     def submitted(self, number: int) -> QueuedMove | None:
-        """A robot's part of the next move; None before its task has given it."""
+        """A robot's part of the next move; None until its task has submitted it."""
         return None if self.offer is None else self.offer.parts.get(number)
 
     def submit(self, number: int, part: QueuedMove, sync_id: float) -> PendingTeamMove:
-        r"""Take a task's part of the next move.
+        r"""Submit a task's part of the next move.
 
         Args:
             number: Of its robot in the team.
@@ -134,7 +134,7 @@ class TeamPlanner:
             sync_id: The argument \ID.
 
         Raises:
-            RapidError: ERR_ARGVALERR, if another task has said another number.
+            RapidError: ERR_ARGVALERR, if another task has submitted another number.
         """
         if self.offer is None:
             self.offer = PendingTeamMove(sync_id)
@@ -151,11 +151,11 @@ class TeamPlanner:
         return offer
 
     def begin(self, pending: PendingTeamMove, now_s: float) -> TeamMove:
-        """Put a move on the path when all parts are given; see `BlockPlanner.append`."""
+        """Append a move to the path when all parts are submitted; see `BlockPlanner.append`."""
         parts = tuple(pending.parts[number] for number in range(len(self.robots)))
         lead = parts[0]
         stops = any(part.corner is CornerKind.STOP for part in parts)
-        # One window of the smoothing for all, or they would not stay together.
+        # One smoothing window for all, or they would not stay synchronised.
         ramp = min(part.segment.ramp for part in parts)
         stop_ramp = min(part.segment.stop_ramp for part in parts)
         move = TeamMove(
@@ -212,7 +212,7 @@ class TeamPlanner:
             self._renew_offsets()
 
     def next_level(self) -> TeamPlanner:
-        """The planner of the moves that the robots make together while this path is stored."""
+        """Planner of the moves that the robots make as a team while this path is stored."""
         if self._next_level is None:
             level = self._next_level = TeamPlanner(self.tasks, self.robots)
             ends_s = (robot.trajectory.command_end for robot in self.robots)
@@ -232,7 +232,7 @@ class TeamPlanner:
         stopping.resume(self.planner, now_s)
 
     def too_far_off(self) -> str:
-        """Distance of a robot from where it left the path, in words; empty if all can return."""
+        """Distance of a robot from where it left the path, as text; empty if all can return."""
         block = self.planner.block
         if not block.is_open:
             return ""
@@ -245,7 +245,7 @@ class TeamPlanner:
         return ""
 
     def _regain(self, left_at: Mapping[int, Waypoint], now_s: float) -> float:
-        """Return to where the robots left the path, together; see `stopping.regain`."""
+        """Return the robots, synchronised, to where they left the path; see `stopping.regain`."""
         stands = [robot.standing() for robot in self.robots]
         goals = [left_at.get(number, here) for number, here in enumerate(stands)]
         if all(map(stopping.is_same_place, stands, goals)):
@@ -260,7 +260,7 @@ class TeamPlanner:
         return stopping.go_back(self.planner, replace(move, parts=parts), now_s)
 
     def _renew_offsets(self) -> None:
-        """Let the joint path continue where each robot is now on the path of its whole run."""
+        """Continue the joint path at the current position of each robot on the path of its run."""
         block = self.planner.block
         for move in block.moves[: block.commit.move + 1]:
             if move.started.time is not None:
@@ -271,13 +271,13 @@ class TeamPlanner:
         self._offsets = tuple(robot.trajectory.length - travelled_m for robot in self.robots)
 
     def clear(self) -> None:
-        """Forget what is left of the path of robots that stand."""
+        """Discard the remaining path of robots at rest."""
         stopping.clear(self.planner)
         for robot in self.robots:
             robot.end = robot.standing()
 
     def preview(self, number: int) -> Trajectory:
-        """What one of the robots will do if nothing more is said."""
+        """Trajectory of one robot if no further move is queued."""
         own, planner = self.robots[number].trajectory, self.planner
         if not planner.is_open or planner.is_halted:
             return own
@@ -291,7 +291,7 @@ class TeamPlanner:
         return own.extended(Piece(start_s, path, plan.timing, plan.from_m, path.length, first))
 
     def places_of(self, number: int, part: QueuedMove) -> tuple[float, float] | None:
-        """Where a robot's move of the current block starts and ends [m] on its preview."""
+        """Path positions [m] of start and end of a robot's move of the current block; else None."""
         move = self._whole(number, part)
         places = None if move is None else self.planner.places_of(move)
         if move is None or places is None:
@@ -300,7 +300,7 @@ class TeamPlanner:
         return starts[number] + places[0], ends[number] + places[1]
 
     def parameter_rate(self, number: int, part: QueuedMove) -> float:
-        """How far [m] the common parameter advances per metre of a robot's own path on its move."""
+        """Change [m] of the common parameter per metre that a robot travels on its move."""
         move, places = self._whole(number, part), self.places_of(number, part)
         if move is None or places is None:
             return 1.0
@@ -314,12 +314,12 @@ class TeamPlanner:
         return (places[1] - places[0]) / length_m if length_m > _NO_WAY_M else 1.0
 
     def _offsets_of(self, move: TeamMove) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Where the joint path begins on that of each robot, for the start and end of a move."""
+        """Positions of the joint path on that of each robot, for start and end of a move."""
         starts = self._start_offsets.get(move.number, self._offsets)
         return starts, self._end_offsets.get(move.number, self._offsets)
 
     def _whole(self, number: int, part: QueuedMove) -> TeamMove | None:
-        """The team's move that a part belongs to, in the current block."""
+        """The team's move of the current block that has a part; None if there is none."""
         moves = (one for one in self.planner.block.moves if isinstance(one, TeamMove))
         return next((one for one in moves if one.parts[number] is part), None)
 
@@ -329,7 +329,7 @@ class TeamPlanner:
             own = [move.parts[number] for move in moves if isinstance(move, TeamMove)]
             for move, part in zip(moves, own, strict=True):
                 if move.segment.zone is None and part.segment.zone is not None:
-                    # The corner was learnt too late, see `BlockPlanner.planned`.
+                    # The corner was known too late, see `BlockPlanner.planned`.
                     part.segment = replace(part.segment, zone=None)
             segments = [part.segment for part in own]
             if lost_corner is not None:
@@ -347,7 +347,7 @@ class TeamPlanner:
         return joint
 
     def _pass_on(self, moves: Sequence[QueuedMove], path: Path | None) -> None:
-        """Pass on to the parts of a move what became of the whole."""
+        """Copy the timing and corners of the team's moves to their parts."""
         for k, move in enumerate(moves):
             assert isinstance(move, TeamMove)
             starts, ends = self._offsets_of(move)

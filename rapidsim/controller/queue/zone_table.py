@@ -1,7 +1,7 @@
-"""World zones: when the TCP, or the arm, comes into a zone and leaves it.
+"""World zones: detection of the TCP, or the arm, entering and leaving a zone.
 
-The motion is looked at every millimetre of its path, however fast it is, and the instant of a
-crossing is then found by halving. Only what cuts out a shorter piece of the path is missed.
+The motion is sampled every millimetre of its path, however fast it is, and the instant of a
+crossing is then found by bisection. Only a crossing of a shorter section of the path is missed.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
 
 LOOK_M = 0.001
 _LOOK_S = 0.02
-"""Instants looked at are evenly spaced within this time."""
+"""Spacing [s] of the first samples; within it samples are evenly spaced."""
 _COARSE = 2000
-"""Stretches of a long motion that are first asked whether the arm moves in them at all."""
+"""Maximum number of intervals of a long motion that are first tested for motion of the arm."""
 _LOOKS = 1000
-"""How many instants are looked at in one go."""
+"""Number of instants that are sampled in one go."""
 _HALVINGS = 40
 _MM = 1e-3
 
@@ -47,16 +47,16 @@ class WorldZoneTable:
     unit: MechanicalUnit
     world_from_base: Transform
     limit_s: float
-    """Nothing is looked for after this time [s]: a motion may be commanded for days."""
+    """Time [s] after which crossings are ignored: a motion may be commanded for days."""
     check_deadline: Callable[[], None]
     """Called while searching for crossings; ends a run that takes too long."""
     _zones: dict[float, WatchedZone] = field(default_factory=dict)
     _looked_to_s: float = 0.0
     _next: tuple[tuple[int, int], float | None, list[WatchedZone]] | None = None
-    """What was found, with the version of the path and the zones it was found for."""
+    """Cached next crossing: version of the path, time [s] (None if none), crossed zones."""
 
     def add(self, zone: WatchedZone, now_s: float) -> float:
-        """Watch a zone; what holds at once is told at once. Returns its number."""
+        """Watch a zone; report at once if the arm is in it. Returns its number."""
         number = float(max(self._zones, default=0.0) + 1.0)
         self._zones[number] = zone
         self._begin(zone, now_s)
@@ -66,7 +66,7 @@ class WorldZoneTable:
         """Switch a zone on or off.
 
         Raises:
-            KeyError: If there is none.
+            KeyError: If the zone does not exist.
         """
         zone = self._zones[number]
         if enabled and not zone.enabled:
@@ -79,10 +79,10 @@ class WorldZoneTable:
                 zone.crossed(False, now_s)
 
     def free(self, number: float) -> None:
-        """Forget a zone.
+        """Remove a zone.
 
         Raises:
-            KeyError: If there is none.
+            KeyError: If the zone does not exist.
         """
         del self._zones[number]
         self._next = None
@@ -106,21 +106,21 @@ class WorldZoneTable:
         return self._next[1]
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
-        """Do what the next crossing stands for; see `event_source.EventSource`."""
+        """Report the next crossing to its zones; see `event_source.EventSource`."""
         del until_s
         time_s = self.next_s()
         assert time_s is not None
         assert self._next is not None
         crossed = self._next[2]
         self._looked_to_s, self._next = time_s, None
-        # Not looked at again: at the border a single instant is rounded otherwise than many.
+        # Not evaluated again: at the border a single instant is rounded differently from many.
         for zone in crossed:
             zone.inside = not zone.inside
             zone.crossed(zone.inside, max(time_s, passed_s))
         return time_s
 
     def advance_to(self, time_s: float) -> None:
-        """Look only at what comes after a time [s]."""
+        """Restrict the search to times after a time [s]."""
         self._looked_to_s = max(time_s, self._looked_to_s)
 
     def _begin(self, zone: WatchedZone, now_s: float) -> None:
@@ -132,7 +132,7 @@ class WorldZoneTable:
             zone.crossed(True, now_s)
 
     def _crossing(self, zone: WatchedZone, preview: Trajectory) -> float | None:
-        """The first time [s] after the last look at which being in a zone changes."""
+        """Next time [s] at which the arm enters or leaves a zone; None if it does not."""
         looks = _sample_times(preview, self._looked_to_s, min(preview.duration, self.limit_s))
         for begin in range(1, len(looks), _LOOKS):
             self.check_deadline()
@@ -170,14 +170,14 @@ def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
         return np.zeros(0)
     cells = min(int((end_s - start_s) / _LOOK_S) + 1, _COARSE)
     times = np.linspace(start_s, end_s, cells + 1)
-    # Where the arm makes no way, or hardly any, for long, nothing in between need be looked at.
+    # If the arm hardly moves for long, no samples between are needed.
     ways, widths = np.diff(preview.place_at(times)), np.diff(times)
     times = _divided(times, np.where(ways > LOOK_M, np.ceil(widths / _LOOK_S), 1))
     return _divided(times, np.ceil(np.diff(preview.place_at(times)) / LOOK_M))
 
 
 def _divided(times: Array, counts: Array) -> Array:
-    """Times (k,) with each stretch between two divided into so many (k - 1,), at least one."""
+    """Times (k,) with each interval divided into counts (k - 1,) parts, at least one."""
     whole = np.maximum(counts, 1).astype(int)
     since = np.arange(whole.sum()) - np.repeat(np.cumsum(whole) - whole, whole)
     divided: Array = np.repeat(times[:-1], whole) + since * np.repeat(np.diff(times) / whole, whole)
