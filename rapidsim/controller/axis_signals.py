@@ -18,9 +18,9 @@ from rapidsim.values import value_class
 _MEAN_OVER_S = 0.004
 """Signals sampled more often than this [s] read as a mean over it."""
 _SHORTEST_S = 0.0005
-"""Interval [s] of samples that a program gives as 0."""
+"""Interval [s] of samples for which a program specifies 0."""
 _SPEED_OVER_S = 1e-3
-"""A speed is the change of a position in this time [s]."""
+"""A speed is the change of a position over this time [s]."""
 _ROUNDING_S = 1e-9
 
 

@@ -1,6 +1,6 @@
-"""The virtual controller of one task: its clock, and one concern for each thing a program may ask.
+"""The virtual controller of one task: its clock, and one concern for each service to programs.
 
-Each concern has its file here and is given what it uses; what tasks share is the `Cell`.
+Each concern is a module here and gets what it uses at construction; tasks share the `Cell`.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class VirtualController:
-    """The controller of one task as a run sees it; the program of the task sees `concerns`."""
+    """The controller of one task, for runs; the program of the task uses only `concerns`."""
 
     clock: TaskClock
     execution: TaskExecution
@@ -77,13 +77,13 @@ def virtual_controller(
     """The controller of a task at time zero.
 
     Args:
-        cell: What the task shares with others.
+        cell: State shared with other tasks.
         unit: The robot; one that never moves if the task has none.
         resolver: Makes segments of moves.
-        journal: Where the task reports what happens.
-        place: Where the program pointer stands.
+        journal: Record of the task.
+        place: Place of the program pointer.
         has_robot: Whether the task moves the robot.
-        queue: Its message queue; None if nothing describes it.
+        queue: Settings of its message queue; None for the defaults.
     """
     state, table = MotionState(), InterruptTable()
     cell.error_listeners.append(table)

@@ -1,7 +1,7 @@
-"""Cyclic bools: persistents, and outputs beside them, that follow a condition.
+"""Cyclic bools: persistents, optionally with outputs, that follow a condition.
 
-A controller looks every 12 ms; here they follow at the instant a signal changes, and where the
-condition looks at persistents, when the program next moves, waits, reads or writes.
+A controller evaluates it every 12 ms; here they follow at the instant a signal changes, and, for
+conditions on persistents, when the program next moves, waits, reads or writes.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SetupCyclicBool".
 """
@@ -34,10 +34,10 @@ class TaskCyclicBools:
     cell: Cell
     _bools: dict[str, _CyclicBool] = field(default_factory=dict)
     _updates: bool = False
-    """Set while conditions are evaluated: what they change may be what they look at."""
+    """Whether conditions are being evaluated: their results may be among their inputs."""
 
     def __post_init__(self) -> None:
-        """Listen to signals, and to what the program does."""
+        """Listen to signals and to the statements of the program."""
         self.cell.listeners.append(self)
         self.clock.observers.append(self.update)
 
@@ -59,7 +59,7 @@ class TaskCyclicBools:
         return tuple(one.name for one in self._bools.values())
 
     def listens_to(self, signal: str) -> bool:
-        """True: any signal may be one that a condition reads."""
+        """Whether any cyclic bool is set up: any signal may be one that a condition reads."""
         del signal
         return bool(self._bools)
 
@@ -69,7 +69,7 @@ class TaskCyclicBools:
         self._follow(now_s)
 
     def update(self) -> None:
-        """Update after what the program has changed."""
+        """Update after a statement of the program."""
         if self._bools and self.clock.is_known:
             self._follow(self.clock.resolve_time())
 

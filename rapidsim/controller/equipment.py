@@ -1,4 +1,4 @@
-"""The equipment of one task: its mechanical units, and what the cell has for all tasks."""
+"""Equipment of one task: its mechanical units, and the devices of the cell for all tasks."""
 
 from __future__ import annotations
 
@@ -65,12 +65,12 @@ class TaskEquipment:
         )
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
-        """The instances of a type, as they are now."""
+        """Current instances of a type; None if there is no such type."""
         self.clock.synchronise()
         return self.cell.parameters.instances(domain, of)
 
     def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
-        """Change an attribute, for whoever reads it later."""
+        """Change an attribute, for later reads."""
         self.clock.synchronise()
         self.cell.parameters.change(domain, of, number, attribute, value)
         self.clock.notify_tasks()

@@ -1,4 +1,4 @@
-"""What happens by itself while time passes, as a task's clock sees it."""
+"""Sources of timed events that a task's clock dispatches."""
 
 from __future__ import annotations
 
@@ -6,29 +6,29 @@ from typing import Protocol
 
 
 class EventSource(Protocol):
-    """Something that falls due while a task passes time."""
+    """A source of events that fall due while a task passes time."""
 
     @property
     def on_path(self) -> bool:
-        """Whether asking for the next one plans the path of the robot."""
+        """Whether reading the time of the next event plans the path of the robot."""
         ...
 
     def next_s(self) -> float | None:
-        """When the next falls due [s]; None if none does."""
+        """Time [s] of the next event; None if there is none."""
         ...
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
-        """Carry out the next one.
+        """Dispatch the next event.
 
         Args:
-            passed_s: Everything before this time [s] is over.
-            until_s: It is due by then.
+            passed_s: Time [s] before which all is over.
+            until_s: Time [s] by which the event is due.
 
         Returns:
-            When it has ended [s]: a trap takes time.
+            Time [s] at which the event has ended: a trap takes time.
         """
         ...
 
     def advance_to(self, time_s: float) -> None:
-        """Take note that time has passed up to here [s]."""
+        """Note that time has passed up to `time_s` [s]."""
         ...

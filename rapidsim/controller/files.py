@@ -1,4 +1,4 @@
-"""One task's way to the home folder and to the tables of texts, which all tasks share."""
+"""Access of one task to the home folder and to the text tables, which all tasks share."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class FileAccess:
         return file
 
     def close_all(self) -> None:
-        """Close what the task left open."""
+        """Close the files that the task has open."""
         self.cell.home.close_all(owner=self)
 
     def read_module(self, path: str, most: int) -> Source:
@@ -52,7 +52,7 @@ class FileAccess:
         self.clock.event(EventKind.FILE, f"copied {old} to {new}", path=new)
 
     def rename_file(self, old: str, new: str) -> None:
-        """Give a file of the home folder another name."""
+        """Rename a file of the home folder."""
         self.cell.home.rename(old, new)
         self.clock.event(EventKind.FILE, f"renamed {old} to {new}", path=new)
 
@@ -76,19 +76,19 @@ class FileAccess:
         return self.cell.home.names_in(path)
 
     def is_folder(self, path: str) -> bool:
-        """Whether a folder is there."""
+        """Whether a folder exists."""
         return self.cell.home.is_folder(path)
 
     def file_size(self, path: str) -> int | None:
-        """Size of a file [bytes]; None if there is none."""
+        """Size of a file [bytes]; None if it does not exist."""
         return self.cell.home.size(path)
 
     def written_s(self, path: str) -> float | None:
-        """When a file was written [s]."""
+        """Time [s] at which the run wrote a file, 0 if it did not; None if it does not exist."""
         return self.cell.home.written_s(path)
 
     def loaded_s(self, path: str) -> float:
-        """When a loaded program file had been written [s]."""
+        """Time [s] at which the run wrote a program file before loading it, 0 if it did not."""
         return self.cell.home.loaded_s(path)
 
     def bytes_in(self, path: str) -> int:
@@ -109,15 +109,15 @@ class TaskTexts:
         self.cell.texts.install(name, texts)
 
     def text_table(self, name: str) -> int | None:
-        """The number of a table of texts; None if there is none of that name."""
+        """Number of a text table; None if no table has that name."""
         self._see_others()
         return self.cell.texts.number(name)
 
     def table_text(self, table: float, index: float) -> str | None:
-        """A text of a table; None if there is none of those numbers."""
+        """Text of a table; None if it does not exist."""
         return self.cell.texts.text(table, index)
 
     def _see_others(self) -> None:
-        """Catch up with what other tasks have installed by now."""
+        """Synchronise with other tasks, which may have installed texts."""
         if self.cell.is_shared:
             self.clock.synchronise()

@@ -1,7 +1,7 @@
 """Externally guided motion of one task: identities, and the robot guided by a sensor.
 
-A guidance advances by one cycle at a time, whatever the program does meanwhile, and takes what the
-sensor has said at instants of virtual time. Who the sensor is, `cell.sensors` knows.
+A guidance advances one cycle at a time, independent of the program, and uses the sensor's answers
+at instants of virtual time. `cell.sensors` provides the sensors.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ from rapidsim.motion.trajectory.corrected_section import CorrectedSection
 from rapidsim.values import value_class
 
 MOST_IDENTITIES: Final = 4
-"""The most identities of a task at one time; from memory of ABB's documents."""
+"""Maximum number of identities of a task at one time; from memory of ABB's documents."""
 
 
 @value_class(slots=True, eq=False)
@@ -67,16 +67,16 @@ class TaskGuidance:
     _identities: dict[int, SensorIdentity] = field(default_factory=dict)
     _active: ActiveGuidance | None = None
     _correcting: ActivePathCorrection | None = None
-    """The sensor that corrects the path, until the robot leaves it."""
+    """The correction of the path by a sensor; None once the robot has left the path."""
     _puts: bool = False
-    """Whether a move is being put on a corrected path."""
+    """Whether a move is being appended to a corrected path."""
     _last: tuple[SensorIdentity, EndReason] | None = None
-    """Whose guidance ended last, and how, until the program has asked."""
+    """Identity and end of the last guidance, until the program has read it; else None."""
 
-    # What a program asks.
+    # Requests of the program.
 
     def connect(self) -> int:
-        """A new identity."""
+        """Create an identity."""
         number = next(n for n in range(1, MOST_IDENTITIES + 2) if n not in self._identities)
         if number > MOST_IDENTITIES:
             raise NotAllowed(
@@ -97,7 +97,7 @@ class TaskGuidance:
         one.sensor, one.state = self._sensor(setup), CONNECTED
 
     def activate(self, identity: int, activation: Activation) -> None:
-        """Set what the sensor's goals mean."""
+        """Set the meaning of the sensor's goals."""
         purpose = Purpose.JOINT if activation.frames is None else Purpose.POSE
         one, setup = self._connected(identity)
         if setup.purpose is not purpose:
@@ -129,7 +129,7 @@ class TaskGuidance:
             self._await(one)
 
     def activate_path(self, identity: int, sample_s: float) -> None:
-        """Set how often the sensor corrects a path."""
+        """Set the period [s] at which the sensor corrects a path."""
         one, setup = self._connected(identity)
         if setup.purpose is not Purpose.PATH_CORRECTION:
             raise NotAllowed(r"EGMSetupUC has not set this EGM identity up with \PathCorr")
@@ -164,7 +164,7 @@ class TaskGuidance:
             self._pause(correcting)
 
     def await_condition(self, identity: int) -> None:
-        """Wait until the guided robot has arrived."""
+        """Wait until the guided robot has reached its end condition."""
         one, _ = self._connected(identity)
         self.clock.note_line()
         self.clock.synchronise()
@@ -217,7 +217,7 @@ class TaskGuidance:
         return DISCONNECTED if one is None else one.state
 
     def forget_all(self) -> None:
-        """The program is unloaded: close all connections to sensors."""
+        """Close all connections to sensors, because the program is unloaded."""
         self._settle()
         if self.unit.solo_queue.corrected is not None:
             self.unit.solo_queue.corrected.settle()
@@ -229,7 +229,7 @@ class TaskGuidance:
     # Its cycles: implements `event_source.EventSource`.
 
     def next_s(self) -> float | None:
-        """When the next cycle is [s]."""
+        """Time [s] of the next cycle; None if there is none."""
         self._settle()
         streams = (stream.next_s for _, stream in self._streams())
         under_way_s = math.inf if self._active is None else self._active.next_s
@@ -237,7 +237,7 @@ class TaskGuidance:
         return None if math.isinf(next_s) else next_s
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
-        """Carry out a cycle or a sample, or tell a sensor where the robot is."""
+        """Carry out a cycle or a sample, or send the robot's position to a sensor."""
         del until_s
         under_way, corrected_s = self._active, self._corrected_s()
         due_s = min(corrected_s, math.inf if under_way is None else under_way.next_s)
@@ -254,9 +254,9 @@ class TaskGuidance:
         return self._cycle(under_way)
 
     def advance_to(self, time_s: float) -> None:
-        """Cycles keep their times."""
+        """Do nothing: cycles keep their times."""
 
-    # Within.
+    # Implementation.
 
     def _streams(self) -> list[tuple[SensorIdentity, SensorStream]]:
         """The streams in order of time, without that of the sensor that guides the robot."""
@@ -326,13 +326,13 @@ class TaskGuidance:
         return self._correcting is not None and self._correcting.identity is identity
 
     def _corrected_s(self) -> float:
-        """When the next sample of a correction is [s]; infinite if none is."""
+        """Time [s] of the next sample of a correction; infinite without a correction."""
         if self._correcting is None or not self._correcting.runs:
             return math.inf
         return self._correcting.next_s
 
     def _correction_of(self, identity: SensorIdentity, move: Move) -> ActivePathCorrection:
-        """The correction of the path that a move is put on; a new one if it begins here."""
+        """The correction of the path to which a move is appended; a new one if it begins here."""
         queue = self.unit.solo_queue
         external = queue.end.external
         frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
@@ -365,7 +365,7 @@ class TaskGuidance:
         return correcting
 
     def _sample(self, passed_s: float) -> float:
-        """Correct the path up to the next sample; the time [s] of this one."""
+        """Correct the path up to the next sample; return the time [s] of this one."""
         correcting = self._correcting
         assert correcting is not None
         ended, now_s = correcting.sample(passed_s), max(passed_s, correcting.told_s)
@@ -378,7 +378,7 @@ class TaskGuidance:
         return now_s
 
     def _stop_on_path(self, correcting: ActivePathCorrection) -> None:
-        """Stop on a path that is no longer corrected, and drop the rest of it."""
+        """Stop on a path whose correction has failed, and discard the rest of it."""
         queue = self.unit.solo_queue
         rest_s = queue.halt(correcting.told_s)
         self.clock.go_to(max(queue.trajectory.seen_s(rest_s), correcting.rest()))
@@ -388,14 +388,14 @@ class TaskGuidance:
         correcting.identity.state, self._correcting = CONNECTED, None
 
     def _pause(self, correcting: ActivePathCorrection) -> None:
-        """The robot has reached a stop point of its path."""
+        """Handle the stop of the robot at a stop point of its path."""
         if correcting.runs:
             self.clock.pass_time(max(self.clock.resolve_time(), correcting.rest()))
             correcting.last_word(Guided.STOPPED)
         correcting.identity.state = CONNECTED
 
     def _end_correction(self) -> None:
-        """Let the robot finish a corrected path, and stay beside it."""
+        """Let the robot finish a corrected path, and keep its offset."""
         correcting = self._correcting
         if correcting is None:
             return
@@ -420,7 +420,7 @@ class TaskGuidance:
         return self._active is not None and self._active.identity is identity
 
     def _settle(self) -> None:
-        """Take note that the guidance has ended, here or because the robot was stopped."""
+        """Record that the guidance has ended, by itself or because the robot was stopped."""
         under_way = self._active
         if under_way is None or self.unit.solo_queue.guided is under_way:
             return

@@ -1,7 +1,7 @@
-"""Axes that move on their own time: turntables and conveyors beside the path of the robot.
+"""Independent axes: turntables and conveyors that do not follow the path of the robot.
 
-An axis keeps its own speed and acceleration, the moves of the path leave it out. Only its time is
-simulated: path and recording show it standing where it was.
+An axis keeps its own speed and acceleration; the moves of the path do not include it. Only its
+timing is simulated: path and recording show it at its position before.
 
 Source: Application manual Controller software, "Independent Axes".
 """
@@ -21,41 +21,41 @@ class IndependentAxisState:
     acceleration: float
     """[deg/s2 or mm/s2]"""
     turns: bool = True
-    """Whether it turns; else it slides."""
+    """Whether the axis is rotating; otherwise it is linear."""
     is_independent: bool = False
     _phases: list[tuple[float, float, float, float]] = field(default_factory=list)
-    """From when [s], where, how fast and with which acceleration; the last goes on for ever."""
+    """Time of the start [s], position, speed and acceleration; the last has no end."""
     _target: float | None = None
     _wanted_speed: float = 0.0
 
     def take(self, position: float, now_s: float) -> None:
-        """Let it be independent, standing where it is."""
+        """Make the axis independent, at rest at its position."""
         if not self.is_independent:
             self.is_independent = True
             self._phases = [(now_s, position, 0.0, 0.0)]
 
     def release(self) -> None:
-        """Let the path move it again."""
+        """Make the axis follow the path again."""
         self.is_independent = False
 
     def position(self, now_s: float) -> float:
-        """Where it is."""
+        """Position at a time [s]."""
         return self._at(now_s)[0]
 
     def speed(self, now_s: float) -> float:
-        """How fast it moves, negative backwards."""
+        """Speed at a time [s], negative backwards."""
         return self._at(now_s)[1]
 
     def is_at_target(self, now_s: float) -> bool:
-        """Whether it stands where it was sent; one without a target never does."""
+        """Whether the axis rests at its target; always False without a target."""
         return self._target is not None and now_s >= self._phases[-1][0]
 
     def has_speed(self, now_s: float) -> bool:
-        """Whether it moves at the speed that was asked for."""
+        """Whether the axis moves at the requested speed."""
         return abs(abs(self.speed(now_s)) - abs(self._wanted_speed)) < _HARDLY
 
     def move_to(self, target: float, speed: float, acceleration: float, now_s: float) -> None:
-        """Go to a position and stay there."""
+        """Move to a position and stay there."""
         position, velocity = self._at(now_s)
         self._target, self._wanted_speed = target, speed
         self._phases = []
@@ -80,7 +80,7 @@ class IndependentAxisState:
         self._phases.append((time_s, target, 0.0, 0.0))
 
     def move_at(self, speed: float, acceleration: float, now_s: float) -> None:
-        """Turn on and on, or stop with a speed of 0."""
+        """Move indefinitely at a speed, or stop with a speed of 0."""
         position, velocity = self._at(now_s)
         self._target, self._wanted_speed = None, speed
         self._phases = []
@@ -97,7 +97,7 @@ class IndependentAxisState:
     def _change(
         self, time_s: float, position: float, begin: float, end: float, acceleration: float
     ) -> tuple[float, float]:
-        """Go from one speed to another; when and where that is over."""
+        """Add a change of speed; return the time and the position of its end."""
         takes_s = abs(end - begin) / acceleration
         self._phases.append((time_s, position, begin, math.copysign(acceleration, end - begin)))
         return time_s + takes_s, position + (begin + end) / 2.0 * takes_s

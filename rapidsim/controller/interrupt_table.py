@@ -1,6 +1,6 @@
-"""Interrupt numbers, what they are connected to, what raises them, and which are due.
+"""Interrupt numbers with their traps, their orders, and the queue of raised interrupts.
 
-Interrupts that are raised wait in a queue and are served in the order in which they came.
+Raised interrupts wait in a queue and are served in the order in which they were raised.
 
 Source: Technical reference manual RAPID Overview, "Interrupts".
 """
@@ -24,11 +24,11 @@ MIN_TIMER_PERIOD_S = 0.1
 MIN_TIMER_SINGLE_S = 0.01
 """The shortest time that ITimer accepts if it fires once."""
 MOST_CONNECTED = 100
-"""The most interrupts that a task may define at one time."""
+"""Maximum number of interrupts that a task may define at one time."""
 LONGEST_QUEUE = 1000
-"""The most interrupts that may wait for their traps."""
+"""Maximum number of interrupts that may wait for their traps."""
 MOST_AT_ONCE = 10_000
-"""The most traps that may run without any time passing."""
+"""Maximum number of traps that may run without any time passing."""
 
 
 @value_class(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class Due:
     trap: Callable[[], None]
     trap_name: str
     is_trap: bool = True
-    """Not a procedure that runs at a place of the path."""
+    """Whether it is a trap, not a procedure that runs at a place of the path."""
     cause: LoggedError | None = None
     """The entry of the event log that raised it."""
 
@@ -53,21 +53,21 @@ class _Connection:
     safe: bool = False
     r"""It was ordered with \SingleSafe and cannot be put to sleep."""
     next_s: float | None = None
-    """When a timer fires next."""
+    """Time [s] at which a timer fires next."""
     period_s: float | None = None
     signal: str | None = None
     """Folded name of the signal whose change may raise the interrupt."""
     matches: Callable[[float], bool] = bool
-    """Whether a change to a given value does."""
+    """Whether a change of the signal to a value raises the interrupt."""
     persistent: Reference[object] | None = None
     """The persistent whose change raises the interrupt."""
     seen: object = None
-    """Its value when it was last looked at."""
+    """Its value when it was last checked."""
     single: bool = False
     wanted: Callable[[LoggedError], bool] | None = None
     """Whether an entry of the event log raises the interrupt."""
     message: MessageKind | None = None
-    """Messages of which kind raise it."""
+    """Type of the messages that raise it."""
 
     @property
     def ordered(self) -> bool:
@@ -89,7 +89,7 @@ class InterruptTable:
     is_on_hold: bool = False
     """Whether IDisable is in effect: interrupts wait until IEnable."""
     watches: bool = False
-    """Whether any persistent must be looked at."""
+    """Whether any persistent must be checked for changes."""
     _connections: dict[float, _Connection] = field(default_factory=dict)
     _queue: list[Due] = field(default_factory=list)
     _last_number: int = 0
@@ -152,7 +152,7 @@ class InterruptTable:
         self.watches = True
 
     def order_logged(self, number: float, wanted: Callable[[LoggedError], bool]) -> None:
-        """Raise an interrupt when an entry that is wanted comes into the event log.
+        """Raise an interrupt when a wanted entry is added to the event log.
 
         Raises:
             RapidError: If the interrupt is not connected or has an order already.
@@ -174,7 +174,7 @@ class InterruptTable:
         self._find_free(number).message = kind
 
     def message_received(self, message: Message, now_s: float) -> bool:
-        """Raise the interrupts that wait for such a message; returns whether there are any."""
+        """Raise the interrupts that wait for such a message; return whether there are any."""
         waiting = [
             (number, one)
             for number, one in self._connections.items()
@@ -197,7 +197,7 @@ class InterruptTable:
                 self._raise(number, connection, now_s)
 
     def raise_changed(self, now_s: float) -> None:
-        """Raise the interrupts whose persistents have changed since the last look."""
+        """Raise the interrupts whose persistents have changed since the last check."""
         for number, connection in self._connections.items():
             if connection.persistent is None:
                 continue
@@ -251,7 +251,7 @@ class InterruptTable:
         return any(c.signal == signal.lower() for c in self._connections.values())
 
     def next_due_s(self) -> float | None:
-        """Time [s] at which the next interrupt comes; None while none can."""
+        """Time [s] at which the next interrupt is due; None if none can be."""
         if self.is_on_hold:
             return None
         times = [c.next_s for c in self._connections.values() if c.next_s is not None]
@@ -279,12 +279,12 @@ class InterruptTable:
     def discard_while_stopped(
         self, waited: tuple[Due, ...], since_s: float, until_s: float
     ) -> None:
-        """The program was stopped for a while: interrupts of that time are lost, unless safe.
+        """Discard the interrupts raised while the program was stopped, except safe ones.
 
         Args:
             waited: The interrupts that waited when it stopped.
-            since_s: When that was [s].
-            until_s: When it continued [s].
+            since_s: Time [s] at which it stopped.
+            until_s: Time [s] at which it continued.
         """
         safe = {number for number, one in self._connections.items() if one.safe}
         kept = {id(one) for one in waited}
@@ -301,7 +301,7 @@ class InterruptTable:
         self._update_watches()
 
     def _take(self, time_s: float) -> Due:
-        """The interrupt that is due at a time: one that was raised goes before a timer."""
+        """The interrupt that is due at a time: a raised one precedes a timer."""
         if self._queue and self._queue[0].time_s <= time_s:
             return self._queue.pop(0)
         number, connection = next(
@@ -335,7 +335,7 @@ class InterruptTable:
         self.watches = any(c.persistent is not None for c in self._connections.values())
 
     def _count(self, due: Due) -> None:
-        """Watch for traps that raise themselves."""
+        """Detect traps that raise themselves."""
         self._at_once = self._at_once + 1 if due.time_s <= self._last_s else 0
         self._last_s = max(due.time_s, self._last_s)
         if self._at_once > MOST_AT_ONCE:

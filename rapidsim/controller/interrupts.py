@@ -33,22 +33,22 @@ class TaskInterrupts:
     _cause: LoggedError | None = None
 
     def __post_init__(self) -> None:
-        """Traps cannot be run until the interpreter says how."""
+        """Install a placeholder for calls; the interpreter replaces it."""
         self.call_procedure: Callable[[str], None] = _no_procedure
 
     def next_s(self) -> float | None:
-        """When the next is due [s]; no trap interrupts a trap."""
+        """Time [s] at which the next is due; no trap interrupts a trap."""
         return None if self.in_trap else self.table.next_due_s()
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
-        """Run the trap of the next; see `event_source.EventSource`."""
+        """Run the trap of the next interrupt; see `event_source.EventSource`."""
         due = self.table.take_due(until_s)
         return (
             passed_s if due is None else self.clock.run_handler(due.time_s, lambda: self._run(due))
         )
 
     def advance_to(self, time_s: float) -> None:
-        """Interrupts wait until they are served."""
+        """Do nothing: interrupts wait until they are served."""
 
     def connect(self, trap: Callable[[], None], trap_name: str) -> float:
         """Book an interrupt number for a trap routine."""
@@ -81,7 +81,7 @@ class TaskInterrupts:
         self.table.order_persistent(interrupt, data, single=single)
 
     def order_logged(self, interrupt: float, wanted: Callable[[LoggedError], bool]) -> None:
-        """Raise an interrupt each time an entry that is wanted comes into the event log."""
+        """Raise an interrupt each time a wanted entry is added to the event log."""
         self.clock.resolve_time()
         self.table.order_logged(interrupt, wanted)
 

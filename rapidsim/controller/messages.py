@@ -1,4 +1,4 @@
-"""One task's message queue, and sending to others."""
+"""Message queue of one task, and sending to other queues."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.language.messages import Message, MessageKind, Slot
 from rapidsim.values import value_class
 
 _SHOWN = 60
-"""Characters of a message that an event shows."""
+"""Number of characters of a message that an event shows."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -46,7 +46,7 @@ class TaskMessages:
         return self.cell.messages.find(name)
 
     def is_open(self, slot: Slot) -> bool:
-        """Whether a queue still exists: a client may have gone."""
+        """Whether a queue still exists: a client may have disconnected."""
         self.clock.synchronise()
         assert isinstance(slot, MessageQueue)
         return slot.is_open
@@ -77,11 +77,11 @@ class TaskMessages:
     def await_answer(
         self, slot: Slot, message: Message, answer: MessageKind, *, max_time: float | None
     ) -> Message | None:
-        """Put a message into a queue and wait for an answer from there; None if none came in time.
+        """Send a message to a queue and wait for its answer; None if none arrives in time.
 
         Raises:
             RapidError: See `send_message`.
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
         self.queue.await_answer(slot, answer)
@@ -99,10 +99,10 @@ class TaskMessages:
             self.queue.forget_answer()
 
     def await_message(self, *, max_time: float | None) -> Message | None:
-        """Take the next message, waiting for it; None if none came in time.
+        """Take the next message, waiting for it; None if none arrives in time.
 
         Raises:
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
         self._wait(
@@ -114,7 +114,7 @@ class TaskMessages:
         return self.next_message()
 
     def next_message(self) -> Message | None:
-        """Take the next message; None if there is none."""
+        """Take the next message; None if the queue is empty."""
         self.clock.synchronise()
         return self.queue.messages.pop(0) if self.queue.messages else None
 

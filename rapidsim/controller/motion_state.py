@@ -1,4 +1,4 @@
-"""The state that lasts from one move of a task to the next."""
+"""State of a task's motion that persists from move to move."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.language.moves import MotionSettings, Move
 
 @dataclass(slots=True, eq=False)
 class MotionState:
-    """The settings of a task's motion, and what its last move used."""
+    """The settings of a task's motion, and the data of its last move."""
 
     settings: MotionSettings = field(default_factory=MotionSettings)
     tool: ToolData = TOOL0
@@ -23,12 +23,12 @@ class MotionState:
     """Whether a search is in progress."""
 
     corrections: dict[int, Pos] = field(default_factory=dict)
-    """What each correction generator that is connected adds to the path [mm]."""
+    """Offset of the path [mm] by each connected correction generator."""
     tool_name: str = "tool0"
     wobj_name: str = "wobj0"
 
     def use(self, move: Move, arguments: Mapping[str, str]) -> None:
-        """Keep the tool and work object of a move, and their names in its call."""
+        """Store the tool and work object of a move, and their names in its call."""
         self.tool, self.wobj = move.tool, move.wobj
         self.tool_name = arguments.get("tool", self.tool_name)
         if "tool" in arguments:

@@ -1,4 +1,4 @@
-"""What one task shows and asks: the FlexPendant, and reports of what is not simulated."""
+"""FlexPendant of one task: output, questions, and reports of unsimulated routines."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class TaskOperator:
 
     @contextmanager
     def asking(self, instruction: str) -> Iterator[None]:
-        """The context in which an instruction asks; its question is withdrawn at the end."""
+        """Context of an instruction that asks; its question is withdrawn at the end."""
         pendant, task = self.cell.pendant, self.journal.task
         if pendant is None:
             yield
@@ -53,7 +53,7 @@ class TaskOperator:
         return pendant is not None and pendant.has_answer(self.journal.task)
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
-        """The operator's answer; None if nobody answers and the question ends by itself."""
+        """Ask the operator for a number; None if the question ends without an answer."""
         return self._put_question(
             prompt,
             lambda there: there.number(prompt, ends=ends),
@@ -62,7 +62,7 @@ class TaskOperator:
         )
 
     def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
-        """Index of the key the operator presses; the first one if nobody answers."""
+        """Ask the operator for a key; return its index, the first key's without an answer."""
         return self._put_question(
             prompt,
             lambda there: there.choice(prompt, choices, ends=ends),
@@ -71,7 +71,7 @@ class TaskOperator:
         )
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
-        """A text the operator types; the proposal if nobody answers."""
+        """Ask the operator for a text; return the proposal without an answer."""
         return self._put_question(
             prompt,
             lambda there: there.text(prompt, proposal, ends=ends),
@@ -86,7 +86,7 @@ class TaskOperator:
         on_pendant: Callable[[Pendant], AnswerValue | None],
         text: Callable[[T], str],
     ) -> T | None:
-        """Ask at a known time; question and answer are an event."""
+        """Ask at a known time; question and answer are recorded as an event."""
         self.clock.resolve_time()
         answer: OperatorAnswer[T] | None
         if self.cell.pendant is None:

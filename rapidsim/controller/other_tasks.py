@@ -1,8 +1,8 @@
-"""One task's access to the others of its cell: waiting for them, asking about them.
+"""Services of one task that involve other tasks of its cell: waiting for and reading them.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "WaitSyncTask",
-"CRobT", "GetTaskName". That a task takes part under the name that stands at the call is our
-reading: a synchronization point is known by the name of its variable.
+"CRobT", "GetTaskName". That the name at the call identifies a synchronization point is our reading:
+the name of its variable.
 """
 
 from __future__ import annotations
@@ -53,32 +53,32 @@ class TaskCoordination:
     neighbours: Mapping[str, TaskCoordination] = field(default_factory=dict)
     """The objects of all tasks of the cell, its own included, by folded name."""
     robot_label: str | None = None
-    """What the station calls its robot; None where it does not say."""
+    """The name of its robot in the station; None if the station has none."""
 
     @property
     def task_number(self) -> int:
-        """Place of the task in the station, from 1."""
+        """Position of the task in the station, from 1."""
         return 1 + list(self.all_tasks()).index(self.task_name.lower())
 
     @property
     def robot_number(self) -> int:
-        """Place of the task's robot among those of the station, from 1; 0 without a robot."""
+        """Position of the task's robot among those of the station, from 1; 0 without a robot."""
         robots = [key for key, one in self.all_tasks().items() if one.has_robot]
         return 1 + robots.index(self.task_name.lower()) if self.has_robot else 0
 
     @property
     def robot_task(self) -> str:
-        """The task whose robot this one refers to: itself, or the first that has one."""
+        """The task whose robot this one uses: itself, or the first task with a robot."""
         with_robot = (one.task_name for one in self.all_tasks().values() if one.has_robot)
         return self.task_name if self.has_robot else next(with_robot, self.task_name)
 
     def robot_of(self, unit: str) -> TaskCoordination | None:
-        """The task whose robot has the name of a mechanical unit."""
+        """The task whose robot has the name of a mechanical unit; None if none has."""
         wanted = unit.lower()
         return next((one for one in self.all_tasks().values() if one._is_called(wanted)), None)
 
     def holder(self, unit: str) -> Holder | None:
-        """Another robot by the name of its mechanical unit, as it is now; see `Holders`."""
+        """Another robot by the name of its mechanical unit, at its current pose; see `Holders`."""
         other = self.robot_of(unit)
         if other is None or other is self:
             return None
@@ -110,10 +110,10 @@ class TaskCoordination:
         max_time: float | None = None,
         in_position: bool = False,
     ) -> bool:
-        """Wait at a synchronization point until given tasks, including this one, have arrived.
+        """Wait at a synchronization point until all listed tasks, including this one, have arrived.
 
         Raises:
-            RapidError: ERR_ARGVALERR, if the task is not among them or others wait for others.
+            RapidError: ERR_ARGVALERR, if the task is not listed or the others list different tasks.
             Stopped: If one of them can never arrive.
         """
         self.clock.note_line()
@@ -123,7 +123,7 @@ class TaskCoordination:
         return self.rendezvous(instruction, name, tasks, max_time) is not None
 
     def joints_of(self, task: str) -> JointTarget:
-        """Where the axes of a task's robot are now.
+        """Current positions of the axes of a task's robot.
 
         Raises:
             RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
@@ -133,7 +133,7 @@ class TaskCoordination:
         return other.resolver.joint_target(reading.joints, reading.external)
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
-        """Where the TCP of a task's robot is now; None takes what its last move used.
+        """Current robtarget of a task's robot; None selects the data of its last move.
 
         Raises:
             RapidError: See `joints_of`.
@@ -156,7 +156,7 @@ class TaskCoordination:
         return other.state.tool, other.state.wobj
 
     def stop_robots(self, *, every: bool, quick: bool) -> None:
-        """Stop the robot that this task watches, or all; returns when they are at rest."""
+        """Stop the robot to which this task refers, or all; returns when they are at rest."""
         self.clock.note_line()
         now_s = rest_s = self.clock.resolve_time()
         for unit in self._observed_robots(every):
@@ -171,7 +171,7 @@ class TaskCoordination:
         self.clock.pass_time(rest_s)
 
     def start_robots(self, *, every: bool) -> None:
-        """Restart the robot that this task watches, or all, but for those their own tasks hold."""
+        """Restart the robot this task refers to, or all, except those held by their own tasks."""
         self.clock.note_line()
         now_s = self.clock.resolve_time()
         for unit in self._observed_robots(every):
@@ -181,13 +181,13 @@ class TaskCoordination:
         self.clock.notify_tasks()
 
     def is_robot_held(self) -> tuple[bool, bool]:
-        """Whether its own task holds the robot, or that which is watched, and whether a watcher."""
+        """Whether its own task holds the robot (own or observed), and whether an observer does."""
         (unit, *_) = self._observed_robots(every=False) or (self.unit,)
         watched = unit.held_by_watcher
         return unit.queue.is_halted and (unit.held_by_task or not watched), watched
 
     def _observed_robots(self, every: bool) -> list[MechanicalUnit]:
-        """The robot that a task without one refers to, or all robots of the cell."""
+        """The robot to which a task without one refers, or all robots of the cell."""
         meant = self.robot_task
         tasks = self.all_tasks().values()
         return [one.unit for one in tasks if one.has_robot and (every or one.task_name == meant)]
@@ -195,7 +195,7 @@ class TaskCoordination:
     def stop_robot(self, time_s: float) -> None:
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
         if self.cell.watchdog.has_ended_the_run:
-            # Stopping would plan what is open, which may be what took too long.
+            # Stopping would plan the open part, which may be the cause of the long run time.
             self.unit.queue.leave()
             return
         with self.unit.ending():
@@ -221,7 +221,7 @@ class TaskCoordination:
                     late = ", ".join(one for one in tasks if one.lower() not in meeting.arrived)
                     raise WaitsForever(f"{instruction} {name} waits for {late}, which never comes")
             wait.ended_by = missing
-        # Those who waited continue in their order, not the last to arrive before them.
+        # Waiting tasks continue in their own order, not after the last to arrive.
         self.clock.synchronise()
         return meeting
 

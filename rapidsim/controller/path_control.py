@@ -1,8 +1,8 @@
 """Stopping the robot on its path, restarting it, and other paths in between.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
-"StartMove", "StorePath", "ClearPath". That a program goes on after StopMove when the robot stands
-is our reading of the examples, which ask for the position right after it.
+"StartMove", "StorePath", "ClearPath". That a program continues after StopMove when the robot is at
+rest is our reading of the examples, which read the position right after it.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class TaskPathControl:
     def fail(self, error: RapidError) -> None:
         """Stop the robot and raise an error where the program waits for it.
 
-        Called by a trap, it is raised at the statement that the trap interrupts.
+        Called by a trap, it raises the error at the statement that the trap interrupts.
         """
         self.stop_move()
         if not self.interrupts.in_trap:
@@ -61,11 +61,11 @@ class TaskPathControl:
         self.clock.fail_later(error)
 
     def start_move(self) -> None:
-        """Restart the robot, and with it those that move together with it.
+        """Restart the robot, and with it the other robots of its team.
 
         Raises:
-            RapidError: ERR_ALRDY_MOVING; ERR_PATHDIST, when it stands too far from where it left
-                its path.
+            RapidError: ERR_ALRDY_MOVING; ERR_PATHDIST, when it is too far from where it left its
+            path.
         """
         self.clock.note_line()
         now_s = self.clock.resolve_time()
@@ -117,7 +117,7 @@ class TaskPathControl:
         """Restore the stored path; the robot continues on it after `start_move`.
 
         Raises:
-            RapidError: ERR_PATH, if none is kept.
+            RapidError: ERR_PATH, if no path is stored.
         """
         self.clock.note_line()
         if self.path_level <= 1.0:

@@ -1,7 +1,7 @@
-r"""Searching: a move on which a signal or a persistent is watched.
+r"""Search instructions: a move during which a signal or a persistent is watched.
 
 A hit is exact: the position is that of the arm at the instant of the flank. A persistent has no
-instant of its own; it is looked at every few milliseconds.
+instant of change; it is read every few milliseconds.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL".
 """
@@ -29,9 +29,9 @@ from rapidsim.motion.timing.braking import PATH_STOP_S, SOFT_STOP_S
 from rapidsim.values import value_class
 
 LOOK_S = 0.012
-"""How often a persistent is looked at."""
+"""Period [s] at which a persistent is read."""
 _AT_START = {Flank.RISING: True, Flank.FALLING: False}
-"""What the value must not be when the search begins."""
+"""Value (as bool) that is an error at the start of the search."""
 _RISING = (Flank.RISING, Flank.ONLY_RISING, Flank.EITHER)
 _FALLING = (Flank.FALLING, Flank.ONLY_FALLING, Flank.EITHER)
 _BRAKES_IN_S = {
@@ -43,7 +43,7 @@ _BRAKES_IN_S = {
 
 @value_class(slots=True)
 class _Watch:
-    """Notes when a value makes the flank that is searched for."""
+    """Records the times at which a value makes the flank of the search."""
 
     signal: str
     flank: Flank
@@ -78,7 +78,7 @@ class TaskSearch:
         flank: Flank,
         stop: SearchStop,
     ) -> RobTarget:
-        """Make a move to a stop point and watch a signal, or a persistent, on the way."""
+        """Make a move to a stop point and watch a signal, or a persistent, during it."""
         arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.target(
             arm.joints[0], arm.external[0], move.tool, move.wobj, self.clock.place
@@ -91,7 +91,7 @@ class TaskSearch:
         flank: Flank,
         stop: SearchStop,
     ) -> JointTarget:
-        """As `search`, but tell where all axes were at the first hit."""
+        """Make a move as `search` does, but return the positions of all axes at the first hit."""
         arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.joint_target(arm.joints[0], arm.external[0])
 
@@ -108,7 +108,7 @@ class TaskSearch:
         flank: Flank,
         stop: SearchStop,
     ) -> float:
-        """Make the move and tell when [s] the first hit was."""
+        """Make the move and return the time [s] of the first hit."""
         signal = stop_condition.lower() if isinstance(stop_condition, str) else ""
         watch = _Watch(signal, flank)
         self.clock.resolve_time()
@@ -153,7 +153,7 @@ class TaskSearch:
     def _watch(
         self, watch: _Watch, stop_condition: Callable[[], float] | str, stop: SearchStop
     ) -> None:
-        """Let the robot move until it stands: at the end, or where a hit stops it."""
+        """Let the robot move until it is at rest: at the end, or where a hit stops it."""
         while self.unit.queue.is_open:
             self.clock.await_restart()
             reached_s = self.unit.queue.trajectory.seen_s(self.unit.queue.close())
@@ -169,7 +169,7 @@ class TaskSearch:
                     return
 
     def _stop_on_path(self, in_s: float) -> None:
-        """Stop on the path within a time [s] and forget the rest of it."""
+        """Stop on the path within a time [s] and discard the rest of it."""
         rest_s = self.unit.queue.halt(self.clock.resolve_time(), in_s)
         self.clock.pass_time(
             max(self.clock.resolve_time(), self.unit.queue.trajectory.seen_s(rest_s))

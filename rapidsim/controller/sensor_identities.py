@@ -1,4 +1,4 @@
-"""What a task knows of its sensors: who they are, and the guidance by one that is under way."""
+"""EGM identities of a task's sensors, and the active guidance by one of them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.values import value_class
 
 @value_class(slots=True, eq=False)
 class SensorIdentity:
-    """What a task knows by an EGM identity."""
+    """State of an EGM identity of a task."""
 
     state: float = DISCONNECTED
     setup: SensorSetup | None = None
@@ -25,7 +25,7 @@ class SensorIdentity:
     sensor: GuidanceSensor | None = None
     activation: Activation | None = None
     sample_s: float | None = None
-    """Of a sensor that corrects paths: how often [s] it does; None before EGMActMove."""
+    """Period [s] at which a sensor corrects paths; None before EGMActMove."""
     stream: SensorStream | None = None
 
 
@@ -39,22 +39,22 @@ class ActiveGuidance:
     section: GuidedSection
     waits: bool
     is_released: Callable[[], None]
-    """Told when nobody guides the robot any more."""
+    """Called when the guidance no longer moves the robot."""
     cycles: int = 0
 
     @property
     def next_s(self) -> float:
-        """Of its next cycle [s]."""
+        """Time [s] of its next cycle."""
         return self.schedule.first_s + self.cycles * CYCLE_S
 
     def step(self, answer: SensorAnswer | None) -> None:
-        """Go on by a cycle."""
+        """Advance by a cycle."""
         self.cycles += 1
         self.run.step(answer)
         self.section.append(self.run.motion.joints, self.run.motion.speed)
 
     def release(self) -> None:
-        """The robot brakes and stands; nobody guides it any more."""
+        """Brake to rest; the guidance ends."""
         self.run.stop(moves_back=False, ramp_out_s=0.0)
         self.run.cancel_return()
         while not self.run.is_over:

@@ -1,6 +1,6 @@
-"""Telling a sensor where a robot is that nobody guides: EGMStreamStart.
+"""Streams of a robot's position to a sensor without guidance: EGMStreamStart.
 
-Nothing of the run hangs on it: the path is looked at, not decided.
+Read-only: a stream never commits the path.
 """
 
 from __future__ import annotations
@@ -25,22 +25,22 @@ from rapidsim.motion.guidance.feedback import Feedback, Frames, Guided, standing
 from rapidsim.motion.trajectory.trajectory import Samples
 
 TELLS_S: Final = 0.020
-"""So often [s] the controller looks where the robot is."""
+"""Period [s] at which the controller reads the robot's position."""
 _AHEAD_S: Final = 0.060
 SPEED_STEP_S: Final = 0.001
-"""[s]; from an instant to the one by which the speed of axes is found."""
+"""Interval [s] over which the speed of axes is computed."""
 
 
 @dataclass(slots=True, eq=False)
 class SensorStream:
-    """A stream that is on."""
+    """An active stream."""
 
     sensor: GuidanceSensor
     sample_s: float
     next_s: float
-    """When the controller looks next [s]."""
+    """Time [s] of the next read of the position."""
     guided: Guided = Guided.NOT_YET
-    """What the sensor is told of guidance meanwhile."""
+    """State of guidance that the sensor receives with the position."""
 
     def send_due(
         self,
@@ -50,7 +50,7 @@ class SensorStream:
         tool: ToolData | None,
         wobj: WobjData | None,
     ) -> None:
-        """Tell what is due."""
+        """Send the positions that are due."""
         now_s, self.next_s = self.next_s, self.next_s + TELLS_S
         begin_s, end_s = (
             (now_s, now_s + _AHEAD_S) if self.sensor.has_lookahead else (now_s - TELLS_S, now_s)
@@ -70,14 +70,14 @@ def feedback_at(
     times: Array,
     guided: Guided,
 ) -> list[Feedback]:
-    """What a sensor is told of a robot on its path at instants (k,) [s].
+    """Feedback to a sensor about a robot on its path at instants (k,) [s].
 
     Args:
-        unit: Whose robot it is.
-        resolver: Likewise.
-        told_in: The frames in which it is told, by where external axes (e,) stand [m or rad].
-        times: Of the words.
-        guided: What is told of guidance.
+        unit: The robot.
+        resolver: Of the robot.
+        told_in: Returns the frames of the feedback for external axes (e,) [m or rad].
+        times: Instants of the feedback.
+        guided: State of guidance in the feedback.
     """
     samples = foreseen(unit.queue).at(np.concatenate([times, times + SPEED_STEP_S]))
     return feedback_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
@@ -91,7 +91,7 @@ def feedback_of(
     count: int,
     guided: Guided,
 ) -> list[Feedback]:
-    """The same of samples: so many, and behind them those `SPEED_STEP_S` later."""
+    """Feedback from samples: `count` of them, followed by those `SPEED_STEP_S` later."""
     now, later = samples.joints[:count], samples.joints[count : 2 * count]
     speeds = np.abs(later - now) / SPEED_STEP_S
     fastest = unit.solo_queue.planner.limits.max_speed[: now.shape[1]]

@@ -15,20 +15,20 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 
 @dataclass(slots=True, eq=False)
 class SignalSensor(SilentSensor):
-    """Says what signals show; implements `sensors.GuidanceSensor`.
+    """Answers with the values of signals; implements `sensors.GuidanceSensor`.
 
-    Of joints [deg], of a pose: x, y, z [mm], then the angles about fixed x, y and z [deg], or of
-    what corrects a path: x, y, z [mm]. What no signal says is where it was when the guidance began.
+    They are joints [deg]; or a pose: x, y, z [mm], then the angles about fixed x, y and z [deg]; or
+    a path correction: x, y, z [mm]. A value without a signal is that at the begin of the guidance.
     """
 
     cell: Cell
     signals: tuple[str, ...]
-    """By name; empty for what none says."""
+    """Names of the signals; empty for values without a signal."""
     purpose: Purpose
     _first: Feedback | None = None
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """What they show now."""
+        """Return the current values of the signals."""
         self._first = first = self._first or feedback
         values = [self.cell.signals.read(name) if name else None for name in self.signals]
         if self.purpose is Purpose.PATH_CORRECTION:
@@ -47,6 +47,6 @@ class SignalSensor(SilentSensor):
         return SensorAnswer(position=position, orientation=orientation)
 
     def end(self, feedback: Feedback) -> None:
-        """The next guidance begins elsewhere."""
+        """Discard the first feedback: the next guidance begins elsewhere."""
         del feedback
         self._first = None

@@ -1,4 +1,4 @@
-"""One task's way to the signals of the cell: reading, writing, waiting."""
+"""Access of one task to the signals of the cell: reading, writing, waiting."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 
 _IDLE_LOOKS = 1000
-"""So often a condition is looked at that nothing can change before the run gives up: it may count
-its looks itself."""
+"""Number of evaluations without any possible change after which a wait gives up: a condition may
+count its evaluations itself."""
 
 
 @dataclass(slots=True, eq=False)
@@ -37,7 +37,7 @@ class TaskSignals:
     _seen: Mapping[str, None] = field(default_factory=dict)
     """The signals that the last condition has read."""
     _saw_time: bool = False
-    """Whether it has read the time."""
+    """Whether the last condition has read the time."""
 
     def read_signal(self, name: str) -> float:
         """The value of a signal now."""
@@ -86,7 +86,7 @@ class TaskSignals:
         """Let virtual time pass until the value of a signal satisfies a condition.
 
         Raises:
-            Stopped: When nothing that is known to happen can ever satisfy it.
+            Stopped: When no known event can ever satisfy it.
         """
         self.clock.note_line()
         now_s = self.clock.synchronise()
@@ -105,7 +105,7 @@ class TaskSignals:
         return True
 
     def _awaited(self, signal: str) -> str:
-        """What the statement that runs wants of a signal, as the program writes it."""
+        """The signal for which the current statement waits, with the value as written."""
         value = self.clock.place.arguments.get("value")
         return signal if value is None else f"{signal} = {value}"
 
@@ -115,7 +115,7 @@ class TaskSignals:
         """Let virtual time pass until a condition holds; False if `max_time` [s] ran out first.
 
         Raises:
-            Stopped: When it looks only at what nothing ever changes.
+            Stopped: When it reads only data that nothing ever changes.
         """
         self.clock.note_line()
         now_s = self.clock.resolve_time()
@@ -141,7 +141,7 @@ class TaskSignals:
         return True
 
     def _holds(self, condition: Callable[[], bool]) -> bool:
-        """Evaluate a condition and note what it looks at; it may call what waits itself."""
+        """Evaluate a condition and record its reads; it may call a routine that waits itself."""
         around, told = self._looked_at, self.clock.time_reads
         seen: dict[str, None] = {}
         self._looked_at = seen
@@ -152,7 +152,7 @@ class TaskSignals:
             self._saw_time = self.clock.time_reads > told
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:
-        """Whether nothing but other tasks, if there are any, could change signals."""
+        """Whether only other tasks, if there are any, could change signals."""
         if self.table.armed or self.unit.queue.trajectory.duration > self.clock.resolve_time():
             return False
         return not any(map(self.cell.may_change, signals))

@@ -23,7 +23,7 @@ class TaskSmartGripper:
 
     @property
     def object_mm(self) -> float | None:
-        """Position [mm] at which closing fingers meet an object; None if it is not known."""
+        """Position [mm] at which closing fingers meet an object; None if it is unknown."""
         return self._fingers.object_mm
 
     @property
@@ -38,7 +38,7 @@ class TaskSmartGripper:
         force_n: float | None = None,
         limit_mm: float | None = None,
     ) -> None:
-        """Change what is given."""
+        """Change the settings that are not None."""
         self.clock.note_line()
         fingers = self._fingers
         fingers.speed_mm_s = fingers.speed_mm_s if speed_mm_s is None else speed_mm_s

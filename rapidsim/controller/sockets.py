@@ -1,4 +1,4 @@
-"""One task's sockets: who is at the other end, and waiting for it in virtual time."""
+"""Sockets of one task: their peers, and waiting for them in virtual time."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _CURE = (
 _STEP_S = 0.01
 """Time [s] for which a task waits for the network before other tasks may send."""
 _SHOWN = 40
-"""Characters of what is sent and received that an event shows."""
+"""Number of characters of sent and received data that an event shows."""
 
 
 @value_class(frozen=True, slots=True)
@@ -41,7 +41,7 @@ class TaskSockets:
     """The sockets for datagrams, each with its real one if the run may use the network."""
 
     def bind_port(self, address: str, port: int) -> Listener:
-        """Take a port: of the network where the run may use it.
+        """Bind a port: of the network if the run may use it.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -71,10 +71,10 @@ class TaskSockets:
         self.clock.notify_tasks()
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
-        """Wait for a client; None if none came in time.
+        """Wait for a client; None if no client connects in time.
 
         Raises:
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
         found: Connection | None = None
@@ -103,11 +103,11 @@ class TaskSockets:
     def connect_socket(
         self, address: str, port: int, *, max_time: float | None
     ) -> Connection | None:
-        """Connect to a server; None if none answered in time.
+        """Connect to a server; None if no server answers in time.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            RapidError: ERR_SOCK_NET_UNREACH if the run may not contact the host. WaitsForever: If
+            the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
         network, sockets = self.cell.network, self.cell.sockets
@@ -160,10 +160,10 @@ class TaskSockets:
             self.clock.notify_tasks()
 
     def await_bytes(self, connection: Connection, count: int, *, max_time: float | None) -> bool:
-        """Wait until so many bytes are there or no more will come; False if time ran out first.
+        """Wait for `count` bytes or the end of the data; False if time ran out first.
 
         Raises:
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
 
@@ -187,7 +187,7 @@ class TaskSockets:
         return there
 
     def close_socket(self, listener: Listener | None, connection: Connection | None) -> None:
-        """Close what a socket was tied to."""
+        """Close the listener and the connection of a socket."""
         now_s = self.clock.synchronise()
         if isinstance(listener, Port):
             self._close_port(listener, now_s)
@@ -202,13 +202,13 @@ class TaskSockets:
         self.clock.notify_tasks()
 
     def open_datagrams(self) -> DatagramPort:
-        """A new socket for datagrams, without a port."""
+        """Open a socket for datagrams, without a port."""
         mailbox = Mailbox()
         self._mailboxes[mailbox] = None
         return mailbox
 
     def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
-        """Give a socket for datagrams a port: of the network too where the run may use it.
+        """Bind a socket for datagrams to a port: of the network, too, if the run may use it.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -227,7 +227,7 @@ class TaskSockets:
         """Send a datagram.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+            RapidError: ERR_SOCK_NET_UNREACH if the run may not contact the host.
         """
         assert isinstance(socket, Mailbox)
         now_s, peer, network = self.clock.synchronise(), f"{address}:{port}", self.cell.network
@@ -252,10 +252,10 @@ class TaskSockets:
             )
 
     def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
-        """Wait for a datagram; None if none came in time.
+        """Wait for a datagram; None if none arrives in time.
 
         Raises:
-            WaitsForever: If the wait has no end and nothing that is known to happen ends it.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         assert isinstance(socket, Mailbox)
         deadline_s = self._deadline(max_time)
@@ -283,7 +283,7 @@ class TaskSockets:
     def _await_network_or_task(
         self, socket: Mailbox, real: NetworkMailbox, deadline_s: float
     ) -> Datagram | None:
-        """Wait in steps that take as long in virtual time as on the computer's clock."""
+        """Wait in steps of the same duration in virtual time and on the computer's clock."""
         instead = "a task waits as long in simulated time as on the computer's clock"
         self.journal.unsimulated("the network", instead, self.clock.place)
         with self.clock.waiting("the network") as wait:
@@ -297,7 +297,7 @@ class TaskSockets:
         return socket.received.popleft() if socket.received else real.receive(0.0)
 
     def close_datagrams(self, socket: DatagramPort) -> None:
-        """Give the port of a socket for datagrams back."""
+        """Release the port of a socket for datagrams."""
         assert isinstance(socket, Mailbox)
         self.clock.synchronise()
         self._close_mailbox(socket)
@@ -310,7 +310,7 @@ class TaskSockets:
             real.close()
 
     def close_all(self, now_s: float) -> None:
-        """Close at a time [s] what the program left open, which ends here."""
+        """Close at a time [s] the sockets that the ending program has open."""
         for mailbox in tuple(self._mailboxes):
             self._close_mailbox(mailbox)
         for one in self._opened:
@@ -332,7 +332,7 @@ class TaskSockets:
         return math.inf if max_time is None else now_s + max_time
 
     def _waited(self, condition: Callable[[], bool], deadline_s: float, in_vain: str) -> bool:
-        """Let time pass until a condition holds; False if the deadline [s] came first."""
+        """Let time pass until a condition holds; False if the deadline [s] is earlier."""
         with self.clock.waiting("the peer of the socket") as wait:
             while not condition():
                 if self.clock.resolve_time() >= deadline_s:
@@ -344,13 +344,13 @@ class TaskSockets:
         return True
 
     def _patience(self, deadline_s: float) -> float | None:
-        """How long the network may take [s]; None for ever."""
+        """Maximum duration [s] of a network call; None for no limit."""
         left_s = min(deadline_s, self.cell.max_time_s) - self.clock.resolve_time()
         left_s = min(left_s, self.cell.watchdog.left_s)
         return None if math.isinf(left_s) else max(0.0, left_s)
 
     def _after_network(self, in_time: bool, deadline_s: float) -> None:
-        """A wait in vain has taken its time; an answer took none."""
+        """Pass the time of a wait without an answer; an answer takes no virtual time."""
         self.journal.unsimulated("the network", "answers take no simulated time", self.clock.place)
         self.cell.watchdog.check()
         if not in_time:

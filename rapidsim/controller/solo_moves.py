@@ -1,4 +1,4 @@
-"""Putting the moves of a task on its robot's own path."""
+"""Appending the moves of a task to its robot's own path."""
 
 from __future__ import annotations
 
@@ -29,21 +29,21 @@ from rapidsim.language.moves import Move, SensorInfluence
 from rapidsim.values import value_class
 
 MAX_CONCURRENT_MOVES = 5
-r"""So many moves with \Conc may follow each other."""
+r"""Maximum number of moves with \Conc in succession."""
 
 
 class EnqueueMove(Protocol):
-    """Puts a move on the path; returns when the program would go on."""
+    """Appends a move to the path; returns when the program may continue."""
 
     def __call__(
         self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
     ) -> None:
-        """Put a move on the path.
+        """Append a move to the path.
 
         Args:
-            move: Where to.
+            move: The move.
             before: Called with the move before the program waits for it.
-            wait: Wait for the stop, where there is one.
+            wait: Whether to wait for the stop, if the move has one.
 
         Raises:
             MoveImpossible: When the end of the move cannot be reached.
@@ -54,7 +54,7 @@ class EnqueueMove(Protocol):
 
 @value_class(frozen=True, slots=True)
 class SoloMoves:
-    """Puts moves on the path of a robot that moves alone."""
+    """Appends moves to the path of a robot that moves alone."""
 
     clock: TaskClock
     unit: MechanicalUnit
@@ -68,7 +68,7 @@ class SoloMoves:
     interrupts: TaskInterrupts
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        """Put a move on the path; see `EnqueueMove`."""
+        """Append a move to the path; see `EnqueueMove`."""
         self.clock.note_line()
         self._count_concurrent(move)
         self._note_level(move)
@@ -124,10 +124,10 @@ class SoloMoves:
             self.keep_up()
 
     def keep_up(self) -> None:
-        """Let interrupts happen on time although the program runs ahead of the robot.
+        """Dispatch interrupts on time although the program runs ahead of the robot.
 
-        Planning after each move would be slow. Nothing is planned until the moves last, at their
-        programmed speeds, until the next interrupt falls due and the arm could stop after it.
+        Planning after each move would be slow. Planning waits until the queued moves last, at their
+        programmed speeds, until the next interrupt is due and the arm could stop after it.
         """
         due_s = self.clock.next_due_s()
         queue = self.unit.queue
@@ -144,14 +144,14 @@ class SoloMoves:
             self.clock.go_to(fixed_s)
 
     def _note_ramp(self, queued: QueuedMove) -> None:
-        """Tell once of a ramp that is higher than that of the moves before, and has to wait."""
+        """Report once a ramp above that of the moves before, which takes effect only later."""
         wanted, kept = self.state.settings.ramp_percent, queued.segment.ramp
         if kept < wanted / 100.0:
             found = RampWaits(wanted, 100.0 * kept)
             self.journal.finding(found, self.clock.place, once=RampWaits)
 
     def _note_level(self, move: Move) -> None:
-        """Tell of a move that a controller wants on a path of its own."""
+        """Report a move that a controller requires to be on a path of its own."""
         if not self.interrupts.in_trap or self.unit.solo_queue.stored:
             return
         place = self.clock.place
@@ -159,7 +159,7 @@ class SoloMoves:
         self.journal.finding(found, place, once=(MoveWithoutStorePath, place.span))
 
     def _count_concurrent(self, move: Move) -> None:
-        r"""Refuse more moves with \Conc in succession than a controller takes.
+        r"""Refuse more moves with \Conc in succession than a controller accepts.
 
         Raises:
             RapidError: ERR_CONC_MAX.

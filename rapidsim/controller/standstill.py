@@ -1,4 +1,4 @@
-"""System outputs that tell whether a robot stands still."""
+"""System outputs for the standstill of a robot."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _ROUNDING_S: Final = 1e-9
 
 
 class StandstillOutputs:
-    """Those of the robot of one task: a `event_source.EventSource`.
+    """Outputs for the robot of one task: a `event_source.EventSource`.
 
     A guided robot moves as long as it is guided.
     """
@@ -28,15 +28,15 @@ class StandstillOutputs:
     def __init__(
         self, unit: MechanicalUnit, cell: Cell, coordination: TaskCoordination, cause: Cause
     ) -> None:
-        """The robot stands, or still comes to rest from what the program before has done."""
+        """Start with a robot at rest, or that still comes to rest after the previous program."""
         self._unit, self._cell, self._others, self._cause = unit, cell, coordination, cause
         self._moves = unit.solo_queue.trajectory.duration > 0.0
         self._stood_s = 0.0
-        """When it last came to rest [s]."""
+        """Time [s] at which it last came to rest."""
 
     @cached_property
     def _signals(self) -> tuple[str, ...]:
-        # Asked when all tasks are known to each other.
+        # Computed late: at construction the tasks do not know each other yet.
         return tuple(
             one.name
             for one in self._cell.declared
@@ -45,27 +45,27 @@ class StandstillOutputs:
         )
 
     def _ends_s(self) -> float:
-        """When the robot stands [s] if nothing more is said."""
+        """Time [s] at which the robot is at rest if no further move is queued."""
         if self._unit.solo_queue.guided is not None:
             return math.inf
         return self._preview().duration
 
     def _preview(self) -> Trajectory:
-        """Motion if no further move is queued; what is fixed of it if a move cannot be made."""
+        """Motion if no further move is queued; its fixed part if a move cannot be made."""
         try:
             return self._unit.queue.preview()
         except MotionError:
             return self._unit.queue.trajectory
 
     def _starts_s(self) -> float:
-        """When it first moves after it last came to rest [s]."""
+        """Time [s] at which the robot first moves after it last came to rest."""
         path = self._preview()
         starts = *(one.start_time for one in path.pieces), *(one.start_s for one in path.guided)
         after = (start_s for start_s in starts if start_s >= self._stood_s - _ROUNDING_S)
         return min(after, default=self._stood_s)
 
     def next_s(self) -> float | None:
-        """When the robot starts or comes to rest [s]; None while nothing is to come."""
+        """Time [s] at which the robot starts or comes to rest; None if neither is planned."""
         if not self._signals:
             return None
         ends_s = self._ends_s()
@@ -81,7 +81,7 @@ class StandstillOutputs:
         return time_s
 
     def program_stopped(self) -> None:
-        """Let the signals tell when the robot has come to rest, though the task looks no more."""
+        """Schedule the signals for when the robot comes to rest, after the task stopped polling."""
         ends_s = self._ends_s() if self._signals else 0.0
         if self._stood_s + _ROUNDING_S < ends_s < math.inf:
             self._cell.happen(ends_s, self._write)
@@ -96,4 +96,4 @@ class StandstillOutputs:
             self._cell.set_signal(self._cause, moment, name, float(not self._moves))
 
     def advance_to(self, time_s: float) -> None:
-        """The path tells when the robot moves."""
+        """Do nothing: the path determines when the robot moves."""

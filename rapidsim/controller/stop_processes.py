@@ -1,7 +1,7 @@
-"""Process signals that a stop of the program sets to zero, and what is noted of them for a restart.
+"""Process signals that a stop of the program sets to zero, and their record for a restart.
 
-Noted is what the signals were when the stop began and when the robot stood; then they are 0. A
-controller notes that they stood some tenths of a second later.
+The record has the values when the stop began and when the robot came to rest; then they are set to
+0. A real controller records the latter values some tenths of a second later.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggStopProc",
 "restartdata".
@@ -24,17 +24,17 @@ _NO_SIGNAL = -1.0
 
 @value_class(frozen=True, slots=True)
 class StopProcess:
-    """What a stop does to the signals of one process."""
+    """Effect of a stop on the signals of one process."""
 
     restart: Reference[RestartData]
     process: tuple[str | None, ...]
-    """A digital output and four groups, each where one is given."""
+    """A digital output and four groups; None for each that was omitted."""
     shadow: str
 
 
 @value_class(slots=True, eq=False)
 class _Stopping:
-    """A stop that has begun; a listener of the cell."""
+    """A stop in progress; a listener of the cell."""
 
     of: StopProcess
     cell: Cell
@@ -43,21 +43,21 @@ class _Stopping:
     flanks: int = 0
 
     def __post_init__(self) -> None:
-        """Note the signals, and listen to the shadow."""
+        """Record the signals, and listen to the shadow signal."""
         self.before = self._values()
         self.cell.listeners.append(self)
 
     def listens_to(self, signal: str) -> bool:
-        """To the shadow signal only."""
+        """Whether it is the shadow signal."""
         return signal.lower() == self.of.shadow.lower()
 
     def signal_changed(self, signal: str, old: float, value: float, now_s: float) -> None:
-        """Count a flank."""
+        """Count a flank of the shadow signal."""
         del signal, old, value, now_s
         self.flanks += 1
 
     def reset_outputs(self, clock: TaskClock, now_s: float) -> None:
-        """Note the signals again at a time [s], and set those of the process to 0."""
+        """Record the signals again at a time [s], and set those of the process to 0."""
         self.cell.listeners.remove(self)
         pairs = zip(self.before, self._values(), strict=True)
         *process, shadow = [(float(old), float(new)) for old, new in pairs]
@@ -76,20 +76,20 @@ class _Stopping:
 
 @value_class(slots=True, eq=False)
 class StopProcesses:
-    """Those of one task."""
+    """The stop processes of one task."""
 
     clock: TaskClock
     cell: Cell
     _processes: list[StopProcess] = field(default_factory=list)
 
     def watch(self, process: StopProcess) -> None:
-        """Act at each stop from now on; one with the same restart data is replaced."""
+        """Act at each stop from now on; a process with the same restart data is replaced."""
         self.clock.resolve_time()
         self._processes = [one for one in self._processes if one.restart is not process.restart]
         self._processes.append(process)
 
     def stop(self, begun_s: float, stood_s: float, *, on_path: bool) -> None:
-        """Act at a stop that has begun, whose robot stands at a time [s]."""
+        """Act at a stop that has begun and whose robot comes to rest at a time [s]."""
         for one in self._processes:
             stopping = _Stopping(one, self.cell, on_path)
             if stood_s > begun_s:

@@ -1,4 +1,4 @@
-r"""Moving together with the robots of other tasks: SyncMoveOn, SyncMoveOff, moves with \ID.
+r"""Synchronized motion with robots of other tasks: SyncMoveOn, SyncMoveOff, moves with \ID.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SyncMoveOn",
 "SyncMoveOff", "SyncMoveSuspend"; Application manual MultiMove.
@@ -41,7 +41,7 @@ _ONE_RAMP = "the lowest ramp since the last stop point counts for all"
 
 @dataclass(slots=True, eq=False)
 class TaskTeam:
-    """Implements `language.tasks.SyncMoves`, and puts the moves of a task on its robot's path."""
+    """Implements `language.tasks.SyncMoves`, and appends a task's moves to its robot's path."""
 
     clock: TaskClock
     unit: MechanicalUnit
@@ -57,16 +57,16 @@ class TaskTeam:
 
     @property
     def team(self) -> tuple[str, ...]:
-        """Names of the tasks that move together, this one among them; empty while it is alone."""
+        """Names of the tasks of the team, this one included; empty while it moves alone."""
         return self.unit.team.tasks if self.unit.team is not None else ()
 
     def sync_move_on(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
     ) -> bool:
-        """Wait for some tasks at a stop point; from there their robots move together.
+        """Wait for some tasks at a stop point; from there their robots form a team.
 
         Raises:
-            RapidError: ERR_ARGVALERR, if the robot moves together with others already; see `meet`.
+            RapidError: ERR_ARGVALERR, if the robot is in a team already; see `meet`.
         """
         if self.team:
             raise rapid_error(
@@ -83,7 +83,7 @@ class TaskTeam:
         return True
 
     def sync_move_off(self, name: str, *, max_time: float | None = None) -> bool:
-        """Wait for the tasks that move together at a stop point; from there each moves alone."""
+        """Wait for the tasks of the team at a stop point; from there each moves alone."""
         self.clock.note_line()
         self.clock.bring_to_rest()
         if self.coordination.rendezvous("SyncMoveOff", name, self.team, max_time) is None:
@@ -92,7 +92,7 @@ class TaskTeam:
         return True
 
     def leave_team(self) -> None:
-        """Let all that move together move alone, without waiting for anybody."""
+        """End the team at once: all its robots move alone, without waiting for other tasks."""
         self.unit.suspended = ()
         team = self.unit.team
         if team is not None:
@@ -112,7 +112,7 @@ class TaskTeam:
             self.unit.suspended = team.tasks
 
     def resume_team(self) -> None:
-        """Move together again."""
+        """Join the suspended team again."""
         if self.unit.suspended:
             tasks, self.unit.suspended = self.unit.suspended, ()
             self.clock.note_line()
@@ -122,7 +122,7 @@ class TaskTeam:
             self._join(meeting, tasks)
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        r"""Put a move on the path, in a team together with those of the others.
+        r"""Append a move to the path, in a team together with the moves of the other tasks.
 
         Raises:
             RapidError: ERR_ARGVALERR, if the task has no robot or the numbers \ID do not agree.
@@ -179,7 +179,7 @@ class TaskTeam:
             self.journal.unsimulated(name, _ONE_RAMP, self.clock.place)
 
     def _in_step(self, team_queue: TeamQueue, move: Move, sync_id: float) -> QueuedMove:
-        """Say a part of the next move of the team and wait until all have said theirs."""
+        """Submit a part of the next move of the team and wait until all parts are submitted."""
         self.clock.note_line()
         lead = self._lead(team_queue, move, sync_id)
         queued = self.resolver.resolve(
@@ -203,13 +203,13 @@ class TaskTeam:
         return queued
 
     def _lead(self, team_queue: TeamQueue, move: Move, sync_id: float) -> CarrierMotion | None:
-        """The robot of the team that carries the work object of a move along, if one does.
+        """Motion of the robot of the team that carries a move's work object; None if none does.
 
-        Where it goes must be known first, so this waits for its task.
+        Its end must be known first, so this waits for its task.
 
         Raises:
-            MoveImpossible: If it waits for this one in turn.
-            WaitsForever: If its task never says.
+            MoveImpossible: If it waits for this one in turn. WaitsForever: If its task never
+            submits its part.
         """
         wobj, team = move.wobj, team_queue.team
         other = None if wobj.ufprog or wobj.robhold else self.coordination.robot_of(wobj.ufmec)
@@ -239,13 +239,13 @@ class TaskTeam:
         )
 
     def _await(self, team: TeamPlanner, ready: Callable[[], bool], sync_id: float) -> None:
-        """Sleep until other tasks have said their parts of the next move.
+        """Wait until other tasks have submitted their parts of the next move.
 
         Raises:
             WaitsForever: If one of them never will.
         """
         others = ", ".join(self._silent(team))
-        # Nobody needs the time where the robots are still on the way that all know.
+        # While the robots are still on a known path, the time need not be resolved.
         waits = self.clock.waiting(others) if self.clock.is_known else nullcontext(ActiveWait())
         with waits as wait:
             while not ready():
@@ -263,12 +263,12 @@ class TaskTeam:
             wait.ended_by = others
 
     def _silent(self, team: TeamPlanner) -> Iterator[str]:
-        """The other tasks that have not said their part of the next move."""
+        """Tasks that have not submitted their part of the next move."""
         own = self.coordination.task_name
         return (t for n, t in enumerate(team.tasks) if t != own and team.submitted(n) is None)
 
     def _join(self, rendezvous: Rendezvous, tasks: Sequence[str]) -> None:
-        """Take the place in the team that some tasks form; the first to come here makes it."""
+        """Join the team that some tasks form; the first of them to arrive creates it."""
         if rendezvous.outcome is None:
             wanted = {name.lower() for name in tasks}
             known = self.coordination.all_tasks().items()

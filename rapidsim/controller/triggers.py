@@ -1,4 +1,4 @@
-"""What happens at places of the path: outputs, interrupts, ramps, procedures.
+"""Actions at places of the path: outputs, interrupts, ramps, procedures.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggIO",
 "TriggCheckIO", "TriggRampAO", "TriggInt", "TriggSpeed".
@@ -32,7 +32,7 @@ from rapidsim.values import value_class
 
 _MM = 1e-3
 RAMP_STEP_S = 0.012
-"""A ramp of an analog output is written in steps of this time."""
+"""Interval [s] at which a ramp of an analog output is written."""
 PROCEDURE_NUMBER = 0.0
 """INTNO of a procedure that runs at a place of the path."""
 
@@ -49,7 +49,7 @@ class Triggers:
     speeds: SpeedOutputs
 
     def mark(self, queued: QueuedMove, triggers: tuple[Trigger, ...]) -> None:
-        """Put the places of triggers on the path of a move."""
+        """Add marks for triggers to the path of a move."""
         for trigger in triggers:
             by_time = trigger.by_time
             self.marks.add(
@@ -64,7 +64,7 @@ class Triggers:
             )
 
     def _action(self, trigger: Trigger) -> Callable[[float], None]:
-        """What a trigger does at its time [s]."""
+        """The action of a trigger, to be called with its time [s]."""
         cause = self.clock.cause()
 
         def act(now_s: float) -> None:
@@ -103,7 +103,7 @@ class Triggers:
         self.interrupts.table.raise_now(check.interrupt, now_s)
 
     def _ramp(self, cause: Cause, ramp: RampOutput, now_s: float) -> None:
-        """Write a ramp step by step: evenly over time, or over the way the robot makes."""
+        """Write a ramp in steps: evenly over time, or over the distance that the robot travels."""
         start = self.cell.signals.read(ramp.signal)
         preview = self.unit.queue.preview()
         here_m = float(preview.place_at(np.array([now_s]))[0])

@@ -1,1 +1,1 @@
-"""What the tasks of a cell share: signals, sockets, files, the operator; what changes by itself."""
+"""State shared by the tasks of a cell: signals, sockets, files, the operator; its timed changes."""

@@ -1,4 +1,4 @@
-"""Cameras of a cell: what each finds in successive pictures.
+"""Scripted cameras of a cell: the results in successive pictures.
 
 Plain data, read from the station file or the file that `--io` names.
 """
@@ -13,7 +13,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class CameraScript:
-    """What a camera finds."""
+    """A camera with its scripted results."""
 
     name: str
     pictures: tuple[tuple[CameraTarget, ...], ...]
@@ -28,7 +28,7 @@ class CameraScript:
 
 @value_class(slots=True, eq=False)
 class CameraState:
-    """A camera while a run lasts; implements `language.cameras.Camera`."""
+    """State of a camera during a run; implements `language.cameras.Camera`."""
 
     script: CameraScript
     name: str

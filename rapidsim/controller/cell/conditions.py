@@ -1,7 +1,7 @@
 """Conditions on signals, as a station file writes them: `doGrip = 1 and not diFault`.
 
-Terms are joined by `and` or by `or`; a station file never mixes them, so that nobody needs to know
-which binds tighter. A signal alone means that it is not 0.
+Terms are joined by `and` or by `or`; a station file never mixes them, so precedence does not
+matter. A signal alone means that it is not 0.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _JOINT = re.compile(r"\s+(and|or)\s+", re.IGNORECASE)
 
 
 class ConditionError(ValueError):
-    """A condition that cannot be read; the text says why."""
+    """A text that is not a valid condition; the message contains the reason."""
 
 
 @value_class(frozen=True, slots=True)
@@ -45,22 +45,22 @@ class Term:
     negated: bool = False
 
     def holds(self, read: Callable[[str], float]) -> bool:
-        """Whether it is true for the values that `read` gives."""
+        """Whether the term is true for the values that `read` returns."""
         return _RELATIONS[self.relation](read(self.signal), self.value) != self.negated
 
 
 @value_class(frozen=True, slots=True)
 class Condition:
-    """Terms and how they are joined."""
+    """Terms with the operators between them."""
 
     text: str
     terms: tuple[Term, ...]
     joints: tuple[str, ...]
-    """`and` or `or` before each term but the first. Neither binds tighter: they are taken from left
-    to right, as a controller evaluates a cross connection."""
+    """`and` or `or` before each term but the first. Both have the same precedence and are evaluated
+    from left to right, as a controller evaluates a cross connection."""
 
     def holds(self, read: Callable[[str], float]) -> bool:
-        """Whether it is true for the values that `read` gives."""
+        """Whether the condition is true for the values that `read` returns."""
         truth = self.terms[0].holds(read)
         for joint, term in zip(self.joints, self.terms[1:], strict=True):
             if truth is (joint == "and"):
@@ -68,7 +68,7 @@ class Condition:
         return truth
 
     def signals(self) -> tuple[str, ...]:
-        """Names of the signals it looks at, as written."""
+        """Names of the signals that the condition reads, as written."""
         return tuple(dict.fromkeys(term.signal for term in self.terms))
 
 

@@ -1,4 +1,4 @@
-"""Conveyors of a cell: the objects that pass, and which one a program has connected to."""
+"""Conveyors of a cell: the objects that pass, and the one to which a program is connected."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ MM_BEHIND = 1e-6
 
 @value_class(frozen=True, slots=True)
 class ConveyorScript:
-    """How objects arrive on a conveyor; plain data, read from the station file."""
+    """Arrival of objects on a conveyor; plain data, read from the station file."""
 
     unit: str
     """Name of its mechanical unit."""
     speed_mm_s: float
     first_s: float
-    """When the first object passes the synchronisation switch."""
+    """Time [s] at which the first object passes the synchronisation switch."""
     every_s: float | None = None
     """Time from one object to the next; None if there is only one."""
     length_mm: float = math.inf
@@ -26,15 +26,15 @@ class ConveyorScript:
 
 @value_class(slots=True, eq=False)
 class ConveyorState:
-    """A conveyor while a run lasts; implements `language.equipment.Conveyor`."""
+    """State of a conveyor during a run; implements `language.equipment.Conveyor`."""
 
     script: ConveyorScript
     is_connected: bool = False
     _next: int = 0
-    """The object that is taken next."""
+    """Index of the object that is taken next."""
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
-        """When the next object will have come that far; None if none ever comes."""
+        """Time [s] at which the next object has travelled a distance; None if there is none."""
         script = self.script
         late_s = (script.length_mm + MM_BEHIND) / script.speed_mm_s
         while (passed_s := self._passes_s()) is not None and passed_s + late_s < now_s:
@@ -46,11 +46,11 @@ class ConveyorState:
         self.is_connected, self._next = True, self._next + 1
 
     def drop(self) -> None:
-        """Let go of the object."""
+        """Release the object."""
         self.is_connected = False
 
     def _passes_s(self) -> float | None:
-        """When the next object passes the switch."""
+        """Time [s] at which the next object passes the switch; None if there is none."""
         every_s = self.script.every_s
         if self._next and every_s is None:
             return None

@@ -1,6 +1,6 @@
-"""Datagrams (UDP) between the program and its peers: scripts, other tasks, and what is outside.
+"""Datagrams (UDP) between the program and its peers: scripts, other tasks, the network.
 
-A datagram arrives at once and as a whole, or not at all: nobody is told of one that is lost.
+A datagram arrives at once and as a whole, or is lost without notice.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ from rapidsim.language.error_numbers import ERR_SOCK_ADDR_INUSE, rapid_error
 from rapidsim.language.sockets import Datagram
 
 MOST_WAITING: Final = 1000
-"""The most datagrams that wait for a program; later ones are lost."""
+"""Maximum number of datagrams that wait for a program; later ones are lost."""
 _OWN_HOST: Final = "127.0.0.1"
 _FIRST_OWN_PORT: Final = 49152
-"""Ports from here on are for sockets that SocketBind gives none."""
+"""First port for sockets without SocketBind."""
 _FIRST_SCRIPT_PORT: Final = 60000
-"""Ports from here on are those of scripts that send first."""
+"""First port of scripts that send first."""
 
 
 @dataclass(eq=False, slots=True)
@@ -36,13 +36,13 @@ class Mailbox:
     """Whether it has sent to a script, which may answer."""
 
     def deliver(self, datagram: Datagram) -> None:
-        """Let a datagram arrive, unless too many wait."""
+        """Deliver a datagram, unless too many wait."""
         if len(self.received) < MOST_WAITING:
             self.received.append(datagram)
 
     @property
     def sender(self) -> str:
-        """Address from which its datagrams come."""
+        """Source address of its datagrams."""
         return _OWN_HOST if self.address in LOCAL else self.address
 
 
@@ -50,15 +50,15 @@ class OutsideDatagrams(Protocol):
     """The network beyond scripts and tasks; see `outside_datagrams`."""
 
     def opened(self, mailbox: Mailbox, *, is_bound: bool) -> None:
-        """A program has a port; `is_bound` if SocketBind has given it."""
+        """Handle a new port of a program; `is_bound` if SocketBind opened it."""
         ...
 
     def closed(self, mailbox: Mailbox) -> None:
-        """A program has given its port back."""
+        """Handle the release of a port by a program."""
         ...
 
     def sent(self, mailbox: Mailbox, address: str, port: int, data: bytes) -> None:
-        """A program has sent a datagram."""
+        """Handle a datagram that a program has sent."""
         ...
 
 
@@ -69,11 +69,11 @@ class _Conversation:
     near: StreamEnd
     mailbox: Mailbox
     address: str
-    """Address of the script, as the program knows it."""
+    """Address of the script, as used by the program."""
     port: int
 
     def answered(self, now_s: float) -> None:
-        """Let what the script has sent arrive as one datagram."""
+        """Deliver all that the script has sent as one datagram."""
         del now_s
         data = bytes(self.near.received)
         self.near.received.clear()
@@ -82,14 +82,14 @@ class _Conversation:
 
 
 class DatagramTable:
-    """The ports of programs for datagrams, and the scripts that talk to them."""
+    """The ports of programs for datagrams, and the scripts that are their peers."""
 
     def __init__(self, scripts: Sequence[SocketScript], schedule: Schedule) -> None:
-        """Let scripts do what they do at the times they say."""
+        """Make the table; scripts act at their own times."""
         self._scripts = tuple(scripts)
         self._schedule = schedule
         self.outside: OutsideDatagrams | None = None
-        """None where only scripts and tasks are there."""
+        """None if the only peers are scripts and tasks."""
         self._mailboxes: dict[int, Mailbox] = {}
         self._conversations: dict[int, _Conversation] = {}
         """By the index of the script."""
@@ -109,7 +109,7 @@ class DatagramTable:
             raise rapid_error(ERR_SOCK_ADDR_INUSE, f"another socket has port {port} already")
 
     def bind(self, mailbox: Mailbox, address: str, port: int, now_s: float) -> None:
-        """Give a mailbox a port; scripts that send to it set out.
+        """Bind a mailbox to a port; scripts that send to it start.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -129,13 +129,13 @@ class DatagramTable:
                 self._schedule(now_s + script.after_s, partial(self._set_out, index, mailbox))
 
     def send(self, mailbox: Mailbox, address: str, port: int, data: bytes, now_s: float) -> bool:
-        """Send a datagram to a script, a task or what is outside.
+        """Send a datagram to a script, a task or the network.
 
         Returns:
-            Whether any of them gets it.
+            Whether any of them receives it.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH for a host that the program may not talk to.
+            RapidError: ERR_SOCK_NET_UNREACH for a host that the program may not contact.
         """
         if not mailbox.port:
             self._give_port(mailbox)
@@ -155,7 +155,7 @@ class DatagramTable:
         return True
 
     def close(self, mailbox: Mailbox) -> None:
-        """Give the port of a mailbox back."""
+        """Release the port of a mailbox."""
         if self._mailboxes.get(mailbox.port) is mailbox:
             del self._mailboxes[mailbox.port]
             if self.outside is not None:
@@ -184,7 +184,7 @@ class DatagramTable:
         return None
 
     def _set_out(self, index: int, mailbox: Mailbox, now_s: float) -> None:
-        """Let a script that sends first begin."""
+        """Start a script that sends first."""
         if self._mailboxes.get(mailbox.port) is mailbox:
             address = self._scripts[index].address or _OWN_HOST
             self._begin(index, mailbox, address, _FIRST_SCRIPT_PORT + index, now_s)

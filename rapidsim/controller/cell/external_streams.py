@@ -1,7 +1,7 @@
 """Connections of programs with real peers, whose actions take effect at instants of virtual time.
 
-A `Wire` takes what programs do; what peers do is passed in here by whoever holds the clock, and
-one connection is one number to both. To a program such a connection is like one with a script.
+A `Wire` carries out actions of programs; the owner of the clock passes in those of peers. Both
+identify a connection by one number. To a program such a connection is like one with a script.
 """
 
 from __future__ import annotations
@@ -14,11 +14,11 @@ from rapidsim.controller.cell.outside_datagrams import DatagramWire
 from rapidsim.controller.cell.streams import Port, StreamEnd, connected
 
 MOST_UNREAD: Final = 1_000_000
-"""The most bytes that wait for a program; a peer that sends more has to wait."""
+"""Maximum number of bytes that wait for a program; a peer that sends more has to wait."""
 
 
 class Wire(DatagramWire, Protocol):
-    """What programs do with the network."""
+    """Network side of the connections of programs."""
 
     def listen(self, port: int, address: str) -> None:
         """Let clients connect to a port.
@@ -36,7 +36,7 @@ class Wire(DatagramWire, Protocol):
         """Try to reach a server until it answers or the connection is closed.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH for a host that programs may not talk to.
+            RapidError: ERR_SOCK_NET_UNREACH for a host that programs may not contact.
         """
         ...
 
@@ -50,7 +50,7 @@ class Wire(DatagramWire, Protocol):
 
 
 class NullWire:
-    """A wire without peers: what they do is known beforehand."""
+    """A wire without peers, for runs that replay the recorded actions of peers."""
 
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
@@ -93,7 +93,7 @@ class ExternalStreams:
     _ports: dict[int, Port] = field(default_factory=dict)
     _streams: dict[int, _Stream] = field(default_factory=dict)
     _calls: dict[tuple[str, int], int] = field(default_factory=dict)
-    """Calls that nobody has answered yet, by address and port."""
+    """Requested connections that are not answered yet, by address and port."""
     _answered: dict[tuple[str, int], StreamEnd] = field(default_factory=dict)
     _last: int = 0
 
@@ -109,7 +109,7 @@ class ExternalStreams:
             self.wire.unlisten(port.port)
 
     def called(self, address: str, port: int) -> StreamEnd | None:
-        """The program's end of a connection it requests, once it has been answered."""
+        """The program's end of a requested connection, once it is answered; None before."""
         where = (address, port)
         end = self._answered.pop(where, None)
         if end is None and where not in self._calls:
@@ -119,7 +119,7 @@ class ExternalStreams:
         return end
 
     def hung_up(self, address: str, port: int, now_s: float) -> None:
-        """A program no longer waits for a connection that it requested."""
+        """Cancel a connection that a program requested."""
         number = self._calls.pop((address, port), None)
         if number is not None:
             self.wire.close(number)
@@ -133,7 +133,7 @@ class ExternalStreams:
         return 0 if stream is None else len(stream.near.received)
 
     def came(self, number: int, port: int, peer: str, now_s: float) -> None:
-        """A client has connected to a port, or a server has answered a call."""
+        """Handle a client that connects to a port, or a server that answers a request."""
         del now_s
         listening = self._ports.get(port)
         where = next((key for key, called in self._calls.items() if called == number), None)
@@ -146,7 +146,7 @@ class ExternalStreams:
             self.wire.close(number)
 
     def arrived(self, number: int, data: bytes, now_s: float) -> None:
-        """Bytes have arrived."""
+        """Deliver bytes to the program."""
         if stream := self._streams.get(number):
             stream.far.send(data, now_s)
 
@@ -162,7 +162,7 @@ class ExternalStreams:
         return made
 
     def _noticed(self, number: int, now_s: float) -> None:
-        """The program has sent something, or closed."""
+        """Handle data that the program has sent, or its end of the connection."""
         del now_s
         stream = self._streams.get(number)
         if stream is None:

@@ -1,4 +1,4 @@
-"""What a cell is given: signals, answers, folders, network, date and limits."""
+"""Inputs of a cell: signals, answers, folders, network, date and limits."""
 
 from __future__ import annotations
 
@@ -15,36 +15,36 @@ if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network
 
 Answers = Callable[[str], str | None]
-"""Answers an operator's question by its prompt; None if nobody answers."""
+"""Answers an operator's question by its prompt; None if there is no answer."""
 
 
 START_OF_TIME = datetime(2000, 1, 1)
-"""A fixed day, so that two runs are the same."""
+"""A fixed day, so that runs are reproducible."""
 
 
 @value_class(frozen=True, slots=True)
 class CellInputs:
-    """What all tasks of a cell share from the start; `RunOptions` says what it is by default."""
+    """Inputs that all tasks of a cell share from the start; defaults are those of `RunOptions`."""
 
     answers: Answers | None
     """None answers every question with its default and a warning."""
     answers_are_typed: bool
-    """Whether a person answers, who is asked again after an invalid answer."""
+    """Whether a person types the answers; an invalid one is then prompted again."""
     io: CellIo
-    """Signals, how they are wired, and what happens to inputs."""
+    """Signals, their cross connections, and the stimuli of inputs."""
     home: Path | None
-    """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    """Folder of HOME:; None makes file instructions fail with a clear error."""
     ramdisk: Path | None
-    """The folder RAMDISK: stands for; None is one in the home folder."""
+    """Folder of RAMDISK:; None places it in the home folder."""
     network: Network | None
-    """What sockets may use of the network; None limits them to the station's scripts."""
+    """Permitted use of the network by sockets; None limits them to the station's scripts."""
     tasks: tuple[str, ...]
     """Names of all tasks of the cell; a run may be of some of them."""
     configured: Configured
     """The system parameters."""
     starts_at: datetime
-    """Date and time of day that the controller's clock shows when the run begins."""
+    """Date and time of day on the controller's clock at the start of the run."""
     max_time_s: float
     """Virtual time at which the run ends."""
     max_wall_s: float | None
-    """How long the run may take on the wall clock; nothing else in a run depends on it."""
+    """Maximum duration of the run on the wall clock; nothing else in a run depends on it."""

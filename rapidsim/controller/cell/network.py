@@ -1,7 +1,7 @@
 """Real sockets, for runs that may use the network; only this computer unless other hosts are named.
 
-What the network answers takes no virtual time; a wait in vain takes as long as it says, in both
-times. A run that uses the network is as repeatable as what answers it.
+Answers of the network take no virtual time; a wait without an answer takes its full time on both
+clocks. A run that uses the network is as reproducible as its peers.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _LOOPBACK = "127.0.0.1"
 _LOCAL = ("", "localhost", _LOOPBACK)
 _AT_ONCE = 65536
 _LOOK_S = 0.5
-"""How long [s] a wait without end ignores Ctrl-C."""
+"""Time [s] for which a wait without limit ignores Ctrl-C."""
 
 
 @dataclass(eq=False, slots=True)
@@ -57,12 +57,12 @@ class NetworkConnection:
         return True
 
     def wait(self, count: int, patience: Callable[[], float | None]) -> None:
-        """Wait until so many bytes have arrived or no more will come.
+        """Wait until `count` bytes have arrived or no more will.
 
         Args:
             count: The number of bytes to wait for, including those that have arrived.
-            patience: Asked each time that some have come: how long [s] to wait for more, or for
-                ever.
+            patience: Called after each arrival: returns the time [s] to wait for more; None for no
+                limit.
         """
         while len(self.received) < count and not self.has_ended:
             data = _tried(lambda: self.stream.recv(_AT_ONCE), self.stream, patience())
@@ -78,7 +78,7 @@ class NetworkConnection:
 
 @dataclass(eq=False, slots=True)
 class NetworkPort:
-    """A port of this computer that the program has taken, to listen on."""
+    """A port of this computer that the program has bound, to listen on."""
 
     server: socket.socket
     address: str
@@ -100,7 +100,7 @@ class NetworkPort:
             raise _in_use(self.address, self.port, error) from None
 
     def accept(self, seconds: float | None) -> NetworkConnection | None:
-        """Wait for a client, `seconds` or for ever; None if none came."""
+        """Wait `seconds`, or indefinitely if None, for a client; None if none connects."""
         found = _tried(self.server.accept, self.server, seconds)
         if found is None:
             return None
@@ -114,7 +114,7 @@ class NetworkPort:
 
 @dataclass(eq=False, slots=True)
 class NetworkMailbox:
-    """A real socket for datagrams, which takes none of hosts that the run may not talk to."""
+    """A real socket for datagrams, which drops those of hosts that the run may not contact."""
 
     socket: socket.socket
     is_reachable: Callable[[str], bool]
@@ -126,7 +126,7 @@ class NetworkMailbox:
             self.socket.sendto(data, (address or _LOOPBACK, port))
 
     def receive(self, seconds: float | None) -> Datagram | None:
-        """Wait `seconds`, or indefinitely, for a datagram; None if none came."""
+        """Wait `seconds`, or indefinitely if None, for a datagram; None if none arrives."""
         until = None if seconds is None else monotonic() + seconds
         while True:
             wait_s = None if until is None else max(until - monotonic(), 0.0)
@@ -138,13 +138,13 @@ class NetworkMailbox:
                 if self.is_reachable(address):
                     return Datagram(data, str(address), int(port))
             except RapidError:
-                # An earlier datagram met a port that nobody has.
+                # An earlier datagram was sent to a port without a receiver.
                 pass
             if until is not None and monotonic() >= until:
                 return None
 
     def close(self) -> None:
-        """Give the port back."""
+        """Release the port."""
         self.socket.close()
 
 
@@ -155,11 +155,11 @@ class Network:
     hosts: frozenset[str] = frozenset()
     """Hosts other than this computer that sockets may bind or connect to."""
     sensors: GuidanceSensors | None = None
-    """The sensors that guide robots; None for none."""
+    """The sensors that guide robots; None if there are no sensors."""
     _opened: list[NetworkConnection | NetworkPort | NetworkMailbox] = field(default_factory=list)
 
     def bind(self, address: str, port: int) -> NetworkPort:
-        """Bind a port: at the address if one was named, else only for this computer.
+        """Bind a port: at the address if it is an allowed host, else only for this computer.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -180,7 +180,7 @@ class Network:
         return bound
 
     def open_mailbox(self, address: str, port: int) -> NetworkMailbox:
-        """Bind a port for datagrams, 0 for any: only for this computer if no host was named.
+        """Bind a port for datagrams, 0 for any: only for this computer if no host is allowed.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -198,7 +198,7 @@ class Network:
         return mailbox
 
     def require_reachable(self, address: str) -> None:
-        """Refuse a host that the run may not talk to.
+        """Refuse a host that the run may not contact.
 
         Raises:
             RapidError: ERR_SOCK_NET_UNREACH.
@@ -213,7 +213,7 @@ class Network:
         """Connect to a server; None if it does not answer.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not talk to.
+            RapidError: ERR_SOCK_NET_UNREACH for a host that the run may not contact.
         """
         self.require_reachable(address)
         stream = self.reached(address, port, seconds)
@@ -235,7 +235,7 @@ class Network:
             return None
 
     def close(self) -> None:
-        """Close whatever the program left open."""
+        """Close all sockets that the program has open."""
         for one in self._opened:
             one.close()
 

@@ -1,7 +1,7 @@
-"""The operator at the FlexPendant: answers from a file, a terminal, or nobody.
+"""The operator at the FlexPendant: answers from a file, a terminal, or none.
 
-A run in CI must never hang on a question, so if nobody answers, a default is taken and reported.
-A question with a time limit of its own is left unanswered instead.
+A run in CI must never hang on a question, so without an answer a default is taken and reported. A
+question that has a time limit remains unanswered instead.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 @value_class(frozen=True, slots=True)
 class OperatorAnswer(Generic[T]):
-    """The answer, and what was wrong with it."""
+    """An answer, with the findings about it."""
 
     value: T
     findings: tuple[Violation, ...] = ()
@@ -31,14 +31,14 @@ class OperatorAnswer(Generic[T]):
 
 @value_class(frozen=True, slots=True)
 class OperatorDialog:
-    """Puts questions to whoever answers."""
+    """Asks questions of the source of answers."""
 
     answers: Answers | None
     is_interactive: bool = False
     """Whether a person answers, who can correct an answer; lines of a file cannot."""
 
     def number(self, prompt: str, *, ends: bool = False) -> OperatorAnswer[float] | None:
-        """The answer to a question for a number; None if it `ends` without an answer."""
+        """The number that answers a question; None if the question `ends` without an answer."""
         text = self._read_answer(prompt)
         default = f"{DEFAULT_NUMBER:g}"
         while text is not None:
@@ -72,7 +72,7 @@ class OperatorDialog:
         return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))
 
     def text(self, prompt: str, proposal: str, *, ends: bool = False) -> OperatorAnswer[str] | None:
-        """A text; the proposal if nobody answers."""
+        """The text that answers a question; the proposal if there is no answer."""
         text = self._read_answer(prompt)
         if text is None and ends:
             return None

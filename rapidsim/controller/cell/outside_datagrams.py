@@ -1,7 +1,7 @@
 """Datagrams between programs and real peers, which take effect at instants of virtual time.
 
-A `DatagramWire` takes what programs send; what peers send is passed in here by whoever holds the
-clock. A program's port is known to both by its number in the run.
+A `DatagramWire` sends datagrams of programs; the owner of the clock delivers those of peers here.
+Both identify a program's port by its number in the run.
 """
 
 from __future__ import annotations
@@ -14,10 +14,10 @@ from rapidsim.language.sockets import Datagram
 
 
 class DatagramWire(Protocol):
-    """What programs do with datagrams on the network."""
+    """Network side of the datagrams of programs."""
 
     def open_mailbox(self, port: int, address: str, *, is_bound: bool) -> None:
-        """Take a port for datagrams: the one of this number if `is_bound`, else any.
+        """Open a port for datagrams: the one of this number if `is_bound`, else any.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE.
@@ -25,14 +25,14 @@ class DatagramWire(Protocol):
         ...
 
     def close_mailbox(self, port: int) -> None:
-        """Give a port back."""
+        """Release a port."""
         ...
 
     def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
         """Send a datagram from a port.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH for a host that programs may not talk to.
+            RapidError: ERR_SOCK_NET_UNREACH for a host that programs may not contact.
         """
         ...
 
@@ -45,22 +45,22 @@ class OutsideMailboxes:
     _mailboxes: dict[int, Mailbox] = field(default_factory=dict)
 
     def opened(self, mailbox: Mailbox, *, is_bound: bool) -> None:
-        """A program has a port; raises as `DatagramWire.open_mailbox` does."""
+        """Open the port of a program; raises as `DatagramWire.open_mailbox` does."""
         self.wire.open_mailbox(mailbox.port, mailbox.address, is_bound=is_bound)
         self._mailboxes[mailbox.port] = mailbox
 
     def closed(self, mailbox: Mailbox) -> None:
-        """A program has given its port back."""
+        """Release the port of a program."""
         if self._mailboxes.get(mailbox.port) is mailbox:
             del self._mailboxes[mailbox.port]
             self.wire.close_mailbox(mailbox.port)
 
     def sent(self, mailbox: Mailbox, address: str, port: int, data: bytes) -> None:
-        """A program has sent a datagram; raises as `DatagramWire.send_datagram` does."""
+        """Send a program's datagram; raises as `DatagramWire.send_datagram` does."""
         self.wire.send_datagram(mailbox.port, address, port, data)
 
     def arrived(self, port: int, peer: str, data: bytes) -> None:
-        """A datagram has arrived at a port from a peer, `address:port`."""
+        """Deliver a datagram to a port from a peer, `address:port`."""
         mailbox = self._mailboxes.get(port)
         if mailbox is not None:
             address, _, number = peer.rpartition(":")

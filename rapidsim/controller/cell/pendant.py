@@ -1,4 +1,4 @@
-"""Questions that stay on the FlexPendant until somebody answers, for a controller that stays on."""
+"""Questions of tasks that stay on the FlexPendant until a client answers, for a live controller."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ class Question:
     instruction: str
     prompt: str
     answer_type: type[AnswerValue]
-    """`float` a number, `int` one of the choices, `str` a text."""
+    """`float` for a number, `int` for one of the choices, `str` for a text."""
     choices: tuple[str, ...] = ()
     """Keys from 1; a key with the text "" is not shown."""
     proposal: str = ""
 
     def read(self, text: str) -> AnswerValue:
-        """The answer that a text stands for: for keys, their texts or numbers.
+        """The answer that a text means: for keys, their texts or numbers.
 
         Raises:
-            ValueError: If it is not valid, in words for whoever answers.
+            ValueError: If it is invalid; the message is for the person who answers.
         """
         if self.answer_type is str:
             return text
@@ -47,19 +47,19 @@ class Question:
 
 @value_class(slots=True)
 class Pendant:
-    """The open question of each task, and the answers that no task has taken yet."""
+    """The open question of each task, and the answers that tasks have not taken yet."""
 
     questions: dict[str, Question] = field(default_factory=dict)
-    """By name of the task, in the order of asking."""
+    """By name of the task, in the order of the questions."""
     _answers: dict[str, AnswerValue] = field(default_factory=dict)
     _instructions: dict[str, str] = field(default_factory=dict)
 
     def begin(self, task: str, instruction: str) -> None:
-        """A task asks a question."""
+        """Note the instruction of a task that will ask a question."""
         self._instructions[task] = instruction
 
     def withdraw(self, task: str) -> None:
-        """A task withdraws its question."""
+        """Withdraw the question of a task."""
         for table in (self.questions, self._answers, self._instructions):
             table.pop(task, None)
 
@@ -71,7 +71,7 @@ class Pendant:
         choices: Sequence[str] = (),
         proposal: str = "",
     ) -> AnswerValue | None:
-        """The answer to a question; None as long as there is none."""
+        """Take the answer to a question, posting the question first; None until it is answered."""
         if task in self._answers:
             return self._answers.pop(task)
         name = self._instructions.get(task, "")
@@ -82,8 +82,7 @@ class Pendant:
         """Answer the question of a task.
 
         Raises:
-            LookupError: If it asks nothing.
-            ValueError: If the text is no answer to it.
+            LookupError: If the task has no question. ValueError: If the text is not a valid answer.
         """
         question = self.questions[task]
         self._answers[task] = question.read(text)

@@ -1,4 +1,4 @@
-"""Where tasks wait for each other: WaitSyncTask, SyncMoveOn and SyncMoveOff."""
+"""Synchronization points of tasks: WaitSyncTask, SyncMoveOn and SyncMoveOff."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Rendezvous:
     arrived: list[str] = field(default_factory=list)
     """Folded names of the tasks that have arrived, in order."""
     outcome: object = None
-    """What they agreed on."""
+    """Shared result of the rendezvous, such as a team."""
 
     @property
     def is_complete(self) -> bool:
@@ -34,16 +34,16 @@ class RendezvousTable:
     _open: dict[tuple[str, str], Rendezvous] = field(default_factory=dict)
 
     def arrive(self, instruction: str, name: str, task: str, tasks: Iterable[str]) -> Rendezvous:
-        """A task arrives at a synchronization point.
+        """Let a task arrive at a synchronization point.
 
         Args:
-            instruction: Such as `WaitSyncTask`; points of different instructions never meet.
+            instruction: Such as `WaitSyncTask`; points of different instructions are different.
             name: Of the point, as the program writes it.
             task: The task that arrives.
             tasks: The tasks that must arrive.
 
         Raises:
-            RapidError: ERR_ARGVALERR, if others wait there for other tasks.
+            RapidError: ERR_ARGVALERR, if others wait there with a different list of tasks.
         """
         key = (instruction, name.lower())
         wanted = frozenset(one.lower() for one in tasks)
@@ -60,7 +60,7 @@ class RendezvousTable:
         return meeting
 
     def leave(self, instruction: str, rendezvous: Rendezvous, task: str) -> None:
-        """A task gives up waiting."""
+        """Let a task stop waiting."""
         rendezvous.arrived.remove(task.lower())
         if not rendezvous.arrived:
             del self._open[instruction, rendezvous.name.lower()]

@@ -1,4 +1,4 @@
-"""Sensors that guide robots, as the controller sees them: message and answer each cycle."""
+"""Interface of the controller to sensors that guide robots: message and answer each cycle."""
 
 from __future__ import annotations
 
@@ -13,47 +13,47 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class FeedbackSchedule:
-    """How a sensor is informed of a guidance: when, and in which frames."""
+    """Schedule and frames of the feedback to a sensor during a guidance."""
 
     first_s: float
     """The time of the first cycle [s]."""
     samples: int
-    """Cycles from one message to the next."""
+    """Number of cycles from one message to the next."""
     feedback: GuidedFeedback
 
 
 class GuidanceSensor(Protocol):
-    """A sensor that a task talks to."""
+    """A sensor that communicates with a task."""
 
     @property
     def has_lookahead(self) -> bool:
-        """Whether a stream is told in advance where the robot will be, so none is late."""
+        """Whether a stream contains future positions of the robot, so that none is late."""
         ...
 
     def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
-        """A guidance begins; `exchange` is called at each of its cycles that is a sample."""
+        """Begin a guidance; `exchange` is called at each of its cycles that is a sample."""
         ...
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """A path is corrected from now on: `exchange` is called every so many seconds."""
+        """Begin a path correction: `exchange` is called every `sample_s` seconds."""
         ...
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Send where the robot is; returns what the sensor has said since the last time."""
+        """Send the robot's position; return the sensor's answer, None if none is new."""
         ...
 
     def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
-        """The program ends the guidance; see `GuidedExecution.stop`."""
+        """Notify the sensor that the program ends the guidance; see `GuidedExecution.stop`."""
         ...
 
     def end(self, feedback: Feedback) -> None:
-        """The guidance is over: a last message."""
+        """Send the last message of a guidance."""
         ...
 
     def stream(self, stream: Sequence[Feedback]) -> None:
-        """Tell, each at its time, where a robot is that nobody guides.
+        """Send positions, each at its time, of a robot without guidance.
 
-        With `has_lookahead` these times are to come, and later words replace those before.
+        With `has_lookahead` these times are in the future, and later feedback replaces earlier one.
         """
         ...
 
@@ -63,13 +63,13 @@ class GuidanceSensor(Protocol):
 
 
 class GuidanceSensors(Protocol):
-    """All devices that a controller knows."""
+    """All sensors of a controller, by device."""
 
     def open(self, device: str) -> GuidanceSensor:
-        """Talk to the sensor behind a device.
+        """Connect to the sensor of a device.
 
         Raises:
-            NotAllowed: If the program may not talk to it.
+            NotAllowed: If the program may not contact it.
         """
         ...
 
@@ -90,7 +90,7 @@ class SilentSensor:
         """See `GuidanceSensor`."""
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """There is never an answer."""
+        """Return None: there is never an answer."""
         del feedback
         return None
 
@@ -108,7 +108,7 @@ class SilentSensor:
 
 
 class NoSensors:
-    """No device has a sensor."""
+    """Sensors of a cell without devices."""
 
     def open(self, device: str) -> GuidanceSensor:
         """See `GuidanceSensors`."""

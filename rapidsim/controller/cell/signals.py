@@ -1,4 +1,4 @@
-"""The signals of the cell, by name ignoring case: their values, and what the program may write."""
+"""The signals of the cell, by name ignoring case: their values and write permissions."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
 class SignalTable:
-    """The values of all signals; undeclared signals come into being, at 0, when first used."""
+    """The values of all signals; undeclared signals are created, at 0, when first used."""
 
     def __init__(self, declared: Iterable[SignalDeclaration]) -> None:
         """Start with the declared signals at their start values."""
@@ -34,7 +34,7 @@ class SignalTable:
         return bool(self._declared) and name.lower() not in self._declared
 
     def require_output(self, name: str, value: float) -> None:
-        """Refuse what the I/O configuration forbids a program to write.
+        """Refuse a write that the I/O configuration forbids to a program.
 
         Raises:
             RapidError: ERR_SIG_NAME for an input, ERR_GO_LIM or ERR_AO_LIM outside the limits.
@@ -49,10 +49,10 @@ class SignalTable:
         self.require_within(name, value)
 
     def require_within(self, name: str, value: float) -> None:
-        """Refuse a value that a signal never has.
+        """Refuse a value outside the limits of a signal.
 
         Raises:
-            RapidError: ERR_GO_LIM or ERR_AO_LIM outside the limits, also those of an input.
+            RapidError: ERR_GO_LIM or ERR_AO_LIM outside the limits, also for an input.
         """
         signal = self._declared.get(name.lower())
         if signal is None:

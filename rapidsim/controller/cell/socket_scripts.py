@@ -10,7 +10,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class SocketStep:
-    """One step of a script: wait for what the program sends, wait a while, then act."""
+    """One step of a script: wait for data of the program, wait a while, then act."""
 
     expect: bytes = b""
     """The step waits until the program has sent this; anything before it is skipped."""
@@ -29,9 +29,9 @@ class SocketScript:
     serves: bool
     """Whether it is a server that the program connects to; otherwise it connects to the program."""
     is_datagrams: bool = False
-    """Whether it sends and takes datagrams (UDP) instead of streams."""
+    """Whether it sends and receives datagrams (UDP) instead of streams."""
     address: str = ""
-    """The address of a server, if that tells it from others; empty for any."""
+    """The address of a server, if it distinguishes it from others; empty for any."""
     after_s: float = 0.0
     """The time from the program's listening to the peer's connection, or to the server's answer."""
     repeats: bool = False

@@ -1,4 +1,4 @@
-"""The system parameters of a run: those of the station, and what the program has changed."""
+"""The system parameters of a run: those of the station with the program's changes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.language.equipment import Attributes, Configured
 
 
 class SystemParameters:
-    """A copy that the program may change; a controller takes changes up when it is restarted."""
+    """A copy that the program may change; a controller applies changes when it is restarted."""
 
     def __init__(self, configured: Configured) -> None:
         """Start with the parameters of the station."""
@@ -32,6 +32,6 @@ class SystemParameters:
         return self._types.get((domain.upper(), of.upper()))
 
     def change(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
-        """Give an instance, by its position, another value of an attribute."""
+        """Set an attribute of an instance, by its position."""
         instances = self._types[domain.upper(), of.upper()]
         instances[number] = instances[number].with_value(attribute, value)

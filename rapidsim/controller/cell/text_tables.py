@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 FIRST_TABLE = 1
-"""The number of the first table; a program only learns numbers from TextTabGet."""
+"""Number of the first table; a program only gets numbers from TextTabGet."""
 
 
 class TextTables:
@@ -22,9 +22,9 @@ class TextTables:
         self._texts |= {(number, index): text for index, text in texts.items()}
 
     def number(self, name: str) -> int | None:
-        """The number of a table; None if there is none of that name."""
+        """Number of a table; None if no table has that name."""
         return self._numbers.get(name)
 
     def text(self, table: float, index: float) -> str | None:
-        """A text; None if there is none of those numbers."""
+        """A text; None if it does not exist."""
         return self._texts.get((table, index))

@@ -1,1 +1,1 @@
-"""What happened when, while the times themselves may still be unknown."""
+"""Dated record of a run, while the times themselves may still be unknown."""

@@ -1,4 +1,4 @@
-"""What happens in a run, each at an instant: events, executed lines, what is not simulated."""
+"""Records of a run, each at an instant: events, executed lines, unsimulated routines."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.values import value_class
 
 
 class EventKind(StrEnum):
-    """What an event is about."""
+    """Subject of an event."""
 
     TEXT = "text"
     SIGNAL = "signal"
@@ -28,7 +28,7 @@ class EventKind(StrEnum):
 
 @value_class(frozen=True, slots=True, repr=False)
 class Event:
-    """Something that happened at an instant."""
+    """An event at an instant."""
 
     time_s: float
     task: str
@@ -36,9 +36,9 @@ class Event:
     place: Place | None
     message: str
     details: Mapping[str, object] = field(default_factory=dict)
-    """What a program wants to read: signal name and value, file name, interrupt number."""
+    """Data for programs: signal name and value, file name, interrupt number."""
     moves_given: int = 0
-    """How many moves the task's robot had been given before."""
+    """Number of moves that the task's robot had got before."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -48,10 +48,10 @@ class Event:
 
 @value_class(frozen=True, slots=True)
 class ErrorTally:
-    """Errors of one number that one place raised and one ERROR clause answered in one way."""
+    """Errors of one number from one place that one ERROR clause handled with the same result."""
 
     time_s: float
-    """When the first was raised."""
+    """Time of the first."""
     last_s: float
     task: str
     error: AnsweredError
@@ -60,7 +60,7 @@ class ErrorTally:
 
 @value_class(frozen=True, slots=True)
 class ExecutedLine:
-    """The program pointer reached a statement that waits or moves."""
+    """Arrival of the program pointer at a statement that waits or moves."""
 
     time_s: float
     task: str
@@ -69,16 +69,16 @@ class ExecutedLine:
 
 @value_class(frozen=True, slots=True)
 class Wait:
-    """A statement let virtual time pass; waits of no length are not recorded."""
+    """A statement that let virtual time pass; waits of length 0 are not recorded."""
 
     task: str
     place: Place
     awaited: str
-    """What it waited for, in the words of the program: `diReady = 1`, `0.5 s`."""
+    """The awaited condition, in the words of the program: `diReady = 1`, `0.5 s`."""
     start_s: float
     end_s: float
     ended_by: str
-    """What ended it, and its cause; `CUT_OFF` if the run ended first."""
+    """The event that ended it, and its cause; `CUT_OFF` if the run ended first."""
 
 
 CUT_OFF = "the end of the run"

@@ -1,7 +1,7 @@
-"""Moves that could not be made, and where in space: for those who display a run.
+"""Moves that could not be made, with their geometry: for displays of a run.
 
-A finding says in words why a move fails. Here are the programmed way of the TCP and the place on it
-where the move fails, in the base frame of the robot.
+A finding explains in words why a move fails. A `FailedMove` has the programmed path of the TCP and
+the point on it at which the move fails, in the base frame of the robot.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 _WAY_POINTS = 49
-"""Enough points to make a joint move or an arc look round."""
+"""Enough points to draw a joint move or an arc as a smooth curve."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -32,11 +32,11 @@ class FailedMove:
     curve: Array
     """The programmed path of the TCP (k, 3) [m] in base; only the end if no more is known."""
     fails_at: Array
-    """Where on the path (3,) [m] it fails; the end if that cannot be reached."""
+    """Point (3,) [m] of the path at which it fails; the end if that cannot be reached."""
 
 
 def refused_move(place: Place, violation: Violation, segment: Segment, robot: Robot) -> FailedMove:
-    """A move whose end cannot be reached; `segment` has its pose, its joints do not count."""
+    """A move whose end cannot be reached; the pose of `segment` is used, its joints are ignored."""
     end = segment.end.base_from_tcp
     if segment.geometry is Geometry.JOINT:
         way = end.translation[None]
@@ -49,7 +49,7 @@ def refused_move(place: Place, violation: Violation, segment: Segment, robot: Ro
 
 
 def refused_axes(place: Place, violation: Violation, base_from_tcp: Transform) -> FailedMove:
-    """A move to joints past their limits; the pose is where they would put the TCP."""
+    """A move to joints past their limits; the pose is that of the TCP at these joints."""
     end = base_from_tcp.translation
     return FailedMove(place, violation, base_from_tcp, end[None], end)
 
@@ -65,13 +65,13 @@ def failed_at_fraction(
     fails_at = (1.0 - rest) * way[before] + rest * way[before + 1]
     end = segment.end.base_from_tcp
     if segment.carrier is not None and segment.carrier.robot is not None:
-        # The pose is given on what another robot carries; the way is in base.
+        # The pose is relative to what another robot carries; the path is in base.
         end = Transform(end.rotation, way[-1])
     return FailedMove(place, violation, end, way, fails_at)
 
 
 def _sample_curve(segment: Segment, robot: Robot) -> Array:
-    """The curve of a segment at evenly spaced places (k, 3) [m]."""
+    """The curve of a segment at evenly spaced points (k, 3) [m]."""
     curves = curves_of((segment,), robot.kinematics)
     row = np.zeros(_WAY_POINTS, dtype=np.int64)
     x = np.linspace(0.0, float(curves.length[0]), _WAY_POINTS)

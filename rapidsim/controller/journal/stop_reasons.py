@@ -1,4 +1,4 @@
-"""What ends a run from outside the program."""
+"""Reasons for the end of a run outside the program."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ class TimeLimitReached(RunLimitReached):
 
 
 class EventLimitReached(TimeLimitReached):
-    """The run has noted more events than it may keep."""
+    """The run has recorded more events than allowed."""
 
 
 class WallLimitReached(TimeLimitReached):
@@ -22,7 +22,7 @@ class WaitsForever(Stopped):
     """The program waits for something that cannot happen."""
 
     def __init__(self, reason: str, suggestion: str | None = None) -> None:
-        """Say why, and what would end the wait if that is not an input."""
+        """Store the reason, and a suggestion to end the wait unless an input would."""
         super().__init__(reason)
         self.cure = suggestion
 
@@ -32,22 +32,22 @@ class PollsForever(WaitsForever):
 
 
 class TrapStorm(Stopped):
-    """Interrupts come faster than their traps can finish."""
+    """Interrupts are raised faster than their traps can finish."""
 
 
 class ZoneReached(Stopped):
-    """The robot came to a world zone that stops it."""
+    """The robot has reached a world zone that stops it."""
 
 
 class MoveImpossible(Stopped):
     """A move at which the controller stops without calling an ERROR clause."""
 
     def __init__(self, violation: Violation, *, assumed: bool = False) -> None:
-        """Carry the finding along.
+        """Store the finding.
 
         Args:
             violation: The finding.
-            assumed: Whether it rests on a frame that the run does not know.
+            assumed: Whether it depends on a frame that is unknown to the run.
         """
         super().__init__(violation.message)
         self.violation = violation

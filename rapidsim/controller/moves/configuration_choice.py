@@ -32,9 +32,9 @@ Quarters = tuple[int, int, int, int]
 """cf1, cf4, cf6, cfx."""
 
 _EQUALLY_NEAR = 9
-"""Decimal places of a distance [rad] that count."""
+"""Number of decimal places of a distance [rad] that are compared."""
 _LEAST_EXCESS = np.radians(1e-3)
-"""An excess [rad] that is worth a word."""
+"""Minimum excess [rad] that is reported."""
 _ROUNDED = 0.01
 _MAIN_AXES = 0b110
 """The bits of cfx for the wrist centre: behind axis 1, behind the lower arm."""
@@ -55,10 +55,10 @@ def stored_or_nearest(
 def by_stored(
     robot: Robot, base_from_flange: Transform, stored: Sequence[Quarters]
 ) -> list[list[Configuration]]:
-    """The configurations that reach poses (k,), of each those first that are nearest to its stored.
+    """The configurations that reach poses (k,), for each pose nearest to its stored one first.
 
     Nearest is the branch of cfx first, then the fewest quarter turns away, so it does not depend on
-    where the arm comes from. Of each branch it is the turn nearest to what is stored, and the one
+    the start of the arm. For each branch the turns are those nearest to the stored ones, and those
     in the middle of the range.
     """
     if not stored or not has_branches(robot.kinematics):
@@ -89,9 +89,9 @@ def not_as_stored(
     stored: Sequence[Quarters],
     targets: Sequence[str],
 ) -> list[ConfigurationNotReachable]:
-    """Why the arm cannot take the stored configurations of targets with poses (k,).
+    """Findings for stored configurations that the arm cannot take, of targets with poses (k,).
 
-    What works instead is empty for poses that no configuration reaches.
+    The list of working configurations is empty for poses that no configuration reaches.
     """
     working = by_stored(robot, base_from_flange, stored)
     near = turns_within_limits(robot, np.zeros(len(robot.joints)))
@@ -120,7 +120,7 @@ def not_as_stored(
 def replacement_finding(
     target: str, stored: Quarters, chosen: Configuration, working: Sequence[Configuration]
 ) -> ConfigurationNotReachable:
-    """A run that goes on in another turn of the stored branch, and what else works."""
+    """Finding for a run that continues with other turns of the stored branch, with alternatives."""
     named = conf_text(chosen.confdata)
     others = [text for one in working if (text := conf_text(one.confdata)) != named]
     return ConfigurationNotReachable(
@@ -129,9 +129,9 @@ def replacement_finding(
 
 
 def past_limit(robot: Robot, target: str, joints: Array) -> PastLimitByRounding | None:
-    """The joint that is furthest past its limit at a target, by what is tolerated there.
+    """Finding for the joint furthest past its limit at a target, within the tolerance there.
 
-    None if none is, or by less than a thousandth of a degree.
+    None if no joint is, or by less than a thousandth of a degree.
     """
     excess = np.abs(limit_excess(robot, joints))
     axis = int(excess.argmax())
@@ -146,16 +146,16 @@ def past_limit(robot: Robot, target: str, joints: Array) -> PastLimitByRounding 
 
 
 def _far(conf: Quarters, stored: Quarters) -> tuple[bool, int, Quarters]:
-    """How far confdata is from the stored confdata, as a sort key."""
+    """Distance of confdata from the stored confdata, as a sort key."""
     quarters = sum(abs(a - b) for a, b in zip(conf[:3], stored[:3], strict=True))
     return conf[3] != stored[3], quarters, conf
 
 
 def nearest_without_switch(working: Sequence[Configuration], start: Configuration) -> Configuration:
-    r"""The nearest that leaves the main axes on their branch, else the nearest.
+    r"""The nearest that keeps the main axes on their branch, else the nearest.
 
-    Source: TRM, ConfJ \Off: the arm goes to the nearest configuration and does not switch that of
-    its main axes. If only a switch reaches the target, it is made, and a run says so.
+    Source: TRM, ConfJ \Off: the arm moves to the nearest configuration without switching that of
+    its main axes. If only a switch reaches the target, it is made, and a run reports it.
     """
     kept = [one for one in working if not is_switch(start, one)]
     return nearest(kept or working, start.joints)
@@ -171,7 +171,7 @@ def excess_without_switch(
 ) -> Array | None:
     """Joints (n,) [rad] past their limits that reach a pose without a switch of the main axes.
 
-    Those that are past them by the least; None if the arm does not get there at all.
+    The solution with the least excess; None if the arm does not reach the pose at all.
     """
     branches = robot.inverse(base_from_flange)
     kept = [
@@ -193,9 +193,9 @@ def nearest(working: Sequence[Configuration], near: Array) -> Configuration:
 
 
 def by_distance(working: Sequence[Configuration], near: Array) -> list[Configuration]:
-    """Configurations, the nearest to joints (n,) [rad] first; those equally near as they come.
+    """Configurations, the nearest to joints (n,) [rad] first; ties keep their order.
 
-    Rounded, or the rounding of the machine would choose between turns that are equally far.
+    Distances are rounded; otherwise rounding errors would choose between equally distant turns.
     """
     return sorted(
         working, key=lambda one: round(float(np.max(np.abs(one.joints - near))), _EQUALLY_NEAR)
@@ -208,10 +208,10 @@ def rounded(conf: ConfData) -> Quarters:
 
 
 def _whole(number: float) -> int:
-    """A whole number; values no arm comes near, or none at all, name no configuration."""
+    """A whole number; out-of-range and non-finite values map to one that names no configuration."""
     return round(number) if abs(number) < NO_CONFIGURATION else NO_CONFIGURATION
 
 
 def conf_text(conf: Sequence[int]) -> str:
-    """Confdata as RAPID writes it."""
+    """Confdata in RAPID syntax."""
     return f"[{','.join(map(str, conf))}]"

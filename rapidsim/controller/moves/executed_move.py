@@ -14,7 +14,7 @@ from rapidsim.values import value_class
 
 
 class CornerKind(StrEnum):
-    """What became of the end of a move."""
+    """Type of the executed end of a move."""
 
     FLY_BY = "fly-by"
     STOP = "stop"
@@ -31,7 +31,7 @@ class ExecutedMove:
     place: Place
     corner: CornerKind
     zone_m: float
-    """Radius of the zone that was used; 0 for a stop."""
+    """Radius of the zone as executed; 0 for a stop."""
     start_s: float
     end_s: float
     length_m: float
@@ -42,11 +42,11 @@ class ExecutedMove:
     """Shape (n,) [rad]."""
     conf: ConfData
     corner_reason: str = ""
-    """Why the zone is not the programmed one, or why the arm stops; empty if it is."""
+    """Reason why the zone is not the programmed one, or why the arm stops; else empty."""
     external: Array = field(default_factory=lambda: np.zeros(0))
     """Shape (e,) [m or rad]: the external axes at the end."""
     grip_load_kg: float = 0.0
-    """The mass that GripLoad says the gripper holds."""
+    """Mass that the gripper holds, by GripLoad."""
 
     def __repr__(self) -> str:
         """One line."""

@@ -1,6 +1,6 @@
-"""The configuration in which an arm begins a run, if neither station nor program say it.
+"""Configuration of an arm at the start of a run, if neither station nor program define it.
 
-It is that of the first target, so that no finding follows from a guess: a line or arc as the first
+It is that of the first target, so that no finding is based on a guess: a line or arc as the first
 move begins above it.
 """
 
@@ -16,21 +16,22 @@ from rapidsim.motion.configurations.reachability import pose_excess
 from rapidsim.motion.robot.robot import Robot
 
 _ABOVE_M: tuple[float, ...] = (0.1, 0.05, 0.02, 0.01, 0.0)
-"""Heights [m] above the end of a line, the first that the arm reaches."""
+"""Heights [m] above the end of a line; the first that the arm reaches is used."""
 _ARC_SHARES = (1.0, 0.5)
 """Heights above the middle of an arc, as shares of the distance from there to its end."""
 _NO_TURN = 1.0
-"""A turn [rad] that no axis makes on so short a line but through a singularity."""
+"""Turn [rad] that an axis makes on so short a line only through a singularity."""
 _SAME = 1e-6
 
 
 def first_configuration(
     robot: Robot, base_from_flange: Transform, stored: Quarters, start: Array, *, monitored: bool
 ) -> Configuration | None:
-    """The configuration in which an arm is at its first target: the stored one, if it is met.
+    """Configuration of an arm at its first target: the stored one, if it can be met.
 
-    Else the nearest to joints (n,) [rad] at which the arm is assumed to begin; None if it reaches
-    the target in none. Where ConfJ or ConfL is on, another turn of the stored branch comes first.
+    Else the nearest to joints (n,) [rad] at which the arm is assumed to begin; None if no
+    configuration reaches the target. With ConfJ or ConfL on, other turns of the stored branch come
+    first.
     """
     best = hold(robot, base_from_flange[None], np.array([stored]), start)
     if best.possible[0] and (monitored or best.match[0] <= Match.COMPLIANT):
@@ -51,7 +52,7 @@ def start_above(
     *,
     monitored: bool,
 ) -> Array | None:
-    """Joints (n,) [rad] above a line or arc from which the arm gets there; None if there are none.
+    """Joints (n,) [rad] above a line or arc, from which the arm reaches it; None if there are none.
 
     Args:
         robot: The arm.

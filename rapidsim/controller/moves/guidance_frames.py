@@ -26,10 +26,10 @@ _FRAME_NAMES = MappingProxyType({4.0: "EGM_FRAME_JOINT"})
 def frames_of(
     resolver: Resolver, state: MotionState, activation: Activation, waypoint: Waypoint
 ) -> Frames:
-    """In which frame the sensor is told where the TCP is: its own for poses, else the work object.
+    """Frames of the TCP in the feedback: the sensor frame for poses, else the work object.
 
     Raises:
-        NotAllowed: Where tool and work object are not plain.
+        NotAllowed: If tool and work object are not plain.
     """
     if activation.frames is None:
         return told_frames(resolver, state, activation.tool, activation.wobj, waypoint.external)
@@ -46,10 +46,10 @@ def told_frames(
     wobj: WobjData | None,
     external: Array,
 ) -> Frames:
-    """The TCP in the work object; None takes the tool or work object of the last move.
+    """Frames of the TCP in the work object; None selects the tool or work object of the last move.
 
     Raises:
-        NotAllowed: Where tool and work object are not plain.
+        NotAllowed: If tool and work object are not plain.
     """
     base_from_object = _work_object(resolver, wobj or state.wobj, external)
     tcp_from_flange = _tool(tool or state.tool)
@@ -66,20 +66,20 @@ def pose_aim(
     chosen: Chosen,
     filters_hz: tuple[float, ...],
 ) -> PoseGoal:
-    """What a sensor's poses refer to.
+    """Goal of a guidance by poses, with the frames to which the poses refer.
 
     Args:
         resolver: Of the robot.
-        waypoint: Where it stands.
+        waypoint: Position of the robot.
         state: Of the task's motion.
-        activation: What the program has said.
-        offset: Behind each goal.
+        activation: The data of EGMActPose.
+        offset: Applied after each goal.
         bands: Shape (6, 2) [mm, deg]: x, y, z, rx, ry, rz.
-        chosen: Which of these count.
+        chosen: Which of the bands apply.
         filters_hz: Of the goal.
 
     Raises:
-        NotAllowed: Where frames are none.
+        NotAllowed: If a frame is invalid.
     """
     tool, wobj = activation.tool or state.tool, activation.wobj or state.wobj
     assert activation.frames is not None
@@ -100,7 +100,7 @@ def pose_aim(
 def _frame(
     resolver: Resolver, waypoint: Waypoint, tool: ToolData, wobj: WobjData, frame: Pose, of: float
 ) -> Transform:
-    """base_from_frame of a frame that is given in one of the type `of`."""
+    """base_from_frame of a frame that is expressed in a frame of the type `of`."""
     if of == _BASE:
         base_from_type = Transform.identity()
     elif of == _TOOL:
@@ -123,7 +123,7 @@ def _tool(tool: ToolData) -> Transform:
 
 
 def _world(resolver: Resolver, external: Array) -> Transform:
-    """base_from_world where external axes (e,) [m or rad] stand."""
+    """base_from_world for positions of external axes (e,) [m or rad]."""
     axes, world_from_base = resolver.robot.external, resolver.base_from_world.inverse()
     if not axes:
         return resolver.base_from_world

@@ -1,4 +1,4 @@
-"""From what a program asks for to the guidance: its law, its frames and what it is told."""
+"""Building a guidance from the program's request: its law, its frames and its feedback."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rapidsim.motion.trajectory.guided_section import GuidedSection
 from rapidsim.values import value_class
 
 DEFAULT_BAND: Final = EgmMinMax(-0.5, 0.5)
-r"""Default of \J1 and its like: how close [deg, mm] counts as there."""
+r"""Default of \J1 and its like: tolerance [deg, mm] of the goal."""
 _ROUNDING: Final = 1e-6
 
 
@@ -34,19 +34,19 @@ class ExternalMotionData:
     """A configuration of the type External Motion Interface Data."""
 
     filters: bool
-    """Whether the controller filters by itself: at levels 1 and 2, not at 0."""
+    """Whether the controller adds its own filter: at levels 1 and 2, not at 0."""
     gain: float
     """Kp [1/s]."""
     bandwidth_hz: float
 
 
 DEFAULT_DATA: Final = ExternalMotionData(filters=True, gain=5.0, bandwidth_hz=20.0)
-"""The one named `default`, which every controller has; from memory of ABB's documents."""
+"""The configuration `default`, which every controller has; from memory of ABB's documents."""
 
 
 @value_class(frozen=True, slots=True)
 class GuidanceRequest:
-    """What the instructions of a guidance say together."""
+    """The combined data of the instructions of a guidance."""
 
     setup: SensorSetup
     data: ExternalMotionData
@@ -55,7 +55,7 @@ class GuidanceRequest:
 
 
 def external_motion_data(parameters: SystemParameters, name: str) -> ExternalMotionData:
-    """A configuration by name; without a MOC.cfg every name is taken for `default`.
+    """A configuration by name; without a MOC.cfg every name means `default`.
 
     Raises:
         NotAllowed: If the configuration of the controller has none of that name.
@@ -81,18 +81,18 @@ def started(
     waypoint: Waypoint,
     now_s: float,
 ) -> tuple[GuidedExecution, FeedbackSchedule, GuidedSection]:
-    """A guidance that begins at the next cycle.
+    """Build a guidance that begins at the next cycle.
 
     Args:
-        request: By the program.
+        request: Of the program.
         resolver: Of the robot.
         state: Of the task's motion.
         limits: Of its axes.
-        waypoint: Where the robot stands.
+        waypoint: Position of the robot.
         now_s: Time [s].
 
     Raises:
-        NotAllowed: Where frames are none, or not simulated.
+        NotAllowed: If frames are invalid or not simulated.
     """
     robot, activation, terms = resolver.robot, request.activation, request.terms
     count = len(robot.joints)
@@ -128,7 +128,7 @@ def started(
 
 
 def used_axes(external: ExtJoint) -> tuple[float, ...]:
-    """The external axes that are there [deg, mm]."""
+    """The external axes that exist [deg, mm]."""
     return tuple(value for value in external if value != UNUSED_AXIS)
 
 
@@ -153,7 +153,7 @@ def _aim(
 
 
 def _number(text: str | None, default: float) -> float:
-    """A parameter of the configuration; what is no number that can be is as if it were missing."""
+    """A parameter of the configuration; the default if it is not a finite number >= 0."""
     try:
         value = float(text or "")
     except ValueError:

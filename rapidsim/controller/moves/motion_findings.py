@@ -1,4 +1,4 @@
-"""Findings about the path between two points, tied to the move that asked for it."""
+"""Findings about the path between two points, at the move that requires it."""
 
 from __future__ import annotations
 
@@ -26,21 +26,21 @@ from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.robot.robot import Robot
 
 WRIST_TURNS_FAR = np.radians(140.0)
-r"""Beyond this [rad] a line may stop under ConfL \On. Source: RAPID Reference Manual, "ConfL", from
-memory: the limit is between 140 and 180 degrees."""
+r"""Turn [rad] beyond which a line may stop under ConfL \On. Source: RAPID Reference Manual,
+"ConfL", from memory: the limit is between 140 and 180 degrees."""
 _WRIST = slice(3, 6)
 _EXCESS = 1.01
-"""A timed move is planned to a tenth of a per cent; beyond this it could not be kept."""
+"""A timed move is planned to a tenth of a per cent; a greater ratio means that it is too slow."""
 
 
 def path_violation(error: MotionError) -> Violation:
-    """What is wrong with a move that cannot be made."""
+    """Violation of a move that cannot be made."""
     queued = error.queued
     return fault_violation(error.fault, target_name(queued.place, queued.move))
 
 
 def fault_violation(fault: PathFault, target: str) -> Violation:
-    """What is wrong with the path to a target."""
+    """Violation of the path to a target."""
     if fault.kind is FaultKind.WRIST_PAIR:
         percent, distance_mm = 100.0 * fault.fraction, 1000.0 * fault.distance
         return WristCircleFails(target, percent, distance_mm, fault.reason, fault.cure)
@@ -65,7 +65,7 @@ def switched(
     before: Configuration,
     after: Configuration,
 ) -> MainAxesSwitched:
-    """Why the main axes must switch on the way to a target whose configuration is free."""
+    """Finding for a switch of the main axes to a target with free configuration, with its cause."""
     joints = excess_without_switch(robot, base_from_flange, before)
     why = "no other posture gets there"
     if joints is not None:
@@ -75,10 +75,10 @@ def switched(
 
 
 def wrist_turning_far(target: str, start: Array, end: Array) -> WristTurnsFar | None:
-    r"""The wrist axis of a six-axis arm that turns too far for ConfL \On; None if none does.
+    r"""The wrist axis of a six-axis arm that turns too far for ConfL \On; None if there is none.
 
     Args:
-        target: Where the line or arc goes.
+        target: Target of the line or arc.
         start: Joints (n,) [rad] before it.
         end: Joints (n,) [rad] at its end.
     """
@@ -92,7 +92,7 @@ def wrist_turning_far(target: str, start: Array, end: Array) -> WristTurnsFar | 
 
 
 def hasty_move_findings(moves: Iterable[QueuedMove]) -> tuple[Diagnostic, ...]:
-    r"""A warning for each move that takes longer than its `\T` because no axis is faster."""
+    r"""A warning for each move that takes longer than its `\T` because the axes are too slow."""
     found = []
     for queued in moves:
         programmed_s, started_s = queued.move.duration_s, queued.started.time

@@ -1,4 +1,4 @@
-"""What a move instruction says apart from its target, in SI: speeds, zone, accelerations, modes."""
+"""Motion data of a move in SI units, without its target: speeds, zone, accelerations, modes."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ CIRCLE_MODES = {
 
 _SLOWEST_M_S = 1e-5
 _SLOWEST_RAD_S = 1e-4
-"""Stands for a programmed speed of 0, which never arrives: the run's time limit ends it."""
+"""Used for a programmed speed of 0, which never arrives: the run's time limit ends it."""
 _UNHURRIED_M_S = 1.0
 """TCP speed, too high to limit anything, of moves whose TCP does not move on the robot."""
 
@@ -66,17 +66,17 @@ def speed_of(move: Move, settings: MotionSettings) -> Speed:
 def acceleration_share_of(
     move: Move, settings: MotionSettings, rated_kg: float | None, with_rated: float | None
 ) -> tuple[float, float]:
-    """Share of the axis accelerations that AccSet and the load in the hand leave, and that load.
+    """Share of the axis accelerations with AccSet and the load in the hand, and that load.
 
     Args:
-        move: Its tool weighs, too.
+        move: The move; its tool adds to the load.
         settings: AccSet and GripLoad.
-        rated_kg: Payload of the arm [kg]; None where no source gives it: then loads change nothing.
-        with_rated: The share that the rated payload leaves; above it no more is taken. None where
-            the load adds to the inertia of the arm.
+        rated_kg: Payload of the arm [kg]; None if no source is known: loads then have no effect.
+        with_rated: The share available with the rated payload, the minimum for greater loads. None
+            if the load adds to the inertia of the arm.
 
     Returns:
-        The share, and what is to be added to the inertia, in shares of the rated payload.
+        The share, and the load to be added to the inertia, in shares of the rated payload.
     """
     share = settings.acceleration_percent / 100.0
     if rated_kg is None:
@@ -88,22 +88,22 @@ def acceleration_share_of(
 
 
 def stop_ramp_of(settings: MotionSettings) -> float:
-    r"""How quickly braking rises at stop points, as a share of what the arm can.
+    r"""Rate at which braking rises at stop points, as a share of the arm's maximum.
 
-    That is AccSet's Ramp times its \FinePointRamp, and no less than one of them may be.
+    It is AccSet's Ramp times its \FinePointRamp, and no less than the minimum of either.
     """
     both = settings.ramp_percent * settings.fine_ramp_percent / 100.0
     return max(both, LEAST_RAMP_PERCENT) / 100.0
 
 
 def asked_circle_mode(move: Move, settings: MotionSettings) -> CircleMode:
-    """How the tool turns on an arc, as CirPathMode asks; it does not concern other moves."""
+    """Orientation mode of the tool on an arc by CirPathMode; the default for other moves."""
     on_arc = move.interpolation is Interpolation.CIRCLE
     return CIRCLE_MODES[settings.circle_path] if on_arc else CircleMode.PATH_FRAME
 
 
 def wrist_circle_problem(move: Move, carrier: Carrier | None, robot: Robot) -> str | None:
-    """Why no two wrist axes can lead a tool along arcs; None if they can."""
+    """Reason why no two wrist axes can guide a tool along arcs; None if they can."""
     if not wrist_meets(robot.kinematics, robot.start):
         return "this arm has no six axes of which 4, 5 and 6 meet in one point"
     if not move.tool.robhold:
@@ -114,7 +114,7 @@ def wrist_circle_problem(move: Move, carrier: Carrier | None, robot: Robot) -> s
 def circle_mode_of(
     move: Move, settings: MotionSettings, carrier: Carrier | None, robot: Robot
 ) -> CircleMode:
-    """How the tool turns on an arc: as asked, or as by default where no two axes can lead it."""
+    """Orientation mode on an arc: as programmed, or the default if the wrist cannot do it."""
     mode = asked_circle_mode(move, settings)
     if mode not in WRIST_PAIRS or wrist_circle_problem(move, carrier, robot) is None:
         return mode
@@ -122,22 +122,22 @@ def circle_mode_of(
 
 
 def wrist_asked_in_joints(move: Move, settings: MotionSettings) -> bool:
-    """Whether SingArea asks for the wrist to turn in joint space."""
+    """Whether SingArea makes the wrist turn in joint space."""
     asked = settings.singular_area is not SingularArea.OFF
     return asked and GEOMETRY[move.interpolation] is not Geometry.JOINT
 
 
 def can_turn_wrist_in_joints(move: Move, robot: Robot) -> bool:
-    """Whether an arm's wrist can turn in joint space while the other axes lead the tool."""
+    """Whether an arm's wrist can turn in joint space while the other axes move the tool."""
     return move.tool.robhold and len(robot.joints) <= 6
 
 
 def external_speeds_of(
     move: Move, settings: MotionSettings, axes: Sequence[ExternalAxis]
 ) -> tuple[float, ...]:
-    """Speed of each external axis [m/s or rad/s], VelSet applied; no more than it can.
+    """Speed of each external axis [m/s or rad/s] with VelSet, limited to its maximum.
 
-    Speeds for one kind of axis, such as vlin100, have 0 for the other kind: it says nothing of it.
+    A speed of 0 for a kind of axis is ignored: data such as vlin100 have it for the other kind.
     """
     share = settings.speed_share
     return tuple(
@@ -149,7 +149,7 @@ def external_speeds_of(
 
 
 def zone_of(move: Move) -> Zone | None:
-    """The zone of a fly-by point, without size where it is negative; None at a stop point."""
+    """The zone of a fly-by point, of size 0 if the data are negative; None at a stop point."""
     zone = move.zone
     if zone.finep:
         return None
@@ -164,5 +164,5 @@ def zone_of(move: Move) -> Zone | None:
 
 
 def unbounded(limit_m_s2: float | None) -> float:
-    """An acceleration limit [m/s2]; infinite where there is none."""
+    """An acceleration limit [m/s2]; infinite if it is None."""
     return math.inf if limit_m_s2 is None else limit_m_s2

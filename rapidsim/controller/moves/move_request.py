@@ -1,4 +1,4 @@
-"""A move instruction that is to become a segment, and the error for a pose out of reach."""
+"""A move instruction to be resolved to a segment, and the error for an unreachable pose."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from rapidsim.values import value_class
 
 
 class NotReachableError(RapidError):
-    """A pose that the arm cannot take, with the finding that says why.
+    """A pose that the arm cannot take, with the finding for its cause.
 
     Functions such as CalcJointT raise it to the program. A move to such a pose ends the run.
     """
 
     def __init__(self, errno: float, violation: Violation) -> None:
-        """Carry the finding along."""
+        """Store the finding."""
         super().__init__(errno, violation.message, cf=violation.cf)
         self.violation = violation
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class MoveRequest:
-    """A move with all that its segment depends on, except the robot and its start."""
+    """A move with all data of its segment, except the robot and its start."""
 
     move: Move
     settings: MotionSettings
     placed: Placement
-    """Where its tool and its work object are."""
+    """Placement of its tool and its work object."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -41,21 +41,21 @@ class LocatedMoveRequest:
     is_first: bool = False
     """Whether it is the first move of a run."""
     starts_free: bool = False
-    """Whether neither station nor program say where the arm begins."""
+    """Whether neither station nor program define the position of the arm before it."""
 
     @property
     def name(self) -> str:
-        """What it goes to, as findings name it."""
+        """Its target, as findings name it."""
         return target_name(self.place, self.request.move)
 
     @property
     def written(self) -> str:
-        """What it goes to, as the program writes it, so that each target is reported once."""
+        """Its target as the program's text has it, so that each target is reported once."""
         return _target_text(self.place, self.request.move)
 
 
 def target_name(place: Place, move: Move) -> str:
-    """What a move goes to, as findings name it; else the name of the instruction."""
+    """Target of a move, as findings name it; else the name of the instruction."""
     return named_target(_target_text(place, move))
 
 

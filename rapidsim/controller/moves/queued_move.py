@@ -1,4 +1,4 @@
-"""A move on the path, and what becomes of it."""
+"""A move on the path, with its planned and executed state."""
 
 from __future__ import annotations
 
@@ -20,46 +20,46 @@ _TOO_LATE = "the next move was not known when the robot reached the zone"
 
 @dataclass(slots=True, eq=False)
 class QueuedMove:
-    """A move on the path and what becomes of it."""
+    """A move on the path, with its planned and executed state."""
 
     move: Move
     place: Place
     segment: Segment
     conf: ConfData
     started: Instant
-    """When the robot starts the move, in command time."""
+    """Instant at which the robot starts the move, in command time."""
     corner: CornerKind
     base_from_tcp: Transform
-    """At the programmed end, wherever tracks and positioners are by then."""
+    """Pose at the programmed end, whatever the positions of tracks and positioners by then."""
     tcp_from_flange: Transform
-    """At the programmed end; with a stationary tool it changes along the way."""
+    """Pose at the programmed end; with a stationary tool it changes along the move."""
     grip_load_kg: float = 0.0
-    """The mass that GripLoad says the gripper holds."""
+    """Mass that the gripper holds, by GripLoad."""
     number: int = 0
-    """Its number among all moves the robot was ever given."""
+    """Its number among all moves that the robot ever got."""
     level: int = 0
-    """How many paths were stored when the robot was given the move."""
+    """Number of stored paths when the robot got the move."""
     corner_reason: str = ""
-    """Why the zone is not the programmed one, or why the arm stops."""
+    """Reason why the zone is not the programmed one, or why the arm stops."""
     zone_m: float = 0.0
     start_place_m: float = 0.0
     end_place_m: float = 0.0
-    """Where the move begins and ends on the path of the whole run."""
+    """Positions [m] of the start and the end of the move on the path of the whole run."""
     length_m: float = 0.0
     command_start_s: float | None = None
-    """Command time of the start, for the first move of a block only."""
+    """Command time of the start; set only for the first move of a block."""
     ended_s: float | None = None
     """Command time of the end, as far as it is planned."""
     was_stopped: bool = False
-    """StopMove or a search stopped the robot on its way."""
+    """Whether StopMove or a search stopped the robot during the move."""
 
     def is_over(self, before_s: float) -> bool:
-        """Whether the robot was done with it before a time [s], as far as it made it."""
+        """Whether the executed part of the move ended before a time [s]."""
         times = (self.started.time, self.ended_s or self.started.time)
         return all(one is not None and one < before_s for one in times)
 
     def again(self) -> QueuedMove:
-        """The same move to be made once more, with nothing done of it yet."""
+        """Copy of the move without its state, to be made once more."""
         return QueuedMove(
             self.move,
             self.place,
@@ -76,9 +76,9 @@ class QueuedMove:
 def executed_move(
     index: int, task: str, queued: QueuedMove, start_s: float, end_s: float
 ) -> ExecutedMove:
-    """The move as it was carried out, seen from `start_s` to `end_s`."""
+    """The executed move, from `start_s` to `end_s` of the arm."""
     if queued.command_start_s is not None:
-        # The arm may have stood at this place for a while.
+        # The arm may have been at rest here for a while.
         start_s = queued.command_start_s
     failed = queued.corner is CornerKind.STOP_CORNER_PATH_FAILURE
     return ExecutedMove(
@@ -112,15 +112,15 @@ def nominal_s(segment: Segment) -> float:
 
 
 def frames_of(queued: QueuedMove) -> tuple[ToolData, WobjData]:
-    """Tool and work object; where they change, a corner is made in joint space."""
+    """Tool and work object; if they change, the corner path is joint interpolated."""
     return queued.move.tool, queued.move.wobj
 
 
 class MotionError(Exception):
-    """The path cannot be travelled; the robot stops before the move that is to blame."""
+    """The path cannot be travelled; the robot stops before the move that causes it."""
 
     def __init__(self, queued: QueuedMove, fault: PathFault) -> None:
-        """Name the move and what is wrong with it."""
+        """Store the move and its fault."""
         super().__init__(fault.reason)
         self.queued = queued
         self.fault = fault

@@ -1,4 +1,4 @@
-"""From moves to segments: the only place that makes them, for runs and reach checks alike."""
+"""Conversion of moves to segments, the only one, for runs and reach checks alike."""
 
 from __future__ import annotations
 
@@ -47,10 +47,10 @@ def segments(
     """Segments of moves.
 
     Args:
-        requests: The moves; each starts where it is said, whatever the others do.
-        starts: How the arm stands before each; the poses there do not count, as another tool may
-            have had them.
-        ends: Where each ends.
+        requests: The moves; each begins at its own start, independent of the others.
+        starts: Position of the arm before each; their poses are ignored, because they may be of
+            another tool.
+        ends: End of each.
         robot: The arm.
         payload_acceleration: See `MotionModel`.
     """
@@ -70,7 +70,7 @@ def segments(
 
 @value_class(frozen=True, slots=True, eq=False)
 class _MoveParameters:
-    """What a move asks for apart from its target; most moves of a program ask for the same."""
+    """Parameters of a move except its target; most moves of a program have equal ones."""
 
     speed: Speed
     zone: Zone | None
@@ -137,7 +137,7 @@ def _segment(
         zone=parameters.zone,
         via=None if via is None else placed.curve_from_tcp(via),
         duration=move.duration_s,
-        # Only the move after it tells.
+        # Determined by the next move.
         joint_corner=False,
         acceleration_share=parameters.share,
         ramp=settings.ramp_percent / 100.0,

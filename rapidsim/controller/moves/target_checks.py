@@ -1,4 +1,4 @@
-"""What can be wrong with a target itself: orientation, external axes, axes past their limits."""
+"""Checks of a target itself: orientation, external axes, axes past their limits."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import Robot
 
 _NOTHING_MEANT = (0.0, 9999.0)
-"""What old and generated programs write for axes that do not exist."""
+"""Values in old and generated programs for axes that do not exist."""
 
 
 def check_orientation(
@@ -69,7 +69,7 @@ def require_orientation(name: str, rotation: Orient) -> None:
 def frame_orientations(
     tool: ToolData, wobj: WobjData, external: Sequence[ExternalAxis]
 ) -> Iterator[tuple[str, Orient]]:
-    """The orientations that a tool and a work object bring to a move, named as in findings."""
+    """The orientations that a tool and a work object add to a move, named as in findings."""
     yield "tframe of the tool", tool.tframe.rot
     if not unit_of(wobj, external):
         yield "uframe of the work object", wobj.uframe.rot
@@ -79,7 +79,7 @@ def frame_orientations(
 def external_end(
     request: LocatedMoveRequest, extax: ExtJoint, near: Array, robot: Robot, journal: Journal
 ) -> Array:
-    """External axes (e,) [m or rad] that a move goes to; those of units that are off stay.
+    """External axes (e,) [m or rad] at the end of a move; inactive units keep their values.
 
     Raises:
         MoveImpossible: When an active axis has no value.
@@ -93,7 +93,7 @@ def external_end(
     for axis in missing:
         if axis.unit.lower() not in inactive and axis.component not in independent:
             raise MoveImpossible(ExternalAxisMissing(request.name, axis.component, axis.unit))
-    # The additional joint of a seven-axis arm stands in `eax_a`, too.
+    # `eax_a` also has the additional joint of a seven-axis arm.
     known = {axis.component for axis in axes} | ({"eax_a"} if len(robot.joints) > 6 else set())
     unknown = [
         f"{field} = {value:g}"
@@ -113,7 +113,7 @@ def require_limits(
     """Refuse joints (n,) [rad] and external axes (e,) [m or rad] past their limits.
 
     Raises:
-        MoveImpossible: When one is.
+        MoveImpossible: When one is past its limit.
     """
     over = excess_text(robot, np.concatenate([joints, external]))
     if over:
@@ -124,7 +124,7 @@ def require_limits(
 
 
 def excess_text(robot: Robot, wide: Array) -> str:
-    """Which joints and external axes (n + e,) are past their limits; empty if none is."""
+    """The joints and external axes (n + e,) past their limits, as text; empty if none is."""
     axes = robot.axes
     excess = np.maximum(wide - axes.upper, axes.lower - wide)
     return ", ".join(

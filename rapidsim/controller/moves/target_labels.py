@@ -1,4 +1,4 @@
-"""How findings name the target of a move: as the program writes it, where that is short."""
+"""Names of move targets in findings: the text of the program, if it is short."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _LITERAL = "[[...]]"
 def named_target(written: str) -> str:
     """The text of a target for a message.
 
-    Of a long literal only its shape is left, so that generated programs, whose targets are all
+    A long literal is reduced to its shape, so that generated programs, whose targets are all
     literals, have equal findings that can be merged.
     """
     text = " ".join(written.split())

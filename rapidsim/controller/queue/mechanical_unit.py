@@ -1,4 +1,4 @@
-"""A robot of a task, and the queue it currently moves through."""
+"""Robot of a task, with the queue through which it currently moves."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from rapidsim.motion.geometry.segments import Waypoint
 
 @dataclass(frozen=True, slots=True)
 class _PathLevel:
-    """Where a robot moved before StorePath."""
+    """State of a robot's motion before StorePath."""
 
     seat: TeamQueue | None
-    """Its place in its team; None if it moved alone."""
+    """Its queue in its team; None if it moved alone."""
     end: Waypoint
-    """Where its last queued move ends."""
+    """End of its last queued move."""
 
 
 @dataclass(slots=True, eq=False)
 class MechanicalUnit:
-    """The only place where a robot changes from moving alone to moving together, and back.
+    """A robot with its queue: the only module that lets it join or leave a team.
 
-    Whoever needs the robot's queue asks here each time.
+    Code that needs the robot's queue reads it from here each time.
     """
 
     solo_queue: SoloQueue
     team_queue: TeamQueue | None = None
-    """Its place in the team it moves with; None while it moves alone."""
+    """Its queue in the team with which it moves; None while it moves alone."""
     held_by_task: bool = False
-    """StopMove of its own task holds it, in addition to a task that watches."""
+    """StopMove of its own task holds it, in addition to that of a task without a robot."""
     held_by_watcher: bool = False
     """StopMove of a task without a robot holds it."""
     suspended: tuple[str, ...] = ()
@@ -47,31 +47,31 @@ class MechanicalUnit:
 
     @property
     def queue(self) -> MotionQueue:
-        """The queue it currently moves through."""
+        """The queue through which it currently moves."""
         return self.solo_queue if self.team_queue is None else self.team_queue
 
     @property
     def version(self) -> tuple[int, int]:
-        """Changes whenever what the robot will do may change."""
+        """Changes whenever the planned motion of the robot may change."""
         return self._changes, self.queue.version
 
     @property
     def team(self) -> TeamPlanner | None:
-        """The team it currently moves with."""
+        """The team with which it currently moves; None while it moves alone."""
         return None if self.team_queue is None else self.team_queue.team
 
     def forget(self, before_s: float, keep_from: int | None) -> None:
-        """Forget what was before a time [s]; see `BlockPlanner.forget`."""
+        """Discard what was before a time [s]; see `BlockPlanner.forget`."""
         self.solo_queue.planner.forget(before_s, keep_from)
         if self.team_queue is not None:
             self.team_queue.team.planner.forget(before_s)
 
     @contextmanager
     def ending(self) -> Iterator[None]:
-        """What the robot still does at the end of a run.
+        """Guard the last planning of the robot at the end of a run.
 
-        It fails in silence, as what has ended the run is told; and if the computer's clock ends
-        it, the robot is left on its way.
+        A `MotionError` is dropped, because the cause of the end is reported; if the limit on the
+        wall clock is reached, the robot is left in motion.
         """
         try:
             yield
@@ -81,14 +81,14 @@ class MechanicalUnit:
             self.queue.leave()
 
     def join(self, team: TeamPlanner, number: int) -> None:
-        """Move together with others, as a robot of this number in the team."""
+        """Join a team as the robot of this number in it."""
         if self.solo_queue.corrected is not None:
             self.solo_queue.corrected.settle()
         self._changes += 1
         self.team_queue = TeamQueue(self.solo_queue, team, number)
 
     def part(self) -> None:
-        """Move alone from where the team has come to rest."""
+        """Leave the team and move alone from where it has come to rest."""
         if self.team_queue is not None:
             ended_s = self.solo_queue.trajectory.command_end
             self.solo_queue.continue_from(max(self.team_queue.team.planner.ready_s, ended_s))
@@ -97,7 +97,7 @@ class MechanicalUnit:
 
     @property
     def has_left_team(self) -> bool:
-        """Whether it moves alone until its team moves together again or its path is restored."""
+        """Whether it moves alone until its team resumes or its path is restored."""
         stored = any(level.seat is not None for level in self._levels)
         return self.team_queue is None and (stored or bool(self.suspended))
 
@@ -108,7 +108,7 @@ class MechanicalUnit:
             self.team_queue.team.holders.add(self.team_queue.number)
 
     def release(self) -> bool:
-        """Note that the robot's own task restarts it; whether no task of its team holds it then.
+        """Note that the robot's own task restarts it; return whether no task of its team holds it.
 
         A task that has not stopped the team restarts it for all.
         """
@@ -125,7 +125,8 @@ class MechanicalUnit:
         """Store the path of a robot at rest, and begin another one.
 
         Args:
-            keep_sync: Whether a robot in a team begins it together with the team, or alone.
+            keep_sync: Whether a robot in a team begins the new path together with the team, or
+                alone.
         """
         seat = self.team_queue
         self._levels.append(_PathLevel(seat, self.solo_queue.end))
@@ -138,10 +139,10 @@ class MechanicalUnit:
             self.team_queue = TeamQueue(self.solo_queue, seat.team.next_level(), seat.number)
 
     def restore_path(self) -> None:
-        """Restore the path that was stored last, and with it the team that it is a path of.
+        """Restore the path that was stored last, and the team to which it belongs.
 
         Raises:
-            RapidError: ERR_PATH, if the robot joined a team after it had stored a path of its own.
+            RapidError: ERR_PATH, if the robot joined a team after it had stored a path alone.
         """
         level = self._levels[-1]
         if level.seat is None and self.team_queue is not None:
@@ -158,7 +159,7 @@ class MechanicalUnit:
             level.seat.team.restore(level.seat.number)
 
     def drop_paths(self) -> None:
-        """Forget all paths that are stored, of the robot alone and of its teams."""
+        """Discard all stored paths, of the robot alone and of its teams."""
         for level in self._levels:
             if level.seat is not None:
                 level.seat.team.restore(level.seat.number)

@@ -1,4 +1,4 @@
-"""All moves that a robot was ever given, by number; the oldest may have been dropped."""
+"""Log of all moves that a robot ever got, by number; the oldest may have been dropped."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from rapidsim.controller.moves.queued_move import QueuedMove
 
 
 class MoveLog:
-    """Numbers and count stay the same, whatever is dropped."""
+    """Moves by number; numbers and count do not change when moves are dropped."""
 
     def __init__(self) -> None:
-        """Begin with none."""
+        """Begin without moves."""
         self.forgotten = 0
-        """How many of the first moves have been dropped."""
+        """Number of dropped moves, which are the first ones."""
         self._kept: list[QueuedMove] = []
 
     def __len__(self) -> int:
-        """How many were ever given."""
+        """Number of all moves, dropped ones included."""
         return self.forgotten + len(self._kept)
 
     def __iter__(self) -> Iterator[QueuedMove]:
-        """Those that are still kept."""
+        """Iterate over the moves that are not dropped."""
         return iter(self._kept)
 
     def __getitem__(self, number: int) -> QueuedMove:
@@ -36,7 +36,7 @@ class MoveLog:
         self._kept.append(queued)
 
     def numbered(self, first: int = 0, last: int | None = None) -> Iterator[tuple[int, QueuedMove]]:
-        """Those that are there from a number on, before another, with their numbers."""
+        """Kept moves from number `first` on and before `last`, with their numbers."""
         begin = max(first - self.forgotten, 0)
         end = None if last is None else last - self.forgotten
         return enumerate(self._kept[begin:end], self.forgotten + begin)

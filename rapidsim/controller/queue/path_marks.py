@@ -1,8 +1,8 @@
-"""Places on the path where something happens: outputs, interrupts and calls.
+"""Places on the path with actions: outputs, interrupts and calls.
 
-A mark lies so far before the end of a move, or after its start, along the programmed curve, and so
-many seconds before the robot is there. When that is follows from the preview of the motion: while
-time passes, no further move can come, so the preview is what will be.
+A mark has a distance before the end of a move, or after its start, along the programmed curve, and
+a time before the robot is there. Its time follows from the preview of the motion: while time
+passes, no further move can be queued, so the preview is what will happen.
 """
 
 from __future__ import annotations
@@ -24,16 +24,16 @@ _ROUNDING_M = 1e-9
 
 @value_class(frozen=True, slots=True, eq=False)
 class PathMark:
-    """A place on the path, and what happens there."""
+    """A place on the path with an action."""
 
     move: QueuedMove
     distance_m: float
-    """Back from the end of the move, or forward from its start."""
+    """Distance back from the end of the move, or forward from its start."""
     from_start: bool
     ahead_s: float
-    """How long before the robot gets there; negative for after."""
+    """Time before the robot's arrival; negative for after."""
     act: Callable[[float], None]
-    """Called with the time [s] at which it happens."""
+    """Called with the time [s] of the mark."""
     interrupts: bool = False
     """Whether it runs a trap or a procedure."""
 
@@ -46,20 +46,20 @@ class PathMarks:
     unit: MechanicalUnit
     _pending: list[PathMark] = field(default_factory=list)
     _due: tuple[tuple[int, int], int, tuple[float, ...]] | None = None
-    """The version of the path and the number of marks that the times belong to."""
+    """The version of the path and the number of marks for which the times were computed."""
 
     @property
     def is_pending(self) -> bool:
-        """Whether any marks are still ahead of the robot."""
+        """Whether the robot has not passed all marks yet."""
         return bool(self._pending)
 
     @property
     def may_interrupt(self) -> bool:
-        """Whether one of them may run a trap or a procedure."""
+        """Whether a mark may run a trap or a procedure."""
         return any(mark.interrupts for mark in self._pending)
 
     def add(self, mark: PathMark) -> None:
-        """Put a mark on the path."""
+        """Add a mark to the path."""
         self._pending.append(mark)
 
     def clear(self) -> None:
@@ -67,12 +67,12 @@ class PathMarks:
         self._pending.clear()
 
     def next_s(self) -> float | None:
-        """When the robot passes the next mark [s]; None if it passes none."""
+        """Time [s] at which the robot passes the next mark; None if it passes none."""
         earliest_s = min(self._times(), default=math.inf)
         return None if math.isinf(earliest_s) else earliest_s
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
-        """Do what the next mark stands for; see `event_source.EventSource`."""
+        """Carry out the action of the next mark; see `event_source.EventSource`."""
         del until_s
         times = self._times()
         index = min(range(len(times)), key=times.__getitem__)
@@ -81,10 +81,10 @@ class PathMarks:
         return times[index]
 
     def advance_to(self, time_s: float) -> None:
-        """Marks wait until they are passed."""
+        """Do nothing: marks wait until they are passed."""
 
     def _times(self) -> tuple[float, ...]:
-        """When the robot passes each mark [s]; infinite where it does not get there."""
+        """Time [s] at which the robot passes each mark; infinite if it does not get there."""
         if not self._pending:
             return ()
         key = (self.unit.version, len(self._pending))
@@ -94,18 +94,18 @@ class PathMarks:
         return self._due[2]
 
     def _worked_out(self, preview: Trajectory) -> tuple[float, ...]:
-        """The same, worked out for all marks at once."""
+        """Times of all marks, computed from a preview in one go."""
         places_m = np.array([self._place(mark) for mark in self._pending])
         comes = places_m <= preview.length + _ROUNDING_M
         times_s = np.full(len(places_m), math.inf)
         times_s[comes] = preview.time_at_place(places_m[comes])
-        # A robot that stood at the start came there earlier; the move begins when it leaves.
+        # A robot at rest at the start arrived there earlier; the move begins when it leaves.
         begins_s = [mark.move.command_start_s or 0.0 for mark in self._pending]
         ahead_s = np.array([mark.ahead_s for mark in self._pending])
         return tuple((np.maximum(times_s, begins_s) - ahead_s).tolist())
 
     def _place(self, mark: PathMark) -> float:
-        """Where [m] on the whole run a mark is; infinite where that is not planned."""
+        """Position [m] of a mark on the path of the whole run; infinite if it is not planned."""
         places = self.unit.queue.places_of(mark.move)
         if places is None:
             return math.inf

@@ -1,7 +1,7 @@
-"""Blocks that a robot travels repeatedly are planned only once.
+"""Cache of plans for blocks that a robot travels repeatedly.
 
-A cycle that repeats to the last bit gives the same path with the same timing: only the time at
-which it begins is new.
+A cycle that repeats exactly has the same path with the same timing: only the time at which it
+begins is new.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
 
 _MOST_BLOCKS = 1_000
-"""A pallet has hundreds. A run keeps their plans in any case, a served controller does not."""
+"""A pallet has hundreds. A run keeps their plans in any case; a served controller does not."""
 _MOST_SEGMENTS = 200
-"""Longer blocks are not kept: cycles rarely repeat them, and they take memory."""
+"""Longer blocks are not cached: cycles rarely repeat them, and they take memory."""
 
 
 @dataclass(slots=True, eq=False)
@@ -33,24 +33,25 @@ class PlanCache:
         start: Hashable,
         make: Callable[[], tuple[Path, TimeScaling]],
     ) -> tuple[Path, TimeScaling]:
-        """The plan of a block, made only if it was not made before.
+        """Return the plan of a block, from the cache if possible.
 
         Args:
-            segments: All of the block.
-            start: All that beside them decides the plan.
-            make: Plans.
+            segments: All segments of the block.
+            start: All other values that determine the plan.
+            make: Plans the block.
         """
         if len(segments) > _MOST_SEGMENTS:
             return make()
         key = (start, *map(_values, segments))
         known = self._plans.pop(key, None)
         if known is not None:
-            # Behind the others: what was asked for last is forgotten last.
+            # Moved to the end: the plan used last is discarded last.
             self._plans[key] = known
             return known
         path, timing = make()
         if all(map(operator.is_, path.segments, segments)):
-            # Else a move gave way to what can be made: that is found out, and told, each time.
+            # Otherwise a move was changed to what can be made: that must be found and reported each
+            # time.
             self._plans[key] = path, timing
             if len(self._plans) > _MOST_BLOCKS:
                 del self._plans[next(iter(self._plans))]
@@ -73,6 +74,6 @@ def _value(value: object) -> Hashable:
         case Transform(rotation=rotation, translation=translation):
             return rotation.tobytes(), translation.tobytes()
         case Hashable():
-            # A carrier is itself: those of one tool and one work object are one.
+            # A carrier is compared by identity: it is one object per tool and work object.
             return value
     raise TypeError(f"a {type(value).__name__} of a segment cannot be compared")

@@ -292,7 +292,7 @@ class SoloQueue:
         return Waypoint(joints, self.robot.forward(joints), samples.external[0])
 
     def executed(self, task: str) -> tuple[ExecutedMove, ...]:
-        """All planned moves, with the times at which the real arm (after lag) makes them."""
+        """All planned moves, with the times at which the arm makes them, lag included."""
         done = [
             (index, queued)
             for index, queued in self.moves.numbered()

@@ -13,13 +13,13 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.values import value_class
 
 STEP_S = 0.012
-"""An output is written at intervals of this length."""
+"""Interval [s] at which an output is written."""
 _MM = 1e-3
 
 
 @value_class(frozen=True, slots=True)
 class _Follower:
-    """How an output follows the speed, and which instruction asked for it."""
+    """Parameters of an output that follows the speed, with the instruction that set it up."""
 
     cause: Cause
     per_mm_s: float
@@ -30,8 +30,8 @@ class _Follower:
 class SpeedOutputs:
     """The outputs that follow one robot's speed: a `event_source.EventSource`.
 
-    They are written while time passes and no further move can come, so the preview of the motion
-    is what will be.
+    They are written while time passes and no further move can be queued, so the preview of the
+    motion is what will happen.
     """
 
     on_path: ClassVar = True
@@ -43,14 +43,14 @@ class SpeedOutputs:
     def follow(
         self, cause: Cause, now_s: float, signal: str, per_mm_s: float, lag_s: float
     ) -> None:
-        """Let an output be a factor times the coming speed [mm/s]; a factor of 0 ends it."""
+        """Let an output be a factor times the future speed [mm/s]; a factor of 0 ends it."""
         self._followers[signal.lower()] = _Follower(cause, per_mm_s, lag_s)
         self._write(signal, self._followers[signal.lower()], now_s)
         if per_mm_s == 0.0:
             del self._followers[signal.lower()]
 
     def next_s(self) -> float | None:
-        """When outputs are next written [s]; None while the robot stands."""
+        """Time [s] at which outputs are next written; None while the robot is at rest."""
         if not self._followers:
             return None
         ends_s = self.unit.queue.preview().duration
@@ -68,7 +68,7 @@ class SpeedOutputs:
         return time_s
 
     def advance_to(self, time_s: float) -> None:
-        """A robot that stood is followed from when it goes on."""
+        """Skip the time at rest: outputs follow a robot from when it moves again."""
         self._written_s = max(self._written_s, time_s - STEP_S)
 
     def _write(self, signal: str, follower: _Follower, time_s: float) -> None:

@@ -1,7 +1,7 @@
-"""Stopping on the path, going on, and what becomes of the rest.
+"""Stopping on the path, resuming, and discarding the rest of the path.
 
-Stopping takes back what is fixed beyond the stop: a block stays with its planner when it has its
-end, until the next one begins, so that its rest can be planned again.
+A stop withdraws what is fixed beyond it: a block that has its end stays with its planner until the
+next one begins, so that its rest can be planned again.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.command import Piece
 
 _SAME_JOINTS = np.radians(1e-3)
-"""An arm this close [rad] to where it left a path has nothing to regain."""
+"""Joint distance [rad] below which an arm is where it left a path."""
 
 
 def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
-    """Stop, from a time up to which the path is fixed or not.
+    """Stop from a time, up to which the path is fixed or not.
 
     Args:
         planner: Of the path.
         now_s: When braking begins [s].
-        in_s: How long it takes [s]; as fast as the axes can if 0.
+        in_s: Braking time [s]; as fast as the axes can if 0.
 
     Returns:
-        Command time [s] at which the robot stands.
+        Command time [s] at which the robot is at rest.
 
     Raises:
         MotionError: See `BlockPlanner.append`.
@@ -43,14 +43,14 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
     planner.version += 1
     block = planner.block
     block.is_halted = True
-    # On its way, although nothing is fixed from now on.
+    # In motion, although nothing is fixed from now on.
     flying = block.is_open and block.commit.time_s == now_s and block.commit.speed_m_s > 0.0
     if not flying and (not block.moves or now_s >= planner.trajectory.command_end):
         return now_s
     while block.driven and block.driven[-1].start_s >= now_s:
         block.driven.pop()
     if flying:
-        # Where the moves that came since cannot be made, the arm brakes on the path it had.
+        # If moves queued since then cannot be made, the arm brakes on the path it had before.
         with suppress(MotionError):
             block.driven.append(planner.planned())
     planner.trajectory.cut(now_s)
@@ -77,7 +77,7 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
 
 
 def resume(planner: BlockPlanner, now_s: float) -> None:
-    """Go on from where the robot was stopped."""
+    """Continue from where the robot was stopped."""
     planner.version += 1
     block = planner.block
     block.is_halted = False
@@ -89,16 +89,16 @@ def resume(planner: BlockPlanner, now_s: float) -> None:
 
 
 def regain(planner: BlockPlanner, waypoint: Waypoint, left_at: Waypoint, now_s: float) -> float:
-    """Go back to where the path was left, all axes together, as slowly as the path is programmed.
+    """Return to where the path was left, all axes together, at the programmed speed of the path.
 
     Args:
         planner: Of the path.
-        waypoint: Where the arm stands, as a flange with no tool.
-        left_at: Where it left the path, likewise.
-        now_s: When it begins [s].
+        waypoint: Position of the arm, of the flange without a tool.
+        left_at: Position at which it left the path, likewise of the flange.
+        now_s: Time [s] at which it begins.
 
     Returns:
-        Command time [s] at which it is there; `now_s` if it is there already.
+        Command time [s] of its arrival; `now_s` if it is there already.
     """
     if is_same_place(waypoint, left_at):
         return now_s
@@ -113,7 +113,7 @@ def is_same_place(waypoint: Waypoint, left_at: Waypoint) -> bool:
 
 
 def segment_back(segment: Segment, waypoint: Waypoint, left_at: Waypoint) -> Segment:
-    """The segment from where an arm is to where it left one; all axes move together."""
+    """Segment from the position of an arm to where it left another one; all axes move together."""
     return replace(
         segment,
         geometry=Geometry.JOINT,
@@ -129,7 +129,7 @@ def segment_back(segment: Segment, waypoint: Waypoint, left_at: Waypoint) -> Seg
 
 
 def go_back(planner: BlockPlanner, move: QueuedMove, now_s: float) -> float:
-    """Add a move back to the path to the motion; the command time [s] at which it has ended."""
+    """Append a move back to the path to the motion; return the command time [s] of its end."""
     path = planner.build([move], None)
     timing = plan(path, planner.limits, check_deadline=planner.check_deadline)
     start_s = max(now_s, planner.ready_s)
@@ -138,26 +138,26 @@ def go_back(planner: BlockPlanner, move: QueuedMove, now_s: float) -> float:
 
 
 def clear(planner: BlockPlanner) -> None:
-    """Forget what is left of the path of a robot that stands."""
+    """Discard the remaining path of a robot at rest."""
     planner.version += 1
     block, trajectory = planner.block, planner.trajectory
     if block.is_open:
         block.is_closed, block.plan = True, None
         planner.ready_s = trajectory.command_end
-        # The next move waits for the arm to come to rest.
+        # The next move waits until the arm is at rest.
         planner.settled_s = -math.inf
         for queued in block.moves:
             if queued.started.time is None:
-                # The program waits for it no longer.
+                # The program no longer waits for it.
                 queued.started.time = planner.ready_s
             queued.end_place_m = min(queued.end_place_m, trajectory.length)
     planner.moved(block.moves, None)
 
 
 def leave(planner: BlockPlanner) -> None:
-    """Leave the robot on its way, as far as its path is fixed; nothing more is planned.
+    """Leave the robot in motion to the end of its fixed path; planning ends.
 
-    The move that begins there counts as begun, for it is what the arm is about to make.
+    The move that begins at that end counts as begun, because the arm is about to make it.
     """
     block = planner.block
     if not block.is_open or not block.driven:
@@ -170,7 +170,7 @@ def leave(planner: BlockPlanner) -> None:
 
 
 def _take_back(planner: BlockPlanner, index: int) -> None:
-    """Take back the start of a move of the block and of those after it."""
+    """Withdraw the start of a move of the block and of those after it."""
     taken = planner.block.moves[index:]
     for queued in taken:
         queued.started.time = None

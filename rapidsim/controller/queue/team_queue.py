@@ -1,4 +1,4 @@
-"""A team's path as the controller of one task sees it: the path of its own robot."""
+"""Motion queue of one robot of a team, as its task's controller uses it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class TeamQueue:
     own: SoloQueue
     team: TeamPlanner
     number: int
-    """Of the robot in the team."""
+    """Number of the robot in the team."""
 
     @property
     def trajectory(self) -> Trajectory:
@@ -30,22 +30,22 @@ class TeamQueue:
 
     @property
     def moves(self) -> MoveLog:
-        """All moves the robot was ever given, alone or with others."""
+        """All moves the robot ever got, alone or with others."""
         return self.own.moves
 
     @property
     def end(self) -> Waypoint:
-        """Where the last queued move of the robot ends."""
+        """End of the last queued move of the robot."""
         return self.own.end
 
     @property
     def version(self) -> int:
-        """Changes whenever what the robot will do may change."""
+        """Changes whenever the planned motion of the robot may change."""
         return self.team.planner.version
 
     @property
     def is_open(self) -> bool:
-        """Whether a block of moves of the team waits for its end."""
+        """Whether a block of moves of the team is open: its end is not decided."""
         return self.team.planner.is_open
 
     @property
@@ -55,7 +55,7 @@ class TeamQueue:
 
     @property
     def open_moves(self) -> int:
-        """How many moves of the open block are still ahead of the robots."""
+        """Number of moves of the open block that are not yet travelled."""
         return self.team.planner.open_moves
 
     @property
@@ -76,19 +76,19 @@ class TeamQueue:
         return self.team.planner.commit_ahead()
 
     def nominal_last_start(self) -> float:
-        """About when the last move starts [s]."""
+        """Nominal time [s] at which the last move starts."""
         return self.team.planner.nominal_last_start()
 
     def preview(self) -> Trajectory:
-        """What the robot will do if nothing more is said."""
+        """Trajectory of the robot if no further move is queued."""
         return self.team.preview(self.number)
 
     def places_of(self, queued: QueuedMove) -> tuple[float, float] | None:
-        """Where a move of the robot starts and ends [m] on its preview; None for others."""
+        """Path positions [m] of start and end of a move of the robot; None for other moves."""
         return self.team.places_of(self.number, queued)
 
     def path_ratio(self, queued: QueuedMove) -> float:
-        """In a team the robot with the longest path sets the parameter."""
+        """Rate of the common parameter, which the robot with the longest path sets."""
         return self.team.parameter_rate(self.number, queued)
 
     def seen(self, now_s: float, times: Array) -> Samples:
@@ -105,15 +105,15 @@ class TeamQueue:
         return stopping.halt(self.team.planner, now_s, in_s)
 
     def resume(self, now_s: float) -> None:
-        """Let all robots of the team go on."""
+        """Continue the motion of all robots of the team."""
         self.team.resume(now_s)
 
     def leave(self) -> None:
-        """Leave all robots of the team on their way."""
+        """Leave all robots of the team in motion; planning ends."""
         stopping.leave(self.team.planner)
 
     def clear(self) -> None:
-        """Forget what is left of the path of the team."""
+        """Discard the remaining path of the team."""
         self.team.clear()
 
     def off_path_reason(self) -> str:
