@@ -20,17 +20,17 @@ from typing import Any, Final, TypeAlias
 from rapidsim.values import value_class
 
 Fields: TypeAlias = Mapping[str, Any]
-"""A message: values by the names of its fields; what is not there was not sent."""
+"""A message: values by the names of its fields; missing fields were not sent."""
 
 
 class FieldType(Enum):
-    """What a field contains."""
+    """Content of a field."""
 
     NUMBER = 0
-    """A whole number that is not negative, a choice, or whether something is so."""
+    """A non-negative whole number, an enumeration value, or a truth value."""
     DOUBLE = 1
     DOUBLES = 2
-    """Any number of them."""
+    """Any number of doubles."""
 
 
 @value_class(frozen=True, slots=True)
@@ -75,7 +75,7 @@ def message(
 
 
 def encode(of: MessageDescriptor, fields: Fields) -> bytes:
-    """A message as bytes; fields that are None or missing are left out."""
+    """A message as bytes; fields that are None or missing are omitted."""
     out = bytearray()
     for number, field in of.fields.items():
         value = fields.get(field.name)
@@ -126,13 +126,13 @@ def _decoded(of: MessageDescriptor, data: bytes, depth: int) -> dict[str, Any]:
             case FieldType.DOUBLES, 1:
                 read.setdefault(field.name, []).append(_double(value))
             case FieldType.DOUBLES, 2:
-                # Packed, as writers of later generations do.
+                # Packed, as in later generations of the format.
                 if len(value) % 8:
                     raise DecodeError(f"{field.name}: {len(value)} bytes are not doubles")
                 parts = (value[at : at + 8] for at in range(0, len(value), 8))
                 read.setdefault(field.name, []).extend(map(_double, parts))
             case MessageDescriptor() as inner, 2:
-                # Parts of one message may come one after the other.
+                # A message may arrive in several parts.
                 read[field.name] = read.get(field.name, {}) | _decoded(inner, value, depth + 1)
             case _:
                 raise DecodeError(f"{field.name} is of another type")
@@ -172,7 +172,7 @@ def _records(data: bytes) -> Iterator[tuple[int, int, Any]]:
 
 
 def _varint(data: bytes, at: int) -> tuple[int, int]:
-    """A number and where what follows it begins."""
+    """A number, and the offset after it."""
     value = shift = 0
     while True:
         if at >= len(data) or shift > 63:

@@ -23,12 +23,12 @@ class Address(NamedTuple):
     port: int
 
     def __str__(self) -> str:
-        """As it is written: `127.0.0.1:6510`."""
+        """Address as text: `127.0.0.1:6510`."""
         return f"{self.host}:{self.port}"
 
 
 DEFAULT: Final = Address("127.0.0.1", 6510)
-"""Of a device that nobody knows."""
+"""Address of an unknown device."""
 
 
 @value_class(frozen=True, slots=True)
@@ -36,11 +36,11 @@ class SensorDevices:
     """The known devices, by folded name."""
 
     named: Mapping[str, Address] = field(default_factory=dict)
-    """On the command line: any address."""
+    """Addresses from the command line, of any host."""
     configured: Mapping[str, Address] = field(default_factory=dict)
-    """In SIO.cfg: only addresses of this computer, and of hosts that are allowed."""
+    """Addresses from SIO.cfg, only of this computer and of allowed hosts."""
     names: tuple[str, ...] = ()
-    """As they are written."""
+    """Names as written."""
     hosts: frozenset[str] = frozenset()
 
     def address(self, device: str) -> Address:
@@ -95,7 +95,7 @@ def sensor_devices(
 
 
 def read_device(text: str) -> tuple[str, Address]:
-    """Parse a device given on the command line, such as `UCdevice=127.0.0.1:6510`.
+    """Parse a device of the command line, such as `UCdevice=127.0.0.1:6510`.
 
     Raises:
         InputError: If it has another form.
@@ -109,5 +109,5 @@ def read_device(text: str) -> tuple[str, Address]:
 
 
 def _port(text: str) -> int:
-    """A port; 0 if it is none."""
+    """A port number; 0 if the text is not one."""
     return int(text) if text.isascii() and text.isdigit() and int(text) < 65536 else 0

@@ -24,9 +24,9 @@ from rapidsim.motion.guidance.feedback import Feedback, Guided
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 ARM_AXES: Final = 6
-"""So many joints of an arm are told as such; a seventh goes before the external ones."""
+"""Number of joints reported as arm joints; a seventh precedes the external ones."""
 _MOST: Final = 1e9
-"""No number of a sensor is greater [mm, deg, mm/s, deg/s]."""
+"""Maximum number that a sensor may send [mm, deg, mm/s, deg/s]."""
 _UINT32: Final = 2**32
 _EPOCH_S: Final = int(START_OF_TIME.replace(tzinfo=UTC).timestamp())
 _MCI: Final = {
@@ -66,7 +66,8 @@ def robot_datagram(number: int, feedback: Feedback) -> bytes:
                 "mtype": MessageType.DATA,
             },
             "feedBack": placed,
-            # The arm follows its command at once here, so what is planned is where it is.
+            # The arm follows its command without lag here, so planned and actual positions are
+            # equal.
             "planned": placed,
             "motorState": {"state": MotorState.ON if motors_on else MotorState.OFF},
             "mciState": {"state": _MCI[feedback.guided]},

@@ -1,4 +1,4 @@
-"""Sensors behind a guide process, as the controller sees them: answers at its own cycles."""
+"""Sensors behind a guide process, for the controller: answers at its own cycles."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from rapidsim.motion.guidance.guided_execution import GuidedExecution
 from rapidsim.motion.guidance.sensor import SensorAnswer
 
 _PATIENCE_S: Final = 2.0
-"""So long [s] the controller waits for the guide; what comes later counts as not said."""
+"""Time [s] for which the controller waits for the guide; later answers count as missing."""
 
 
 @dataclass(slots=True, eq=False)
@@ -36,9 +36,9 @@ class GuidedSensors:
     devices: SensorDevices
     connection: Connection
     speed: float
-    """Virtual seconds in one on the wall."""
+    """Virtual seconds per second of the wall clock."""
     began_s: float = 0.0
-    """When virtual time began, on the wall's clock [s]."""
+    """Start of virtual time [s] on the wall clock."""
     _replies: dict[int, list[SensorReply]] = field(default_factory=dict)
     _last: int = 0
 
@@ -54,12 +54,12 @@ class GuidedSensors:
         """See `GuidanceSensors`."""
 
     def send(self, number: int, order: Order) -> None:
-        """Send an order to the guide; if it is gone, nothing happens."""
+        """Send an order to the guide; without effect if it has ended."""
         with suppress(OSError):
             self.connection.send((number, order))
 
     def next(self, number: int, guidance: int, sample: int) -> SensorAnswer | None:
-        """What a sensor has answered by a sample of a guidance."""
+        """Answer of a sensor up to a sample of a guidance; None if there is no answer."""
         while True:
             known = self._replies[number]
             while known and (known[0].guidance, known[0].sample) < (guidance, sample):
@@ -74,7 +74,7 @@ class GuidedSensors:
             return None
 
     def forget(self, number: int) -> None:
-        """Stop talking to a sensor."""
+        """Disconnect from a sensor."""
         self.send(number, CloseSensor())
         self._replies.pop(number, None)
 
@@ -97,13 +97,13 @@ class GuidedSensor:
         self.all.send(self.number, StartGuidance(self._guidance, run, feedback))
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """Have the guide report the sensor's answers to the streamed feedback."""
+        """Let the guide report the sensor's answers to the streamed feedback."""
         self._guidance += 1
         self._correcting = StartCorrection(self._guidance, first_s, sample_s)
         self.all.send(self.number, self._correcting)
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """The answer by this sample; the guide has long since sent the feedback."""
+        """The answer up to this sample; the guide has already sent the feedback."""
         sample, self._samples = self._samples, self._samples + 1
         if (one := self._correcting) is not None:
             sample = one.sample_at(feedback.time_s)
@@ -114,11 +114,11 @@ class GuidedSensor:
         self.all.send(self.number, StopGuidance(moves_back, ramp_out_s))
 
     def end(self, feedback: Feedback) -> None:
-        """Have the guide send a last message."""
+        """Let the guide send a last message."""
         self.all.send(self.number, EndGuidance(feedback))
 
     def stream(self, stream: Sequence[Feedback]) -> None:
-        """Have the guide send each message when it is due."""
+        """Let the guide send each message when it is due."""
         self.all.send(self.number, StreamFeedback(tuple(stream)))
 
     def close(self) -> None:

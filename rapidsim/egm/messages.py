@@ -72,15 +72,15 @@ ROBOT: Final = message(
     moveIndex=(11, _N),
     RAPIDfromRobot=(13, _DATA),
 )
-"""What the controller sends. Forces and collisions (9 and 12) are not modelled and left out."""
+"""Message of the controller. Forces and collisions (9 and 12) are not modelled and omitted."""
 SENSOR: Final = message(
     header=(1, _HEADER), planned=(2, _PLANNED), speedRef=(3, _SPEED_REF), RAPIDtoRobot=(4, _DATA)
 )
-"""What a sensor answers."""
+"""Message of a sensor."""
 HEADED: Final = message(header=(1, _HEADER))
-"""Any message, as far as it says of itself what it is."""
+"""Header of any message, which has its type."""
 PATH_CORRECTION: Final = message(
     header=(1, _HEADER),
     pathCorr=(2, message(pos=(1, _CARTESIAN, True), age=(2, _N, True))),
 )
-"""What a sensor answers that corrects a path."""
+"""Message of a sensor that corrects a path."""

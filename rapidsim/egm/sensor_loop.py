@@ -1,8 +1,8 @@
-"""The guide: a process that talks to sensors on time, however busy the controller's own is.
+"""The guide: a process that communicates with sensors on time, even if the controller is busy.
 
-It runs the same guidance as the controller, beside and ahead of it, so that messages to a sensor
-are never late. The sensor's answer at each sample goes to the controller, which moves its robot by
-these answers alone.
+It runs the same guidance as the controller, in parallel and ahead of it, so that messages to a
+sensor are never late. The sensor's answer at each sample is sent to the controller, which moves its
+robot by these answers alone.
 """
 
 from __future__ import annotations
@@ -29,26 +29,26 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.values import value_class
 
 _MOST_LATE: Final = 25
-"""So many cycles are made up for; what is later comes later."""
+"""Maximum number of cycles that are caught up; after a longer delay all cycles are shifted."""
 _ROUNDING_S: Final = 1e-6
 _HOLDS_S: Final = 0.5
-"""So long [s] on the wall a stream goes on where the controller says nothing more."""
+"""Time [s] on the wall clock for which a stream continues without data of the controller."""
 
 
 @value_class(frozen=True, slots=True)
 class OpenSensor:
-    """Start talking to a sensor."""
+    """Order to connect to a sensor."""
 
     address: Address
     began_s: float
-    """When virtual time began, on the wall's clock that all processes share [s]."""
+    """Start of virtual time [s] on the wall clock, which all processes share."""
     speed: float
-    """Virtual seconds in one on the wall."""
+    """Virtual seconds per second of the wall clock."""
 
 
 @value_class(frozen=True, slots=True)
 class StartGuidance:
-    """A guidance begins."""
+    """Order to begin a guidance."""
 
     number: int
     run: GuidedExecution
@@ -57,11 +57,11 @@ class StartGuidance:
 
 @value_class(frozen=True, slots=True)
 class StartCorrection:
-    """A path is corrected from now on: answers to the streamed feedback are reported."""
+    """Order to begin a path correction: answers to the streamed feedback are reported."""
 
     number: int
     first_s: float
-    """Of the first sample [s]."""
+    """Time of the first sample [s]."""
     sample_s: float
 
     def sample_at(self, time_s: float) -> int:
@@ -71,7 +71,7 @@ class StartCorrection:
 
 @value_class(frozen=True, slots=True)
 class StopGuidance:
-    """The program ends the guidance."""
+    """Order of the program to end the guidance."""
 
     moves_back: bool
     ramp_out_s: float
@@ -79,21 +79,21 @@ class StopGuidance:
 
 @value_class(frozen=True, slots=True)
 class EndGuidance:
-    """The guidance is over; a last message is sent."""
+    """Order to end the guidance with a last message."""
 
     feedback: Feedback
 
 
 @value_class(frozen=True, slots=True)
 class StreamFeedback:
-    """The robot's future positions."""
+    """Order to stream the robot's future positions."""
 
     stream: tuple[Feedback, ...]
 
 
 @value_class(frozen=True, slots=True)
 class CloseSensor:
-    """Stop talking to a sensor."""
+    """Order to disconnect from a sensor."""
 
 
 Order: TypeAlias = (
@@ -109,7 +109,7 @@ Order: TypeAlias = (
 
 @value_class(frozen=True, slots=True)
 class SensorReply:
-    """What a sensor has answered by a given sample of a guidance."""
+    """Answer of a sensor up to a sample of a guidance; None without an answer."""
 
     sensor: int
     guidance: int
@@ -119,19 +119,19 @@ class SensorReply:
 
 @value_class(slots=True, eq=False)
 class _Guidance:
-    """One that goes on here."""
+    """A guidance in progress in this process."""
 
     number: int
     run: GuidedExecution
     schedule: FeedbackSchedule
     cycles: int = 0
     late_s: float = 0.0
-    """How much later [s] than the wall wants its cycles are."""
+    """Delay [s] of its cycles on the wall clock."""
 
 
 @value_class(slots=True, eq=False)
 class _SensorSession:
-    """With one sensor."""
+    """Communication with one sensor."""
 
     number: int
     opened: OpenSensor
@@ -139,15 +139,15 @@ class _SensorSession:
     guidance: _Guidance | None = None
     correcting: StartCorrection | None = None
     stream: list[Feedback] = field(default_factory=list)
-    """What is to be told, by time."""
+    """Feedback to be sent, by time."""
     last: Feedback | None = None
-    """What was told last of the stream."""
+    """Feedback that was sent last; None before."""
     held_s: float = 0.0
-    """For how long [s] the same has been told."""
+    """Time [s] for which the last feedback has been repeated."""
     sample_s: float = math.inf
 
     def due_s(self) -> float:
-        """When the next action is due, on the wall clock [s]; infinite if none is."""
+        """Time [s] of the next action on the wall clock; infinite if none is due."""
         if (guidance := self.guidance) is not None:
             virtual_s = guidance.schedule.first_s + guidance.cycles * CYCLE_S
             return self._wall_s(virtual_s) + guidance.late_s
@@ -158,7 +158,7 @@ class _SensorSession:
         return self._wall_s(self.last.time_s + self.sample_s)
 
     def act(self, now_s: float) -> SensorReply | None:
-        """Do what is due [s]; what to report to the controller."""
+        """Carry out the action that is due [s]; return the reply for the controller, if any."""
         guidance = self.guidance
         if guidance is None:
             return self._send_feedback()
@@ -197,7 +197,7 @@ class _SensorSession:
                 if self.correcting is not None:
                     self.stream.clear()
                     if self.last is not None:
-                        # The sensor was told on time, whatever the controller was behind.
+                        # The sensor got feedback on time, even if the controller was behind.
                         after_s = max(feedback.time_s, self.last.time_s)
                         feedback = replace(feedback, time_s=after_s)
                 self.guidance = self.correcting = self.last = None
@@ -213,7 +213,7 @@ class _SensorSession:
                 pass
 
     def _send_feedback(self) -> SensorReply | None:
-        """Tell what is due of the stream; what the sensor has answered, if that counts."""
+        """Send the next feedback of the stream; return the sensor's answer if it is needed."""
         answer, one = None, self.correcting
         self.socket.receive()
         if one is not None:
@@ -246,10 +246,10 @@ def run_sensor_loop(connection: Connection) -> None:
 
 
 def serve_sensors(connection: Connection) -> None:
-    """Talk to sensors until the controller is gone."""
+    """Communicate with sensors until the controller disconnects."""
     talks: dict[int, _SensorSession] = {}
     ports, told = Ports(), SimpleQueue[SensorReply]()
-    # A controller that is busy lets its end of the pipe fill up, for which no sensor waits.
+    # The pipe to a busy controller may fill up; sensors must not wait for that.
     Thread(target=_send, args=(connection, told), daemon=True).start()
     with suppress(EOFError, OSError):
         while True:
@@ -269,12 +269,12 @@ def _pass(
     ports: Ports,
     replies: SimpleQueue[SensorReply],
 ) -> None:
-    """Wait for what comes next, and do it."""
+    """Wait for the next action or order, and carry it out."""
     due_s = min((one.due_s() for one in sessions.values()), default=math.inf)
     if math.isinf(due_s):
         wait([connection])
     elif (left_s := due_s - monotonic()) > 0.0:
-        # Pipes cannot be waited for so exactly everywhere: the controller waits for a cycle.
+        # Waiting for pipes is not exact enough on all systems: the controller waits for a cycle.
         streams = [one.socket.stream for one in sessions.values()]
         select.select(streams, [], [], min(left_s, CYCLE_S))
         for one in sessions.values():

@@ -24,7 +24,7 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 
 _LARGEST: Final = 65536
 _MOST_AT_ONCE: Final = 100
-"""So many datagrams are read in one go; a sensor that sends more does not hold up the robot."""
+"""Maximum number of datagrams read in one go, so that a flood does not delay the robot."""
 
 
 @dataclass(slots=True, eq=False)
@@ -37,7 +37,7 @@ class Ports:
     _streams: dict[Address, socket.socket] = field(default_factory=dict)
 
     def to(self, address: Address) -> SensorSocket:
-        """Start talking to a sensor, with what it said to the previous program forgotten."""
+        """Connect to a sensor, discarding what it sent to the previous program."""
         if address not in self._streams:
             stream = self._streams[address] = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
             stream.setblocking(False)
@@ -60,10 +60,10 @@ class SensorSocket:
     """Datagrams to and from one sensor."""
 
     address: Address
-    """Its host in figures, as incoming datagrams name it."""
+    """Its numeric host, as in incoming datagrams."""
     stream: socket.socket
     dropped: int = 0
-    """Datagrams that were no message, or came from another host."""
+    """Number of datagrams that were not messages, or came from another host."""
     _number: int = 0
     _answer: SensorAnswer | None = None
     _has_guided: bool = False
@@ -75,7 +75,7 @@ class SensorSocket:
         self._number += 1
 
     def receive(self) -> int:
-        """Read what has arrived; the number of answers."""
+        """Read the datagrams that have arrived; return the number of answers."""
         answers = 0
         for _ in range(_MOST_AT_ONCE):
             try:
@@ -83,10 +83,10 @@ class SensorSocket:
             except BlockingIOError:
                 break
             except OSError:
-                # Some systems tell here that nobody has heard the last word.
+                # Some systems report here that the last message was not received.
                 continue
             if sender[0] != self.address.host:
-                # Nobody else on the network may guide the robot.
+                # No other host on the network may guide the robot.
                 self.dropped += 1
                 continue
             try:
@@ -102,9 +102,9 @@ class SensorSocket:
         return answer
 
     def begin(self) -> None:
-        """A guidance begins: the first with the last answer, for a sensor may say its goal once.
+        """Begin a guidance; the first keeps the last answer: a sensor may send its goal once.
 
-        What came since the guidance before may still be an answer to that one.
+        Later ones discard it: an answer since the last guidance may still belong to that one.
         """
         self.receive()
         if self._has_guided:
@@ -113,7 +113,7 @@ class SensorSocket:
 
 
 def _numeric(address: Address) -> Address:
-    """The address with its host in figures; as it is, if nobody knows that host."""
+    """The address with a numeric host; unchanged if the host cannot be resolved."""
     with suppress(OSError):
         return Address(socket.gethostbyname(address.host), address.port)
     return address
@@ -125,7 +125,7 @@ class PacedSensor(SilentSensor):
 
     socket: SensorSocket
     waits_full: bool
-    """Whether a cycle takes all its time, or is over with an answer."""
+    """Whether a cycle takes its full time, or ends with an answer."""
     _sample_s: float = CYCLE_S
     _due_s: float = 0.0
 
@@ -201,7 +201,7 @@ class StepSensor(SilentSensor):
         self.socket.begin()
 
     def exchange(self, feedback: Feedback) -> SensorAnswer | None:
-        """Send a message; the answer to the previous one."""
+        """Send a message; return the answer to the previous one."""
         answer = self.socket.take()
         self.socket.send(feedback)
         return answer
@@ -245,7 +245,7 @@ class StepSensors:
         return [one.socket.stream for one in self._open]
 
     def came(self, ready: Collection[object]) -> float:
-        """Read what has arrived; how much time [s] it lets pass."""
+        """Read arrived datagrams; return the time [s] by which they advance the run."""
         passed_s = 0.0
         for one in self._open:
             if one.socket.stream in ready and one.socket.receive():

@@ -1,21 +1,21 @@
-"""How a library routine writes its RAPID signature: as Python annotations.
+"""RAPID signatures of library routines as Python annotations.
 
 Positional parameters are required, keyword-only ones are RAPID's optional arguments (default None),
 a keyword-only `Switch` is a switch. `InOut[Num]`, `Var[...]` and `Pers[...]` arrive as references.
-A first parameter annotated with a protocol of `controller` is given by the interpreter and is not
-part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` takes either type.
+A first parameter annotated with a protocol of `controller` is passed by the interpreter and is not
+part of the signature. Python's `max_time` is RAPID's `MaxTime`; `X | Y` accepts either type.
 
-- Arrays are their own reference: `list[Num]` is `num{*}`, `Annotated[list[Num], Mode.VAR]` the same
-  by reference.
-- `AnyType` is `anytype`; with `Only(...)` beside it, it takes less, and the checker says what.
-- `Deferred[Bool]` arrives as a function without parameters that evaluates the argument.
-- A keyword-only `ArgumentType` is not part of the signature either: it is given the type of the
-  argument for the first parameter that takes `anytype` or several types, where num and dnum must be
-  told apart; a second one that of the second such parameter.
-- `**options: Unpack[SomeTypedDict]` stands for one argument each, given by keyword: those that the
-  row of the routine names, optional or not.
-- Signals arrive as references to a `Signal`, which names the signal; a signal that no module
-  declares is as if it were declared with its own name.
+- Arrays are their own reference: `list[Num]` is `num{*}`, `Annotated[list[Num], Mode.VAR]` is the
+  array by reference.
+- `AnyType` is `anytype`; with `Only(...)` it accepts fewer types, and the checker names them.
+- `Deferred[Bool]` is passed as a function without parameters that evaluates the argument.
+- A keyword-only `ArgumentType` is not part of the signature either: its value is the type of the
+  argument for the first parameter of type `anytype` or of several types, to distinguish num and
+  dnum; that of a second one belongs to the second such parameter.
+- `**options: Unpack[SomeTypedDict]` is one argument each, by keyword: those that the row of the
+  routine names, optional or not.
+- Signals are passed as references to a `Signal`, which names the signal; a signal that no module
+  declares is treated as declared with its own name.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ T = TypeVar("T")
 
 
 class ParameterMode(Enum):
-    """How an argument is passed."""
+    """Passing mode of a parameter."""
 
     IN = "IN"
     INOUT = "INOUT"
@@ -50,7 +50,7 @@ class ParameterMode(Enum):
 
 
 class Marker(Enum):
-    """What the interpreter does differently for a parameter."""
+    """Special treatment of a parameter by the interpreter."""
 
     DEFERRED = "deferred"
     """Pass a function that evaluates the argument."""
@@ -60,7 +60,7 @@ class Marker(Enum):
 
 @value_class(frozen=True, slots=True)
 class Only:
-    """What a parameter of type anytype takes, where that is not everything."""
+    """Types that a parameter of type anytype accepts, if not all."""
 
     words: str
     types: tuple[types.Type, ...]
@@ -122,7 +122,7 @@ _OPAQUE = {atom.name: atom for atom in types.OPAQUE}
 TaskId = Annotated[object, _OPAQUE["taskid"]]
 MecUnit = Annotated[object, _OPAQUE["mecunit"]]
 CameraDev = Annotated[Any, _OPAQUE["cameradev"]]
-"""The name of a camera in the configuration; None where the variable is named after it."""
+"""The name of a camera in the configuration; None if it is the name of the variable."""
 CorrDescr = Annotated[int | None, _OPAQUE["corrdescr"]]
 """The number of a correction generator; None while it is not connected."""
 TriggData = Annotated[Trigger | None, _OPAQUE["triggdata"]]
@@ -130,7 +130,7 @@ TrapData = Annotated[LoggedError | None, _OPAQUE["trapdata"]]
 PathRecId = Annotated[int | None, _OPAQUE["pathrecid"]]
 ShapeData = Annotated[ZoneShape | None, _OPAQUE["shapedata"]]
 Dir = Annotated[list[str] | None, _OPAQUE["dir"]]
-"""An open folder: the names that ReadDir has not given yet."""
+"""An open folder: the names that ReadDir has not returned yet."""
 DataPos = Annotated[DataName | None, _OPAQUE["datapos"]]
 LoadSessionVar = Annotated[LoadSession | None, _OPAQUE["loadsession"]]
 RmqMessage = Annotated[Message | None, _OPAQUE["rmqmessage"]]

@@ -1,6 +1,6 @@
-"""The records of arc welding, an option: known so that programs with them are checked and run.
+"""Records of arc welding, an option: known so that programs with them are checked and run.
 
-Nothing here acts on the robot: a weld is a move of `speeddata` like any other.
+None of them affects the robot: a weld is a move of `speeddata` like any other.
 
 Source: Application manual Arc and Arc Sensor, "Data types"; the numbers of components were compared
 with declarations of programs from controllers.
@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 
 class ArcData(NamedTuple):
-    """What the power source is asked for."""
+    """Settings of the power source."""
 
     sched: float
     mode: float
@@ -26,7 +26,7 @@ class ArcData(NamedTuple):
 
 
 class SeamData(NamedTuple):
-    """How a weld begins and ends; times [s]."""
+    """Begin and end of a weld; times [s]."""
 
     purge_time: float
     preflow_time: float
@@ -47,7 +47,7 @@ class SeamData(NamedTuple):
 
 
 class WeldData(NamedTuple):
-    """The weld itself; speeds in what the controller is configured for, mostly mm/s."""
+    """Data of the weld; speeds in the configured unit of the controller, mostly mm/s."""
 
     weld_speed: float
     org_weld_speed: float
@@ -56,7 +56,7 @@ class WeldData(NamedTuple):
 
 
 class WeaveData(NamedTuple):
-    """How the torch swings across the seam; lengths [mm], angles [deg]."""
+    """Weaving of the torch across the seam; lengths [mm], angles [deg]."""
 
     weave_shape: float
     weave_type: float
@@ -76,7 +76,7 @@ class WeaveData(NamedTuple):
 
 
 class ArcTrackData(NamedTuple):
-    """Following the seam by the current of the arc."""
+    """Seam tracking by the current of the arc."""
 
     track_type: float
     gain_y: float
@@ -90,7 +90,7 @@ class ArcTrackData(NamedTuple):
 
 
 class OptTrackData(NamedTuple):
-    """Following the seam with an optical sensor."""
+    """Seam tracking with an optical sensor."""
 
     joint_no: float
     filter: float
@@ -102,7 +102,7 @@ class OptTrackData(NamedTuple):
 
 
 class TrackData(NamedTuple):
-    """Following the seam."""
+    """Seam tracking."""
 
     track_system: float
     store_path: bool

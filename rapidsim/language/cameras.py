@@ -15,32 +15,32 @@ class Camera(Protocol):
     runs: bool
     """Whether it is in run mode; only then it takes pictures."""
     parameters: dict[str, float | bool | str]
-    """What its job can be set to, by folded name."""
+    """Settings of its job, by folded name."""
     exposure: dict[str, float]
-    """What CamSetExposure set, by the name of the optional argument."""
+    """Settings by CamSetExposure, by the name of the optional argument."""
 
 
 class Cameras(Protocol):
     """The cameras that the station describes."""
 
     def camera(self, name: str) -> Camera | None:
-        """A camera by its name without case; None where the station has none of that name."""
+        """A camera by its name, ignoring case; None if the station does not have it."""
         ...
 
     def take_picture(self, camera: Camera) -> float:
-        """Take the next picture of the script; how long until its results are there [s]."""
+        """Take the next picture of the script; return the time [s] until it has results."""
         ...
 
     def result_count(self, camera: Camera) -> int:
-        """How many results can be fetched now."""
+        """Number of results that can be fetched now."""
         ...
 
     def fetch(self, camera: Camera) -> CameraTarget | None:
-        """The next result; None while there is none."""
+        """Fetch the next result; None if none is available."""
         ...
 
     def expects(self, camera: Camera) -> bool:
-        """Whether results of a picture are still to come."""
+        """Whether results of a picture are still to arrive."""
         ...
 
     def forget(self, camera: Camera) -> None:

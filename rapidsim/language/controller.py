@@ -1,10 +1,10 @@
-"""What a running task may ask of its controller.
+"""Services that the controller provides to a task.
 
-The interpreter and the library speak to these protocols; `controller` implements them; tests use a
-small recording fake. Everything here is in RAPID's units and knows no robot and no NumPy.
+The interpreter and the library use these protocols; `controller` implements them; tests use a small
+recording fake. Everything here is in RAPID's units and independent of robots and NumPy.
 
-A routine of the library asks for the concern it needs by the annotation of its first parameter, or
-for the whole `Controller` where it needs several.
+A routine of the library requests the concern it needs by the annotation of its first parameter, or
+the whole `Controller` if it needs several.
 """
 
 from __future__ import annotations
@@ -44,20 +44,20 @@ from rapidsim.language.texts import Texts
 
 
 class ClockService(Protocol):
-    """Virtual time of a task, and what generated code touches to let it pass."""
+    """Virtual time of a task, with the state that generated code uses to let it pass."""
 
     ticks_left: int
-    """Ticks of the current slice that are left; a loop takes one each turn and calls `service` when
-    it falls below zero."""
+    """Remaining ticks of the current slice; a loop takes one each turn and calls `service` when it
+    falls below zero."""
     place: Place
     """The statement being executed; set before each call that may report."""
 
     effect_count: int
-    """How often the program has done more than read."""
+    """Number of statements with side effects so far."""
 
     program_state: Callable[[], Iterable[object]]
-    """All that decides what the program does next, in parts to be compared; the last is None where
-    it is too much. The interpreter sets it."""
+    """Everything that decides the program's next statement, in parts to be compared; the last is
+    None if it is too large. The interpreter sets it."""
 
     @property
     def watches(self) -> bool:
@@ -65,11 +65,11 @@ class ClockService(Protocol):
         ...
 
     def serve_persistent_changes(self) -> None:
-        """Serve the interrupts of persistents the program has changed since the last look."""
+        """Serve the interrupts of persistents that the program has changed since the last check."""
         ...
 
     def tick(self) -> None:
-        """Let a little time pass: what may go on without end takes some, as a loop does a turn.
+        """Let the time of one loop turn pass, so that endless loops take virtual time, too.
 
         Raises:
             Stopped: When a limit of the run is reached.
@@ -77,7 +77,7 @@ class ClockService(Protocol):
         ...
 
     def service(self) -> None:
-        """Do what is due (traps, other tasks, limits) and grant the next slice.
+        """Dispatch due events (traps, other tasks, limits) and grant the next slice.
 
         Raises:
             Stopped: When a limit of the run is reached.
@@ -85,52 +85,52 @@ class ClockService(Protocol):
         ...
 
     def now(self) -> float:
-        """Virtual time [s] of the statement that runs."""
+        """Virtual time [s] of the current statement."""
         ...
 
     def hold_until(self, time_s: float) -> None:
-        """What the statement that runs tells the program stays as it is until a time [s].
+        """Note that all that the current statement reads stays unchanged until a time [s].
 
-        A loop that does nothing but look at such values is taken to where one changes.
+        A loop that only reads such values is skipped to the time at which one changes.
         """
         ...
 
     def date_and_time(self) -> datetime:
-        """What the controller's clock shows, to the second."""
+        """Date and time of the controller's clock, to the second."""
         ...
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
-        """Let virtual time pass; with `in_position`, first let the robot come to rest."""
+        """Let virtual time pass; with `in_position`, first bring the robot to rest."""
         ...
 
     def long_work(self) -> AbstractContextManager[None]:
-        """Work within it takes no virtual time, but may take the computer long.
+        """Context of work that takes no virtual time, but may take long on the computer.
 
         Raises:
-            Stopped: When the run may take no longer; also out of the middle of the work.
+            Stopped: When the run has no time left; also in the middle of the work.
         """
         ...
 
 
 class ExecutionControl(Protocol):
-    """Whether the program executes."""
+    """Execution of the program: stops and restarts."""
 
     def stop(self, reason: str) -> None:
-        """Stop execution; returns when it has been started again.
+        """Stop execution; returns when the program has been restarted.
 
         Raises:
-            Stopped: Where nobody would: the run ends.
+            Stopped: If nothing can restart it: the run ends.
         """
         ...
 
     def supervise(
         self, restart: Reference[RestartData], process: tuple[str | None, ...], shadow: str
     ) -> None:
-        """Let each stop set process signals to 0, and note what they and their shadow were.
+        """Let each stop set process signals to 0, and record them and their shadow signal.
 
         Args:
-            restart: Where it is noted.
-            process: A digital output and four groups, each where one is given.
+            restart: Receives the record.
+            process: A digital output and four groups; None for each that was omitted.
             shadow: A digital output.
         """
         ...
@@ -143,27 +143,27 @@ class Motion(Protocol):
 
     @property
     def corrections(self) -> dict[int, Pos]:
-        """What each connected correction generator adds to the path [mm]."""
+        """Offset of the path [mm] by each connected correction generator."""
         ...
 
     def move(self, move: Move, triggers: tuple[Trigger, ...] = ()) -> None:
-        """Put a move on the path; returns when the program would go on.
+        """Append a move to the path; returns when the program may continue.
 
         Args:
-            move: Where to.
-            triggers: What happens at places on the way.
+            move: The move.
+            triggers: Actions at places along the move.
 
         Raises:
-            RapidError: What RAPID can catch, such as a position outside reach.
+            RapidError: Errors that a program can catch, such as a position outside reach.
         """
         ...
 
     def current_joints(self) -> JointTarget:
-        """Where the axes currently are."""
+        """Current positions of the axes."""
         ...
 
     def current_speeds(self) -> JointTarget:
-        """How fast the axes currently move [deg/s or mm/s]."""
+        """Current speeds of the axes [deg/s or mm/s]."""
         ...
 
     def is_moving(self) -> bool:
@@ -171,7 +171,7 @@ class Motion(Protocol):
         ...
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
-        """Where the TCP is now; None takes the tool or work object of the last move."""
+        """Current robtarget of the TCP; None selects the tool or work object of the last move."""
         ...
 
     def active_tool(self) -> ToolData:
@@ -183,19 +183,19 @@ class Motion(Protocol):
         ...
 
     def active_names(self) -> tuple[str, str]:
-        """What the program calls the active tool and the active work object."""
+        """Names of the active tool and the active work object in the program."""
         ...
 
     def activate(self, data: ToolData | WobjData, name: str) -> None:
-        """Make a tool or work object, by its name in the program, that of the last move."""
+        """Make a tool or work object, by its name in the program, the active one."""
         ...
 
     def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
-        """Where the path ends so far, without what correction generators add to it."""
+        """Robtarget of the end of the path so far, without the offsets of correction generators."""
         ...
 
     def target_at(self, joints: JointTarget, tool: ToolData, wobj: WobjData) -> RobTarget:
-        """Where the TCP would be with the axes at given positions."""
+        """Robtarget of the TCP with the axes at other positions."""
         ...
 
     def joints_at(self, target: RobTarget, tool: ToolData, wobj: WobjData) -> JointTarget:
@@ -219,41 +219,42 @@ class Operator(Protocol):
         ...
 
     def asking(self, instruction: str) -> AbstractContextManager[None]:
-        """Around an instruction that asks; its question is withdrawn afterwards."""
+        """Context of an instruction that asks; its question is withdrawn at the end."""
         ...
 
     @property
     def has_answered(self) -> bool:
-        """Whether a question that was answered with None has an answer by now."""
+        """Whether a question that had no answer (None) has one by now."""
         ...
 
     def ask_number(self, prompt: str, *, ends: bool = False) -> float | None:
-        """The operator's answer to a question; never hangs where there is no operator.
+        """Ask the operator for a number; never hangs without an operator.
 
-        None where nobody sits and the question has another end (`ends`), so here and below.
+        None if there is no operator and the question has another end (`ends`); likewise in the
+        methods below.
         """
         ...
 
     def ask_choice(self, prompt: str, choices: Sequence[str], *, ends: bool = False) -> int | None:
-        """Index from 0 of the key the operator presses; keys with the text "" are not there.
+        """Ask for a key and return its index from 0; keys with the text "" are hidden.
 
-        The first key that is there, where nobody sits.
+        Without an operator it is the first visible key.
         """
         ...
 
     def ask_text(self, prompt: str, proposal: str, *, ends: bool = False) -> str | None:
-        """A text the operator types; the proposal if there is no operator."""
+        """Ask for a text; the proposal if there is no operator."""
         ...
 
 
 DISK_BYTES = 1_000_000_000
 """The size of the controller's disk, which holds the home folder alone."""
 DISK_FILES = 10_000
-"""How many files and folders a run may make there."""
+"""Maximum number of files and folders that a run may create there."""
 
 
 class Interrupts(Protocol):
-    """Interrupt numbers, what they are connected to, and what raises them."""
+    """Interrupt numbers with their traps and orders."""
 
     intno: float
     """RAPID's INTNO."""
@@ -301,7 +302,7 @@ class Interrupts(Protocol):
         ...
 
     def trap_cause(self) -> LoggedError | None:
-        """The event log entry that made the current trap run; None if something else did."""
+        """The event log entry that raised the current trap; None if it has another cause."""
         ...
 
     def delete_interrupt(self, interrupt: float) -> None:
@@ -322,7 +323,7 @@ class Interrupts(Protocol):
 
 
 class Signals(Protocol):
-    """Inputs and outputs by name, without case, and waiting for what depends on them."""
+    """Inputs and outputs by name, ignoring case, and waiting for conditions on them."""
 
     def read_signal(self, name: str) -> float:
         """The current value of a signal."""
@@ -362,21 +363,21 @@ class ErrorNumbers(Protocol):
     errno: float
     """RAPID's ERRNO."""
     retries: int
-    """How often the statement whose ERROR clause runs has been retried."""
+    """Number of retries of the statement whose ERROR clause runs."""
     handler: float
-    """Which clause of a routine runs, as ExecHandler returns it."""
+    """The clause of a routine that runs, as ExecHandler returns it."""
 
     def book_error_number(self) -> float:
-        """The next number that is free, from `error_numbers.FIRST_BOOKED` up."""
+        """The next free number, from `error_numbers.FIRST_BOOKED` up."""
         ...
 
 
 ACCEPTED, STUB = "accepted without effect", "what its stub says"
-"""How notes begin: for what only changes what no run shows, for routines of stub modules."""
+"""First words of notes: for effects that no run shows, and for routines of stub modules."""
 
 
 class FidelityReporter(Protocol):
-    """How a routine reports that it did less than a controller would."""
+    """Receives reports of routines that did less than on a controller."""
 
     def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
         """Report that a routine was not simulated and what was done instead."""
@@ -449,11 +450,11 @@ CONCERNS: Mapping[type, str] = MappingProxyType(
         Guidance: "guidance",
     }
 )
-"""Under which name a `Controller` has the concern of each protocol."""
+"""Attribute of `Controller` that has the concern of each protocol."""
 
 
 def uniform_controller(implementation: Any) -> Controller:
-    """A controller whose concerns are all one object: where nothing runs, and in tests."""
+    """A controller whose concerns are all one object, for tests and analyses without a run."""
     whole = Controller(**dict.fromkeys(CONCERNS.values(), implementation))
     whole.symbols = whole.modules = implementation
     return whole

@@ -15,7 +15,7 @@ from rapidsim.language import types
 from rapidsim.values import value_class
 
 UNUSED_AXIS = 8999999488.0
-"""An external axis that is not connected: 9E9, as the single that `num` makes of it."""
+"""An external axis that is not connected: 9E9 in single precision, as `num` has it."""
 
 
 class Pos(NamedTuple):
@@ -52,7 +52,7 @@ class ConfData(NamedTuple):
 
 
 class ExtJoint(NamedTuple):
-    """External axes a to f [mm or deg]; `UNUSED_AXIS` where none is connected."""
+    """External axes a to f [mm or deg]; `UNUSED_AXIS` for an axis that is not connected."""
 
     eax_a: float
     eax_b: float
@@ -99,7 +99,7 @@ class SpeedData(NamedTuple):
 
 
 class ZoneData(NamedTuple):
-    """How a position is passed: stop point, or zones [mm, mm, mm, deg, mm, deg]."""
+    """Passing of a position: stop point, or zones [mm, mm, mm, deg, mm, deg]."""
 
     finep: bool
     pzone_tcp: float
@@ -140,7 +140,7 @@ class WobjData(NamedTuple):
 
 
 class InPosData(NamedTuple):
-    """Stop-point criteria: position and speed [%], least and longest wait [s]."""
+    """Stop-point criteria: position and speed [%], minimum and maximum wait [s]."""
 
     position: float
     speed: float
@@ -149,7 +149,7 @@ class InPosData(NamedTuple):
 
 
 class StopPointData(NamedTuple):
-    """How a stop point is ended: kind, synchronisation, criteria and times [s]."""
+    """End of a stop point: kind, synchronisation, criteria and times [s]."""
 
     type: float
     progsynch: bool
@@ -169,14 +169,14 @@ class ProgDisp(NamedTuple):
 
 
 class VelData(NamedTuple):
-    """What VelSet sets: override [%] and highest TCP speed [mm/s]."""
+    """Settings of VelSet: override [%] and maximum TCP speed [mm/s]."""
 
     oride: float
     max: float
 
 
 class AccData(NamedTuple):
-    """What AccSet sets [%]."""
+    """Settings of AccSet [%]."""
 
     acc: float
     ramp: float
@@ -184,7 +184,7 @@ class AccData(NamedTuple):
 
 
 class SingData(NamedTuple):
-    """What SingArea sets."""
+    """Settings of SingArea."""
 
     wrist: bool
     lockaxis4: bool
@@ -193,7 +193,7 @@ class SingData(NamedTuple):
 
 
 class ConfSupData(NamedTuple):
-    """What ConfJ and ConfL set."""
+    """Settings of ConfJ and ConfL."""
 
     jsup: bool
     lsup: bool
@@ -255,7 +255,7 @@ class TriggIos(NamedTuple):
 
 
 class TriggIosDnum(NamedTuple):
-    """As `TriggIos` with a dnum value."""
+    """Output of TriggLIOs, like `TriggIos` with a dnum value."""
 
     used: bool
     distance: float
@@ -267,7 +267,7 @@ class TriggIosDnum(NamedTuple):
 
 
 class TriggStrGo(NamedTuple):
-    """As `TriggIos` with a value in digits."""
+    """Output of TriggLIOs, like `TriggIos` with a value in digits."""
 
     used: bool
     distance: float
@@ -285,13 +285,13 @@ class WzTemporary(NamedTuple):
 
 
 class WzStationary(NamedTuple):
-    """The number of a world zone that stays."""
+    """The number of a stationary world zone."""
 
     wz: float
 
 
 class RmqHeader(NamedTuple):
-    """What a message of a RAPID message queue holds."""
+    """Type and dimensions of the data of a message in a RAPID message queue."""
 
     datatype: str
     ndim: float
@@ -302,27 +302,27 @@ class RmqHeader(NamedTuple):
 
 @value_class(frozen=True, slots=True)
 class Signal:
-    """The value of a signal variable: which signal it means; "" where none is connected."""
+    """The value of a signal variable: the name of its signal; "" if none is connected."""
 
     name: str
     is_configured: bool = field(default=False, compare=False)
-    """Whether the name itself is the signal's, so that AliasIO cannot give it another."""
+    """Whether the name itself is the signal's, so that AliasIO cannot connect another."""
 
 
 @value_class(frozen=True, slots=True)
 class ClockState:
-    """The value of a clock: time counted before, and since when it runs; virtual seconds."""
+    """The value of a clock: time counted before, and its start if it runs; virtual seconds."""
 
     counted_s: float = 0.0
     started_s: float | None = None
-    """None while the clock stands."""
+    """None while the clock is stopped."""
 
 
 _MILLI = 0.0010000000474974513
-"""0.001 as the single that `num` makes of it."""
+"""0.001 in single precision, as `num` has it."""
 
 MAX_TCP_SPEED_MM_S = 5000.0
-"""TCP speed of `vmax`; a controller may replace it by what its robot can do."""
+"""TCP speed of `vmax`; a controller may replace it by the maximum of its robot."""
 MAX_REORIENT_SPEED_DEG_S = 500.0
 MAX_LINEAR_AXIS_SPEED_MM_S = 5000.0
 MAX_ROTATING_AXIS_SPEED_DEG_S = 1000.0

@@ -1,4 +1,4 @@
-"""What is installed around a program: mechanical units, the configuration, I/O devices."""
+"""Equipment of a program: mechanical units, the configuration, I/O devices."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.values import value_class
 
 
 def robot_name(number: int) -> str:
-    """What a controller calls its robots, counted from 1."""
+    """Name of a robot, counted from 1, as on a controller."""
     return f"ROB_{number}"
 
 
@@ -20,7 +20,7 @@ class Attributes(Mapping[str, str]):
     __slots__ = ("_by_key", "_names")
 
     def __init__(self, written: Mapping[str, str]) -> None:
-        """Keep them in their order; of two that are written alike, the later one counts."""
+        """Store attributes in their order; of names that differ only in case, the last counts."""
         self._names = {name.lower(): name for name in written}
         self._by_key = {name.lower(): value for name, value in written.items()}
 
@@ -34,7 +34,7 @@ class Attributes(Mapping[str, str]):
         return len(self._names)
 
     def with_value(self, name: str, value: str) -> Attributes:
-        """The same with another value of an attribute, or with a further one."""
+        """Copy with another value of an attribute, or with a further attribute."""
         return Attributes({**self, self._names.get(name.lower(), name): value})
 
 
@@ -45,18 +45,18 @@ a switch is "true"."""
 
 @value_class(frozen=True, slots=True)
 class MechanicalUnitFacts:
-    """What a program may ask of a mechanical unit."""
+    """Facts about a mechanical unit that a program can read."""
 
     name: str
     is_robot: bool
     axes: tuple[int, ...]
     """Positions, from 0, in `robax` of a robot, in `extax` of another unit."""
     task_number: int = 0
-    """Place, from 1, of the task that moves it; 0 where none does."""
+    """Position, from 1, of the task that moves it; 0 if none does."""
     robot_number: int = 0
-    """Place, from 1, of the robot that it moves with; 0 where there is none."""
+    """Position, from 1, of the robot with which it moves; 0 if it moves with none."""
     is_active: bool = True
-    """Whether DeactUnit has not switched it off."""
+    """Whether the unit is active; DeactUnit deactivates it."""
 
 
 class AxisQuantity(Enum):
@@ -108,7 +108,7 @@ class SmartGripper(Protocol):
 
     @property
     def object_mm(self) -> float | None:
-        """Position [mm] at which closing fingers meet an object; None if it is not known."""
+        """Position [mm] at which closing fingers meet an object; None if it is unknown."""
         ...
 
     @property
@@ -123,7 +123,7 @@ class SmartGripper(Protocol):
         force_n: float | None = None,
         limit_mm: float | None = None,
     ) -> None:
-        """Change speed [mm/s], force [N] or limit [mm] for the motions to come."""
+        """Change speed [mm/s], force [N] or limit [mm] of later motions."""
         ...
 
     def move_fingers(self, to_mm: float) -> None:
@@ -148,15 +148,15 @@ class SmartGripper(Protocol):
 
 
 class Conveyor(Protocol):
-    """A conveyor, and which of its objects a program has taken."""
+    """A conveyor with its connection to one of its objects."""
 
     @property
     def is_connected(self) -> bool:
-        """Whether a work object is on one of its objects."""
+        """Whether a work object is connected to one of its objects."""
         ...
 
     def next_s(self, now_s: float, distance_mm: float) -> float | None:
-        """When [s] the next object will have come so far; None if none ever comes."""
+        """Time [s] at which the next object has travelled a distance; None if there is none."""
         ...
 
     def connect(self) -> None:
@@ -164,66 +164,66 @@ class Conveyor(Protocol):
         ...
 
     def drop(self) -> None:
-        """Let go of the object."""
+        """Release the object."""
         ...
 
 
 class IndependentAxis(Protocol):
-    """An axis that may leave the path and move on its own time; in degrees or mm."""
+    """An axis that may leave the path and move independently; in degrees or mm."""
 
     @property
     def acceleration(self) -> float:
-        """How fast it can change its speed."""
+        """Maximum rate of change of its speed."""
         ...
 
     @property
     def turns(self) -> bool:
-        """Whether it turns; else it slides."""
+        """Whether the axis is rotating; otherwise it is linear."""
         ...
 
     @property
     def is_independent(self) -> bool:
-        """Whether it has left the path."""
+        """Whether the axis has left the path."""
         ...
 
     def take(self, position: float, now_s: float) -> None:
-        """Let it leave the path where it stands."""
+        """Make the axis independent, at rest at its position."""
         ...
 
     def release(self) -> None:
-        """Let the path move it again."""
+        """Make the axis follow the path again."""
         ...
 
     def position(self, now_s: float) -> float:
-        """Where it is."""
+        """Position at a time [s]."""
         ...
 
     def speed(self, now_s: float) -> float:
-        """How fast it moves, negative backwards."""
+        """Speed at a time [s], negative backwards."""
         ...
 
     def is_at_target(self, now_s: float) -> bool:
-        """Whether it stands where it was sent."""
+        """Whether the axis rests at its target."""
         ...
 
     def has_speed(self, now_s: float) -> bool:
-        """Whether it moves at the speed that was asked for."""
+        """Whether the axis moves at the requested speed."""
         ...
 
     def move_to(self, target: float, speed: float, acceleration: float, now_s: float) -> None:
-        """Go to a position and stay there."""
+        """Move to a position and stay there."""
         ...
 
     def move_at(self, speed: float, acceleration: float, now_s: float) -> None:
-        """Move on and on, or stop with a speed of 0."""
+        """Move indefinitely at a speed, or stop with a speed of 0."""
         ...
 
 
 class Equipment(Protocol):
-    """What is installed around a program."""
+    """Equipment of a program."""
 
     def conveyor(self, unit: str) -> Conveyor | None:
-        """A conveyor by the name of its unit, without case; None where there is none."""
+        """A conveyor by the name of its unit, ignoring case; None if it does not exist."""
         ...
 
     def mechanical_units(self) -> tuple[MechanicalUnitFacts, ...]:
@@ -239,7 +239,7 @@ class Equipment(Protocol):
         ...
 
     def instances(self, domain: str, of: str) -> Sequence[Mapping[str, str]] | None:
-        """The instances of a type of system parameters; None where there is no such type."""
+        """The instances of a type of system parameters; None if there is no such type."""
         ...
 
     def configure(self, domain: str, of: str, number: int, attribute: str, value: str) -> None:
@@ -247,9 +247,9 @@ class Equipment(Protocol):
         ...
 
     def is_enabled(self, device: str) -> bool:
-        """Whether an I/O device takes part; names without case."""
+        """Whether an I/O device is enabled; names ignore case."""
         ...
 
     def enable(self, device: str, *, enabled: bool) -> None:
-        """Let an I/O device take part, or not."""
+        """Enable or disable an I/O device."""
         ...

@@ -1,4 +1,4 @@
-"""Errors of a program and what became of them."""
+"""Errors of a program and their outcomes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.values import value_class
 
 
 class ErrorOutcome(StrEnum):
-    """What an ERROR clause did about an error."""
+    """Effect of an ERROR clause on an error."""
 
     RETRIED = "retried"
     NEXT = "next"
@@ -26,7 +26,7 @@ class ErrorOutcome(StrEnum):
 
 @value_class(frozen=True, slots=True, eq=False)
 class AnsweredError:
-    """An error of one number at one place, and what one ERROR clause did about it."""
+    """An error of one number at one place, with the outcome of one ERROR clause."""
 
     number: float
     name: str
@@ -34,13 +34,13 @@ class AnsweredError:
     message: str
     raised: Place
     clause: Place | None
-    """The ERROR clause; None if none took the error."""
+    """The ERROR clause; None if none handled the error."""
     outcome: ErrorOutcome
     key: tuple[object, ...] = field(init=False)
-    """What errors of one kind have in common; their messages may differ."""
+    """Identity of errors of one kind, whose messages may differ."""
 
     def __post_init__(self) -> None:
-        """Work out the key, which is compared each time such an error is raised."""
+        """Compute the key, which is compared each time such an error is raised."""
         places = [
             (place.span.file, place.span.start, place.routine) if place else None
             for place in (self.raised, self.clause)
@@ -49,7 +49,7 @@ class AnsweredError:
 
 
 def error_facts(error: AnsweredError) -> dict[str, object]:
-    """The values of an error that a program wants to read, beside file, line and message."""
+    """Values of an error for programs, in addition to file, line and message."""
     clause = error.clause
     return {
         "number": error.number,
@@ -68,12 +68,12 @@ def shown_name(error: AnsweredError) -> str:
 
 
 def answer_text(error: AnsweredError) -> str:
-    """One line: the error, and what became of it."""
+    """One line: the error and its outcome."""
     return f"{shown_name(error)}: {error.message}; {answer_words(error)}"
 
 
 def answer_words(error: AnsweredError) -> str:
-    """What became of an error, in words to follow its name: `fell through main's clause`."""
+    """Outcome of an error, as text to follow its name: `fell through main's clause`."""
     clause = error.clause
     if clause is None:
         return ErrorOutcome.ENDED.value
@@ -91,16 +91,16 @@ _WORDS = {
     ErrorOutcome.FELL_THROUGH: ("fell through {clause}", ""),
     ErrorOutcome.ENDED: ("ended the program in {clause}", ""),
 }
-"""With the clause of another routine than the one that raised the error, and with its own."""
+"""Text with the clause of another routine than the one that raised the error, and with its own."""
 
 
 class ErrorReports(Protocol):
-    """Where a task notes its errors and what became of them."""
+    """Receives the errors of a task and their outcomes."""
 
     def error_mark(self) -> object:
-        """The present moment, for `answered`."""
+        """The current moment, for `answered`."""
         ...
 
     def answered(self, mark: object, error: AnsweredError) -> None:
-        """Note an error that was raised at a moment and has been answered since."""
+        """Record an error that was raised at a moment and has been handled since."""
         ...

@@ -1,8 +1,8 @@
-"""Entries of the controller's event log: what IError waits for and ReadErrData reads.
+"""Entries of the controller's event log, for IError and ReadErrData.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "errdomain",
-"errtype", "ErrWrite", "ErrLog". Numbers are without the digits of their domain, as ReadErrData
-gives them: 80001 is number 1 of domain 8.
+"errtype", "ErrWrite", "ErrLog". Numbers are without the digits of their domain, as in ReadErrData:
+80001 is number 1 of domain 8.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 from rapidsim.values import value_class
 
 ANY = 0.0
-"""COMMON_ERR among domains, TYPE_ALL among types."""
+"""COMMON_ERR as a domain, TYPE_ALL as a type."""
 MOTION_DOMAIN, USER_DOMAIN, PROCESS_DOMAIN = 5.0, 8.0, 11.0
 STATE, WARNING, ERROR = 1.0, 2.0, 3.0
 """Types of entries."""
@@ -28,7 +28,7 @@ class LoggedError:
     """At most five."""
 
     def is_meant_by(self, domain: float, number: float | None, type_: float) -> bool:
-        """Whether an order for a domain, a number in it, and a type is for this entry."""
+        """Whether an order for a domain, a number in it, and a type matches this entry."""
         return (
             domain in {ANY, self.domain}
             and number in {None, self.number}

@@ -1,9 +1,9 @@
 """The numbers behind RAPID's error names.
 
 ABB publishes names, not numbers: programs compare ERRNO with names. The numbers here are our own
-and stable: a new name goes to the end, none is ever reused. They keep clear of 1 to 90, which
-programs raise themselves, and of what the controller really uses, so that a program that compares
-with a raw number never matches by accident.
+and stable: a new name is appended, none is ever reused. They avoid 1 to 90, which programs raise
+themselves, and the real numbers of the controller, so that a program that compares with a raw
+number never matches by accident.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "errnum"; the
 event log messages of RobotWare for `EVENTS`.
@@ -262,7 +262,7 @@ _NAMES = {number: name for name, number in NUMBERS.items()}
 
 EVENTS: Mapping[float, int] = MappingProxyType(
     {
-        # As a run meets them; loading a program has numbers of its own for 40155 to 40170.
+        # Numbers at run time; loading a program has other numbers for 40155 to 40170.
         ERR_ARGNOTPER: 40155,
         ERR_ARGNOTVAR: 40156,
         ERR_CNTNOTVAR: 40157,
@@ -294,10 +294,10 @@ EVENTS: Mapping[float, int] = MappingProxyType(
 )
 """The controller's event number for the errors that have one."""
 _UNHANDLED_RAISE: Final = 40229
-"""The event of an error that a program raised itself and no clause handles."""
+"""Event of an error that a program raised itself and no clause handles."""
 
 MAX_RETRIES: Final = 4
-"""The controller's system parameter No Of Retry as it is delivered."""
+"""Default of the controller's system parameter No Of Retry."""
 IN_NO_HANDLER: Final = 0.0
 """HANDLER_NONE of ExecHandler: the body of a routine runs."""
 IN_ERROR: Final = 2.0
@@ -305,11 +305,11 @@ IN_ERROR: Final = 2.0
 IN_UNDO: Final = 3.0
 """HANDLER_UNDO: an UNDO clause runs."""
 FIRST_BOOKED: Final = 20501.0
-"""BookErrNo hands out numbers from here on."""
+"""First number that BookErrNo assigns."""
 
 
 def rapid_error(errno: float, message: str, *, name: str | None = None) -> RapidError:
-    """An error that ERROR clauses can catch, with the controller's event number where known.
+    """An error that ERROR clauses can catch, with the controller's event number if known.
 
     Args:
         errno: One of the numbers of this file, or one of the program.
@@ -325,12 +325,12 @@ def name_of(error: RapidError) -> str:
 
 
 def event_of(errno: float) -> str | None:
-    """The controller's event for an error, such as `ABB 40194`; None if it is not known."""
+    """The controller's event for an error, such as `ABB 40194`; None if it is unknown."""
     event = EVENTS.get(errno) if errno in _NAMES else _UNHANDLED_RAISE
     return None if event is None else f"ABB {event}"
 
 
 def named(error: RapidError) -> str:
-    """What an error says, and the name by which an ERROR clause knows it: `... (ERR_DIVZERO)`."""
+    """Message of an error with its name for ERROR clauses: `... (ERR_DIVZERO)`."""
     name = _NAMES.get(error.errno)
     return error.message if name is None or name in error.message else f"{error.message} ({name})"

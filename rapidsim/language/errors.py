@@ -1,25 +1,25 @@
 """The error a RAPID program can catch.
 
-`RapidError` is what instructions raise and ERROR clauses handle. `Stopped` is what nothing in the
-program can catch: EXIT, a limit of the run, a fatal error.
+`RapidError` is an error that instructions raise and ERROR clauses handle. `Stopped` is an end of
+execution that the program cannot catch: EXIT, a limit of the run, a fatal error.
 """
 
 from __future__ import annotations
 
 
 class RapidError(Exception):
-    """A recoverable error: sets ERRNO and goes to the nearest ERROR clause."""
+    """A recoverable error: sets ERRNO and is passed to the nearest ERROR clause."""
 
     def __init__(
         self, errno: float, message: str, *, cf: str | None = None, name: str | None = None
     ) -> None:
-        """Name the error.
+        """Store the number and the text of the error.
 
         Args:
-            errno: The number ERRNO takes.
+            errno: The value of ERRNO.
             message: One line for the user: what is wrong and by how much.
-            cf: The controller's event for the same thing, such as "ABB 40194".
-            name: The number as the program writes it, if that is not one of RAPID's names.
+            cf: The controller's event for the same error, such as "ABB 40194".
+            name: The number as the program writes it, if it is not one of RAPID's names.
         """
         super().__init__(message)
         self.errno = errno
@@ -29,7 +29,7 @@ class RapidError(Exception):
 
 
 class RaisedError(RapidError):
-    """An error that an instruction raises on purpose: out of an ERROR clause it goes on up."""
+    """An error that RAISE raises: from an ERROR clause it is passed to the caller."""
 
 
 class RaisedToUser(RapidError):  # noqa: N818 - it says where to
@@ -37,31 +37,31 @@ class RaisedToUser(RapidError):  # noqa: N818 - it says where to
 
 
 class Stopped(BaseException):
-    """Execution ends and no ERROR clause runs: EXIT, Stop, a limit of the run."""
+    """End of execution without ERROR clauses: EXIT, Stop, a limit of the run."""
 
     def __init__(self, reason: str) -> None:
-        """Say why, in one line for the user."""
+        """Store the reason, in one line for the user."""
         super().__init__(reason)
         self.reason = reason
 
 
 class RunLimitReached(Stopped):
-    """A limit of the run is reached: no clause of the program runs any more, UNDO neither."""
+    """A limit of the run is reached: no further clause of the program runs, not even UNDO."""
 
 
 class NotAllowed(Stopped):
-    """A controller stops here with an error that no ERROR clause is asked about.
+    """Stop of the controller by an error that ERROR clauses cannot handle.
 
     Source: the event log messages of RobotWare 5.15; those that name no recovery.
     """
 
 
 class NotDeclared(Stopped):
-    """The run reaches something that no given file declares; a controller may well have it."""
+    """The run reaches a name that none of its files declares; a controller may well have it."""
 
 
 class NotSimulated(Stopped):
-    """The run reaches something that is not simulated, and any substitute would be wrong."""
+    """The run reaches a routine that is not simulated, and any substitute would be wrong."""
 
 
 class CycleEnded(Stopped):

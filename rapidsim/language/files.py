@@ -9,7 +9,7 @@ from rapidsim.diagnostics import Source
 
 
 class FileMode(Enum):
-    """The mode a file is opened in."""
+    """The mode in which a file is opened."""
 
     READ = "read"
     WRITE = "write"
@@ -28,7 +28,7 @@ class OpenFile(Protocol):
         ...
 
     def read(self, count: int) -> bytes:
-        """Up to `count` bytes; none at the end of the file."""
+        """Read up to `count` bytes; empty at the end of the file."""
         ...
 
     def rewind(self) -> None:
@@ -44,10 +44,10 @@ class Files(Protocol):
     """The controller's disk, confined to the home folder of the run."""
 
     def open_file(self, path: str, mode: FileMode) -> OpenFile:
-        """Open a file named as RAPID names it, such as "HOME:/log/today.txt".
+        """Open a file by its RAPID name, such as "HOME:/log/today.txt".
 
         Raises:
-            RapidError: ERR_FILEOPEN when it is missing, outside the home folder, or not to be had.
+            RapidError: ERR_FILEOPEN when it is missing, outside the home folder, or unavailable.
         """
         ...
 
@@ -55,8 +55,8 @@ class Files(Protocol):
         """The text of a program file.
 
         Raises:
-            RapidError: ERR_FILNOTFND if there is none, ERR_IOERROR if it cannot be read,
-                ERR_PRGMEMFULL if it has more than `most` bytes.
+            RapidError: ERR_FILNOTFND if it does not exist, ERR_IOERROR if it cannot be read,
+            ERR_PRGMEMFULL if it has more than `most` bytes.
         """
         ...
 
@@ -64,44 +64,44 @@ class Files(Protocol):
         """Copy a file.
 
         Raises:
-            RapidError: ERR_FILEACC, or ERR_FILEEXIST if the new one is there already.
+            RapidError: ERR_FILEACC, or ERR_FILEEXIST if the new one exists already.
         """
         ...
 
     def rename_file(self, old: str, new: str) -> None:
-        """Give a file another name or place; raises as `copy_file` does."""
+        """Rename or move a file; raises as `copy_file` does."""
         ...
 
     def remove_file(self, path: str) -> None:
-        """Delete a file; ERR_FILEACC if there is none."""
+        """Delete a file; ERR_FILEACC if it does not exist."""
         ...
 
     def make_folder(self, path: str) -> None:
-        """Make a folder; ERR_FILEACC if it is there or cannot be made."""
+        """Make a folder; ERR_FILEACC if it exists or cannot be made."""
         ...
 
     def remove_folder(self, path: str) -> None:
-        """Delete an empty folder; ERR_FILEACC if it is not there or not empty."""
+        """Delete an empty folder; ERR_FILEACC if it does not exist or is not empty."""
         ...
 
     def names_in(self, path: str) -> tuple[str, ...]:
-        """The names in a folder, in order; ERR_FILEACC if there is none."""
+        """The names in a folder, in order; ERR_FILEACC if it does not exist."""
         ...
 
     def is_folder(self, path: str) -> bool:
-        """Whether a folder is there."""
+        """Whether a folder exists."""
         ...
 
     def file_size(self, path: str) -> int | None:
-        """Size of a file [bytes]; None if there is no such file."""
+        """Size of a file [bytes]; None if it does not exist."""
         ...
 
     def written_s(self, path: str) -> float | None:
-        """When a file was written [s], 0 if before the run; None if there is none."""
+        """Time [s] at which the run wrote a file, 0 if it did not; None if it does not exist."""
         ...
 
     def loaded_s(self, path: str) -> float:
-        """When a program file had been written that was then loaded [s]; 0 where before."""
+        """Time [s] at which the run wrote a program file before loading it, 0 if it did not."""
         ...
 
     def bytes_in(self, path: str) -> int:

@@ -1,4 +1,4 @@
-"""Externally guided motion: what a program asks of the controller.
+"""Externally guided motion: the services that the controller provides to a program.
 
 Everything is in RAPID's units: mm, degrees, seconds.
 """
@@ -22,10 +22,10 @@ RAMP_DOWN: Final = 1.0
 
 
 class Purpose(Enum):
-    """What an identity is set up for."""
+    """Purpose of an identity."""
 
     STREAM = auto()
-    """Only tells where the robot is."""
+    """Only streams the robot's position."""
     JOINT = auto()
     POSE = auto()
     PATH_CORRECTION = auto()
@@ -33,20 +33,20 @@ class Purpose(Enum):
 
 @value_class(frozen=True, slots=True)
 class SensorSetup:
-    """EGMSetupUC and its like: who guides."""
+    """Data of EGMSetupUC and its like: the source of the guidance."""
 
     device: str
     configuration: str
     purpose: Purpose
     silence_s: float
-    """How long it may be silent."""
+    """Maximum time [s] without an answer."""
     signals: tuple[str, ...] = ()
-    """Signals that guide in place of a device, R1 or x first; empty for one that nothing guides."""
+    """Signals that guide in place of a device, R1 or x first; "" for a value without a signal."""
 
 
 @value_class(frozen=True, slots=True)
 class PoseFrames:
-    """The frames poses refer to; types are those of egmframetype."""
+    """The frames to which poses refer; types are those of egmframetype."""
 
     correction: Pose
     correction_type: float
@@ -56,10 +56,10 @@ class PoseFrames:
 
 @value_class(frozen=True, slots=True)
 class Activation:
-    """EGMActJoint and EGMActPose: what the sensor sends, and when the robot counts as there."""
+    """Data of EGMActJoint and EGMActPose: meaning and tolerances of the sensor's goals."""
 
     bands: tuple[EgmMinMax | None, ...]
-    """J1..J7 or x..rz [deg, mm]; None where the call says nothing."""
+    """J1..J7 or x..rz [deg, mm]; None if the call omits it."""
     tool: ToolData | None
     wobj: WobjData | None
     filter_hz: float
@@ -67,18 +67,18 @@ class Activation:
     max_speed: float
     """[deg/s]"""
     frames: PoseFrames | None = None
-    """Of poses; None for joints."""
+    """Frames of poses; None for joints."""
     values: list[float] | None = None
-    """Takes the numbers that the sensor sends along."""
+    """Receives the numbers that the sensor sends with its answers."""
     streams: bool = False
 
 
 @value_class(frozen=True, slots=True)
 class GuidanceTerms:
-    """EGMRunJoint and EGMRunPose: which axes, how strongly, until when."""
+    """Data of EGMRunJoint and EGMRunPose: axes, gain and end of a guidance."""
 
     chosen: tuple[bool, ...]
-    """J1..J7 or x..rz; none of them means all."""
+    """J1..J7 or x..rz; if none is True, all are guided."""
     moves_back: bool
     waits: bool
     condition_s: float
@@ -93,7 +93,7 @@ class Guidance(Protocol):
     """The EGM identities of a task; each is a number."""
 
     def connect(self) -> int:
-        """A new identity."""
+        """Create an identity."""
         ...
 
     def set_up(self, identity: int, setup: SensorSetup) -> None:
@@ -101,44 +101,44 @@ class Guidance(Protocol):
         ...
 
     def activate(self, identity: int, activation: Activation) -> None:
-        """Set what the sensor's goals mean."""
+        """Set the meaning of the sensor's goals."""
         ...
 
     def guide(self, identity: int, terms: GuidanceTerms) -> None:
-        """Let the sensor guide the robot; returns when the robot is there, or at once.
+        """Let the sensor guide the robot; returns when the robot has arrived, or at once.
 
         Raises:
-            RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.
+            RapidError: ERR_UDPUC_COMM, if the sensor does not answer for too long.
         """
         ...
 
     def activate_path(self, identity: int, sample_s: float) -> None:
-        """Say how often the sensor tells how far from its path the robot shall be."""
+        """Set the period [s] at which the sensor corrects a path."""
         ...
 
     def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
         """Let the sensor correct the path of a move.
 
         Args:
-            identity: Gives that of the sensor, or raises NotAllowed if there is none.
-            move: Which begins the path, or goes on with it.
-            put: Puts the move on the path; returns when the program would go on.
+            identity: Returns that of the sensor, or raises NotAllowed if it has none.
+            move: The move, which begins the path or continues it.
+            put: Appends the move to the path; returns when the program may continue.
 
         Raises:
-            RapidError: ERR_UDPUC_COMM, if the sensor says nothing for too long.
+            RapidError: ERR_UDPUC_COMM, if the sensor does not answer for too long.
         """
         ...
 
     def await_condition(self, identity: int) -> None:
-        """Wait until the robot that is guided is there; raises as `guide` does."""
+        """Wait until the guided robot has arrived; raises as `guide` does."""
         ...
 
     def end_guidance(self, identity: int, *, moves_back: bool, ramp_out_s: float) -> None:
-        """End the guidance; returns when the robot stands."""
+        """End the guidance; returns when the robot is at rest."""
         ...
 
     def stream(self, identity: int, sample_s: float | None) -> None:
-        """Tell the sensor at this interval where the robot is; None ends it."""
+        """Stream the robot's position to the sensor at this interval; None ends it."""
         ...
 
     def give_back(self, identity: int) -> None:

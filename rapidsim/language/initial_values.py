@@ -1,4 +1,4 @@
-"""What data hold before they are given a value: zero, FALSE, "", component by component."""
+"""Initial values of data without an initializer: zero, FALSE, "", component by component."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ _ATOMS: dict[str, object] = {
 
 
 def initial_value(of: Type) -> object:
-    """The value of data of a type that were declared without one.
+    """Value of data of a type that were declared without one.
 
-    Records are tuples and arrays new nested lists, whose elements, immutable as they are, share one
-    value. Types that nothing looks into start as None, as does a device that is not open.
+    Records are tuples; arrays are new nested lists, whose immutable elements share one value.
+    Opaque types start as None, as does a device that is not open.
 
     Raises:
         ValueError: If an array has an open dimension; only parameters have those.

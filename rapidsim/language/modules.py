@@ -1,4 +1,4 @@
-"""The program memory of a task: modules that come and go while it runs."""
+"""Program memory of a task: modules that are loaded and unloaded while it runs."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class LoadSession:
-    """A file that StartLoad has read; what a variable of type `loadsession` holds."""
+    """A file that StartLoad has read: the value of a variable of type `loadsession`."""
 
     path: str
-    """As the program named it."""
+    """Path as in the program."""
     source: Source | RapidError
-    """What was read; or why nothing was, which WaitLoad raises."""
+    """The text; or the error of the read, which WaitLoad raises."""
 
 
 @value_class(frozen=True, slots=True)
@@ -25,9 +25,9 @@ class SavedModule:
 
     name: str
     text: str
-    """With the values that its persistents have now."""
+    """Text with the current values of its persistents."""
     loaded_text: str
-    """As it came in."""
+    """Text as it was loaded."""
     loaded_from: str | None
     """The file it was loaded from; None for a module that the task began with."""
 
@@ -36,22 +36,22 @@ class Modules(Protocol):
     """The modules of a running task."""
 
     def has(self, name: str) -> bool:
-        """Whether there is a module of a name, in any case."""
+        """Whether there is a module of a name, ignoring case."""
         ...
 
     def load(self, source: Source, path: str, *, check_references: bool) -> None:
-        """Take the modules of a file into the program, with their initial values.
+        """Load the modules of a file into the program, with their initial values.
 
-        Modules that use names which nothing declares yet wait until another module declares them.
+        Modules that use undeclared names wait until another module declares them.
 
         Args:
             source: The text of the file.
-            path: Where it is from, as the program named it.
-            check_references: Refuse the file if then anything is used that nothing declares.
+            path: Path of the file, as in the program.
+            check_references: Refuse the file if the program then uses a name that nothing declares.
 
         Raises:
-            RapidError: ERR_SYNTAX, ERR_LOADED, ERR_PRGMEMFULL or ERR_LINKREF; the program is as
-                before.
+            RapidError: ERR_SYNTAX, ERR_LOADED, ERR_PRGMEMFULL or ERR_LINKREF; the program is
+            unchanged.
         """
         ...
 
@@ -59,34 +59,34 @@ class Modules(Protocol):
         """Remove the modules that were loaded from a file.
 
         Raises:
-            RapidError: ERR_UNLOAD if there are none, or they execute.
+            RapidError: ERR_UNLOAD if the program has none of them, or they execute.
         """
         ...
 
     def erase(self, name: str) -> None:
-        """Remove a module by its name, however it came in.
+        """Remove a module by its name, whatever its origin.
 
         Raises:
-            RapidError: ERR_MODULE if there is none, or it executes.
+            RapidError: ERR_MODULE if it does not exist, or it executes.
         """
         ...
 
     def check_references(self) -> None:
-        """Look whether anything is used that nothing declares.
+        """Check that all names in use are declared.
 
         Raises:
-            RapidError: ERR_LINKREF if so.
+            RapidError: ERR_LINKREF if one is not.
         """
         ...
 
     def loaded_from(self, path: str) -> tuple[SavedModule, ...]:
-        """The modules that were loaded from a file; none if that was not loaded."""
+        """The modules that were loaded from a file; empty if it was not loaded."""
         ...
 
     def saved(self, name: str) -> SavedModule:
         """A module by its name.
 
         Raises:
-            RapidError: ERR_MODULE if there is none.
+            RapidError: ERR_MODULE if it does not exist.
         """
         ...

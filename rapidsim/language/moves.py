@@ -1,4 +1,4 @@
-"""What a program asks of the motion: a move with its arguments evaluated, and motion settings.
+"""Requests of a program to motion: a move with its arguments evaluated, and motion settings.
 
 Everything is in RAPID's units.
 """
@@ -33,22 +33,22 @@ from rapidsim.values import value_class
 
 LEAST_RAMP_PERCENT = 10.0
 CONFIGURATION_LIMITS_DEG = (30.0, 180.0, 90.0)
-"""How far axes 1, 4 and 6 may turn with ConfJ and ConfL on, as C_MOTSET gives it."""
+"""Maximum turns of axes 1, 4 and 6 with ConfJ and ConfL on, as in C_MOTSET."""
 NO_LIMIT = -1.0
-"""What C_MOTSET gives for a limit that is off."""
+"""Value in C_MOTSET of a limit that is off."""
 NO_OFFSETS = ExtJoint(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @value_class(frozen=True, slots=True, repr=False)
 class Place:
-    """Where a statement stands, for events and reports."""
+    """Location of a statement in the program, for events and reports."""
 
     span: Span
     routine: str
     arguments: Mapping[str, str] = field(default_factory=dict)
     """Source text of the call's arguments, by folded parameter name: `{"topoint": "p20"}`."""
     is_lasting: bool = field(default=True, compare=False)
-    """Whether it stays the same when the statement is executed again; not in runs of moves."""
+    """Whether it stays the same when the statement is executed again; not for bulk moves."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -56,7 +56,7 @@ class Place:
 
 
 class Interpolation(Enum):
-    """How a move gets to its end."""
+    """Path of a move to its end."""
 
     JOINT = "joint"
     """MoveJ: straight in joint space to a pose."""
@@ -71,13 +71,13 @@ class Interpolation(Enum):
 
     @property
     def leads_tcp(self) -> bool:
-        """Whether the TCP follows a curve in space; else axes move straight to where they end."""
+        """Whether the TCP follows a curve in space; otherwise axes move straight to their ends."""
         return self in (Interpolation.LINE, Interpolation.CIRCLE)
 
 
 @value_class(frozen=True, slots=True)
 class StopTime:
-    """The shortest time at a stop point."""
+    """Minimum time at a stop point."""
 
     seconds: float
     program_waits: bool
@@ -88,9 +88,9 @@ class SensorInfluence(Enum):
     """Whether a sensor affects the path of a move."""
 
     NEVER = auto()
-    """Nothing: all moves but EGMMoveL and EGMMoveC."""
+    """The sensor has no influence: all moves but EGMMoveL and EGMMoveC."""
     NOT_HERE = auto()
-    """It corrects the moves before and behind: \\NoCorr."""
+    """The sensor corrects the moves before and after, but not this one: \\NoCorr."""
     CORRECTED = auto()
 
 
@@ -109,30 +109,30 @@ class Move:
     duration_s: float | None = None
     """The argument \\T: time of the whole move, which replaces the speed."""
     concurrent: bool = False
-    """The argument \\Conc: the program goes on at once."""
+    """The argument \\Conc: the program continues at once."""
     sync_id: float | None = None
     """The argument \\ID: moves of several robots with the same number are made together."""
     stop: StopTime | None = None
-    """The argument \\Inpos, where it gives a time."""
+    """The argument \\Inpos, if it specifies a time."""
     programmed: RobTarget | None = None
-    """The target as programmed, where \\Corr moves it."""
+    """The target as programmed, if \\Corr moves it; else None."""
     sensed: SensorInfluence = SensorInfluence.NEVER
     """Whether a sensor corrects its path."""
 
 
 class SingularArea(Enum):
-    """SingArea: how singularities of the wrist are passed."""
+    """SingArea: treatment of singularities of the wrist."""
 
     OFF = "off"
     """The programmed path is kept."""
     WRIST = "wrist"
     """The wrist axes are interpolated; the orientation of the tool deviates a little."""
     LOCK_AXIS_4 = "lock axis 4"
-    """As `WRIST`, and axis 4 stays at 0 or half a turn."""
+    """Like `WRIST`, with axis 4 fixed at 0 or half a turn."""
 
 
 class CirclePathMode(Enum):
-    """CirPathMode: how the tool turns on an arc."""
+    """CirPathMode: orientation of the tool on an arc."""
 
     PATH_FRAME = r"\PathFrame"
     OBJECT_FRAME = r"\ObjectFrame"
@@ -144,7 +144,7 @@ class CirclePathMode(Enum):
 
 @value_class(frozen=True, slots=True)
 class MotionSettings:
-    """What VelSet, AccSet, ConfL and their like have set; these are the values after PP to main."""
+    """Settings by VelSet, AccSet, ConfL and their like; the defaults are those after PP to main."""
 
     speed_override_percent: float = 100.0
     speed_refresh_percent: float = 100.0
@@ -153,11 +153,11 @@ class MotionSettings:
     acceleration_percent: float = 100.0
     ramp_percent: float = 100.0
     fine_ramp_percent: float = 100.0
-    """AccSet: how quickly the arm brakes at stop points, of what `ramp_percent` leaves."""
+    """AccSet: rate at which braking rises at stop points [%], relative to `ramp_percent`."""
     grip_load: LoadData | None = None
-    """GripLoad: what the gripper holds; None before the first."""
+    """GripLoad: load of the gripper; None before the first."""
     grip_load_name: str = "load0"
-    """What the program calls it."""
+    """Its name in the program."""
     tcp_acceleration_m_s2: float | None = None
     """PathAccLim: along the path."""
     tcp_deceleration_m_s2: float | None = None
@@ -168,26 +168,26 @@ class MotionSettings:
     singular_area: SingularArea = SingularArea.OFF
     circle_path: CirclePathMode = CirclePathMode.PATH_FRAME
     inactive_units: frozenset[str] = frozenset()
-    """Names in small letters of the mechanical units that DeactUnit has switched off."""
+    """Folded names of the mechanical units that DeactUnit has deactivated."""
     independent_axes: frozenset[str] = frozenset()
-    """External axes, such as `eax_a`, that IndCMove and its like have taken off the path."""
+    """External axes, such as `eax_a`, that IndCMove and its like have made independent."""
     displacement: Pose | None = None
-    """PDispOn, PDispSet: moves reach the controller with it applied already."""
+    """PDispOn, PDispSet: already applied to the moves that reach the controller."""
     axis_offsets: ExtJoint | None = None
-    """EOffsOn, EOffsSet: moves reach the controller with them applied already."""
+    """EOffsOn, EOffsSet: already applied to the moves that reach the controller."""
     path_resolution_percent: float = 100.0
     motion_supervision: bool = True
     supervision_tune_percent: float = 100.0
-    """PathResol and MotionSup: kept to be read back, without effect."""
+    """PathResol and MotionSup: stored to be read back, without effect."""
 
     @property
     def speed_share(self) -> float:
-        """The share of programmed speeds that both overrides leave."""
+        """Share of programmed speeds that results from both overrides."""
         return self.speed_override_percent * self.speed_refresh_percent / 1e4
 
     @property
     def grip_load_kg(self) -> float:
-        """The mass of what the gripper holds."""
+        """Mass [kg] of the load of the gripper."""
         return 0.0 if self.grip_load is None else self.grip_load.mass
 
     @property
@@ -240,15 +240,15 @@ class Flank(Enum):
 
 
 class SearchStop(Enum):
-    """What the robot does at the first hit."""
+    """Reaction of the robot to the first hit."""
 
     STIFFLY = "stop stiffly"
-    """It stops as fast as it can."""
+    """Stop as fast as possible."""
     SOFTLY = "stop softly"
-    """It stops on its path, or near it."""
+    """Stop on the path, or near it."""
     ON_PATH = "stop on the path"
-    """It stops on its path and takes its time."""
+    """Stop on the path, with gentle braking."""
     GO_ON = "go on"
-    """It goes on to the end of the move."""
+    """Continue to the end of the move."""
     GO_ON_ONCE = "go on, one hit"
-    """It goes on, and a second hit is an error."""
+    """Continue to the end of the move; a second hit is an error."""

@@ -1,4 +1,4 @@
-"""Records of routines that are not simulated: known so that programs with them are checked and run.
+"""Records of unsimulated routines: known so that programs with them are checked and run.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "cameratarget",
 "restartdata", "sensor"; compared with declarations of programs from controllers.
@@ -12,7 +12,7 @@ from rapidsim.language.data import Pose
 
 
 class CameraTarget(NamedTuple):
-    """What a camera has found."""
+    """Result of a camera."""
 
     name: str
     cframe: Pose
@@ -29,7 +29,7 @@ class CameraTarget(NamedTuple):
 
 
 class RestartData(NamedTuple):
-    """What the signals of a process were before and after a stop."""
+    """Values of the signals of a process before and after a stop."""
 
     restartstop: bool
     stoponpath: bool
@@ -49,7 +49,7 @@ class RestartData(NamedTuple):
 
 
 class Sensor(NamedTuple):
-    """A device that data are exchanged with: its number, its last error, its state."""
+    """A device with which data are exchanged: its number, its last error, its state."""
 
     id: float
     error: float
@@ -57,7 +57,7 @@ class Sensor(NamedTuple):
 
 
 class SensorVarData(NamedTuple):
-    """One variable of a sensor, and what it is scaled by."""
+    """One variable of a sensor, with its scale."""
 
     type: float
     scale: float
@@ -65,7 +65,7 @@ class SensorVarData(NamedTuple):
 
 
 class MenuData(NamedTuple):
-    """A line of the Production Manager's menu, and the procedure behind it."""
+    """A line of the Production Manager's menu, with its procedure."""
 
     text: str
     image: str

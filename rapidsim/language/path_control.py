@@ -1,4 +1,4 @@
-"""What a running task may ask of its robot besides moving it: stopping, searching, world zones."""
+"""Services of the robot other than moves: stopping, searching, world zones."""
 
 from __future__ import annotations
 
@@ -12,26 +12,26 @@ from rapidsim.language.path_events import ZoneShape
 
 
 class PathControl(Protocol):
-    """Stopping the robot on its path, and travelling other paths meanwhile."""
+    """Stopping the robot on its path, and travelling other paths in between."""
 
     @property
     def path_level(self) -> float:
-        """How many paths are stored, counted from 1: the value of PathLevel."""
+        """The path level, 1 plus the number of stored paths: the value of PathLevel."""
         ...
 
     def stop_move(self, *, quick: bool = False) -> None:
-        """Stop the robot on its path, or as fast as it can; returns when it stands."""
+        """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
         ...
 
     def fail(self, error: RapidError) -> None:
-        """Stop the robot; the error is raised where the program waits for it."""
+        """Stop the robot and raise an error where the program waits for it."""
         ...
 
     def start_move(self) -> None:
-        """Let the robot go on.
+        """Restart the robot.
 
         Raises:
-            RapidError: ERR_PATHDIST, when it stands too far from where it left its path.
+            RapidError: ERR_PATHDIST, when it is too far from where it left its path.
         """
         ...
 
@@ -40,7 +40,7 @@ class PathControl(Protocol):
         ...
 
     def clear_path(self) -> None:
-        """Forget the rest of the path of a robot that was stopped."""
+        """Discard the rest of the path of a stopped robot."""
         ...
 
     def store_path(self, *, keep_sync: bool = False) -> None:
@@ -51,33 +51,33 @@ class PathControl(Protocol):
         ...
 
     def restore_path(self) -> None:
-        """Take up the path that was kept; the robot goes on with it after `start_move`."""
+        """Restore the path stored last; the robot continues on it after `start_move`."""
         ...
 
 
 class PathRecorder(Protocol):
-    """Going back along recorded moves and forward again; places have identifiers."""
+    """Moving back along recorded moves and forward again; places have identifiers."""
 
     def start_recording(self) -> int:
-        """Record the moves from here on; the number of the identifier of this place."""
+        """Record the moves from here on; return the number of the identifier of this place."""
         ...
 
     def stop_recording(self, *, clear: bool) -> None:
-        """Record no further moves; with `clear`, forget all."""
+        """Stop recording; with `clear`, discard the record."""
         ...
 
     def can_move_backward(self, identifier: int | None) -> bool:
-        """Whether there is a recorded way back to a place, None for the first."""
+        """Whether there is a recorded path back to a place, None for the first."""
         ...
 
     def can_move_forward(self, identifier: int | None) -> bool:
-        """Whether the robot has gone back and can go forward to a place."""
+        """Whether the robot has moved back and can move forward to a place."""
         ...
 
     def move_backward(
         self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
     ) -> None:
-        """Go back on the recorded path to a place.
+        """Move back along the recorded path to a place.
 
         Args:
             identifier: Of the place; None for the first.
@@ -85,17 +85,17 @@ class PathRecorder(Protocol):
             speed: None for the recorded speeds.
 
         Raises:
-            RapidError: ERR_PATH, where no such path is recorded.
+            RapidError: ERR_PATH, if no such path is recorded.
         """
         ...
 
     def move_forward(
         self, identifier: int | None, offset: Pos | None, speed: SpeedData | None
     ) -> None:
-        """Go forward again to a place; None for where the way back began.
+        """Move forward again to a place; None for the start of the backward motion.
 
         Raises:
-            RapidError: ERR_PATH, where the robot has not gone back.
+            RapidError: ERR_PATH, if the robot has not moved back.
         """
         ...
 
@@ -121,7 +121,7 @@ class PathLength(Protocol):
 
 
 class Searches(Protocol):
-    """Moves on which a signal or a persistent is watched."""
+    """Moves during which a signal or a persistent is watched."""
 
     def search(
         self,
@@ -130,14 +130,14 @@ class Searches(Protocol):
         flank: Flank,
         stop: SearchStop,
     ) -> RobTarget:
-        """Make a move to a stop point and watch a signal, or a persistent, on the way.
+        """Make a move to a stop point and watch a signal, or a persistent, during it.
 
         Returns:
-            Where the TCP was at the first hit.
+            Robtarget of the TCP at the first hit.
 
         Raises:
             RapidError: ERR_WHLSEARCH without a hit or with too many, ERR_SIGSUPSEARCH or
-                ERR_PERSSUPSEARCH if the value was there at the start.
+            ERR_PERSSUPSEARCH if the value is active at the start.
         """
         ...
 
@@ -148,7 +148,7 @@ class Searches(Protocol):
         flank: Flank,
         stop: SearchStop,
     ) -> JointTarget:
-        """As `search`, but tell where all axes were at the first hit."""
+        """Make a move as `search` does, but return the positions of all axes at the first hit."""
         ...
 
     def part_pose(self, search: str) -> Pose | None:
@@ -172,8 +172,8 @@ class WorldZones(Protocol):
 
         Args:
             shape: The zone.
-            signal: An output and the value it has while the TCP is there; None stops the robot.
-            before: The output is set before the TCP gets there, not when it is there.
+            signal: An output and its value while the TCP is in the zone; None stops the robot.
+            before: Whether the output is set before the TCP is in the zone, not when it is.
 
         Returns:
             The number of the zone.
@@ -185,5 +185,5 @@ class WorldZones(Protocol):
         ...
 
     def free_zone(self, zone: float) -> None:
-        """Forget a zone."""
+        """Remove a zone."""
         ...

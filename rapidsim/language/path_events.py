@@ -1,4 +1,4 @@
-"""What happens at places of the path: the values of `triggdata`, and what world zones are.
+"""Actions at places of the path: the values of `triggdata`; and shapes of world zones.
 
 Everything is in RAPID's units.
 """
@@ -14,7 +14,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class SetOutput:
-    """An output takes a value, at once or after a delay."""
+    """Sets an output to a value, at once or after a delay."""
 
     signal: str
     value: float
@@ -23,53 +23,53 @@ class SetOutput:
 
 @value_class(frozen=True, slots=True)
 class RaiseInterrupt:
-    """An interrupt is raised."""
+    """Raises an interrupt."""
 
     interrupt: float
 
 
 @value_class(frozen=True, slots=True)
 class CheckSignal:
-    """A signal is checked; an interrupt is raised if it is not as required."""
+    """Checks a signal, and raises an interrupt if it is not as required."""
 
     signal: str
     wanted: Callable[[float], bool]
     interrupt: float
     stops: bool
-    """The robot is stopped first."""
+    """Whether the robot is stopped first."""
 
 
 @value_class(frozen=True, slots=True)
 class RampOutput:
-    """An analog output ramps linearly to a value."""
+    """Ramps an analog output linearly to a value."""
 
     signal: str
     value: float
     length: float
-    """Of the ramp [mm], or [s] if `by_time`."""
+    """Length of the ramp [mm], or [s] if `by_time`."""
     by_time: bool
 
 
 @value_class(frozen=True, slots=True)
 class FollowSpeed:
-    """From here on an analog output is the speed of the TCP [mm/s] times a factor; 0 ends it."""
+    """Makes an analog output follow the speed of the TCP [mm/s] times a factor; 0 ends it."""
 
     signal: str
     per_mm_s: float
     lag_s: float
-    """How far [s] the output leads the speed."""
+    """Time [s] by which the output leads the speed."""
 
 
 @value_class(frozen=True, slots=True)
 class CallProcedure:
-    """A procedure runs as a trap would."""
+    """Runs a procedure like a trap."""
 
     name: str
 
 
 @value_class(frozen=True, slots=True)
 class Trigger:
-    """Where on a move something happens, and what."""
+    """An action at a place on a move."""
 
     action: SetOutput | RaiseInterrupt | CheckSignal | RampOutput | FollowSpeed | CallProcedure
     distance: float = 0.0
@@ -77,9 +77,9 @@ class Trigger:
     from_start: bool = False
     by_time: bool = False
     lag_s: float = 0.0
-    """How long [s] before the robot gets there: what the equipment takes to follow."""
+    """Time [s] before the robot's arrival: the delay of the equipment."""
     inhibited: Reference[bool] | None = None
-    """While TRUE the trigger does nothing, or writes `inhibited_value`."""
+    """While TRUE the trigger has no effect, or writes `inhibited_value`."""
     inhibited_value: Reference[object] | None = None
 
 
@@ -118,7 +118,7 @@ class AxisRange:
 
 @value_class(frozen=True, slots=True)
 class ZoneShape:
-    """The value of `shapedata`: a volume, meant inside or outside."""
+    """The value of `shapedata`: a volume, or all space outside it."""
 
     volume: Cuboid | Cylinder | Sphere | AxisRange
     outside: bool = False

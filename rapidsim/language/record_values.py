@@ -1,4 +1,4 @@
-"""How values of records look in Python, and how those of a program's own records travel."""
+"""Python values of records, and pickling of those of a program's own records."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from typing import Any
 
 _LONGEST = 120
 _UNUSED = 8e9
-"""Above it a number is the 9E9 that RAPID writes for what is not used."""
+"""A number above it is the 9E9 that RAPID uses for unused values."""
 
 
 def new_record_class(name: str, fields: Sequence[str]) -> type[tuple[object, ...]]:
     """A class for the values of a record that a program declares.
 
-    Its values can be pickled: where there is no such program, they come back as values of a class
-    that looks the same.
+    Its values can be pickled: in a process without the program they are restored as values of an
+    equal class.
     """
-    # A component may have a name that no Python attribute can have; its position is what counts.
+    # A component may have a name that is not a Python attribute; only its position matters.
     made: Any = namedtuple(name, fields, rename=True)  # type: ignore[misc]
     extra: dict[str, Any] = {
         "__reduce__": lambda value: (_rebuilt, (name, tuple(fields), tuple(value))),
@@ -31,7 +31,7 @@ def new_record_class(name: str, fields: Sequence[str]) -> type[tuple[object, ...
 
 
 def in_brackets(value: tuple[object, ...]) -> str:
-    """A record in one line, as RAPID writes it: `RobTarget[[600,0,800],[1,0,0,0],...`."""
+    """A record in one line, in RAPID syntax: `RobTarget[[600,0,800],[1,0,0,0],...`."""
     text = f"{type(value).__name__}{_text(value)}"
     return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 3]}..."
 

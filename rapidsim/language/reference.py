@@ -1,6 +1,6 @@
-"""Data passed by reference: whatever has a `value`.
+"""Data passed by reference: any object with a `value`.
 
-A routine never knows what it was given: a variable's cell, an array element, a record component.
+A routine is independent of the kind of its argument: variable, array element, record component.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ class Reference(Protocol[T]):
 
 
 class Box(Generic[T]):
-    """One variable: a reference that holds its value itself."""
+    """One variable: a reference that stores its value itself."""
 
     __slots__ = ("value",)
 

@@ -1,4 +1,4 @@
-"""Which RobotWare a controller has."""
+"""RobotWare version of a controller."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ class RobotWare:
     minor: int = 0
 
     def __str__(self) -> str:
-        """As ABB writes it: `6.15`, `7.0`."""
+        """Version in ABB's notation: `6.15`, `7.0`."""
         return f"{self.major}.{self.minor}"
 
 
 def read_robotware(text: str) -> RobotWare | None:
-    """The version that a text such as "6.15" or "7.13.0" says; None if it says none."""
+    """The version in a text such as "6.15" or "7.13.0"; None if it is not a version."""
     match = _VERSION.fullmatch(text.strip())
     return None if match is None else RobotWare(int(match[1]), int(match[2]))

@@ -1,7 +1,7 @@
-"""RAPID's `num`: a single-precision number, kept in a Python float.
+"""RAPID's `num`: a single-precision number, stored in a Python float.
 
-Source: IEEE 754 binary32; the splitting constant is Veltkamp's, 2**29 + 1, which leaves the 24 bits
-that a single has of the 53 of a double, rounded to nearest, ties to even.
+Source: IEEE 754 binary32; the splitting constant is Veltkamp's, 2**29 + 1, which keeps the 24 of
+the 53 bits of a double that a single has, rounded to nearest, ties to even.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def single(x: float) -> float:
     """The nearest single-precision number.
 
     Raises:
-        RapidError: ERR_OVERFLOW, if it is not finite or larger than a `num` can be.
+        RapidError: ERR_OVERFLOW, if it is not finite or beyond the range of `num`.
     """
     if not -LARGEST_SINGLE <= x <= LARGEST_SINGLE:
         raise rapid_error(
@@ -30,6 +30,6 @@ def single(x: float) -> float:
 
 
 def nearest_single(x: float) -> float:
-    """The same of what is in range, which is not looked at."""
+    """The nearest single-precision number, without the check of the range."""
     t = x * SPLIT
     return t - (t - x)

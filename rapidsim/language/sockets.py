@@ -1,4 +1,4 @@
-"""What a variable of type `socketdev` holds: how far the socket is, and what it is tied to."""
+"""Value of a variable of type `socketdev`: state of the socket, and its connections."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Connection(Protocol):
     peer: str
     """Address of the other end."""
     received: bytearray
-    """What has arrived and nobody has read yet."""
+    """Received data that no statement has read yet."""
     has_ended: bool
     """Whether the other end has closed, so that nothing more arrives."""
 
@@ -31,7 +31,7 @@ class Datagram(NamedTuple):
 
     data: bytes
     address: str
-    """Of the sender."""
+    """Address of the sender."""
     port: int
 
 
@@ -39,7 +39,7 @@ class DatagramPort(Protocol):
     """A socket for datagrams (UDP)."""
 
     port: int
-    """0 until SocketBind or the first datagram that it sends gives it one."""
+    """0 until SocketBind or the first datagram that it sends assigns one."""
 
     @property
     def received(self) -> Sized:
@@ -48,7 +48,7 @@ class DatagramPort(Protocol):
 
 
 class Listener(Protocol):
-    """A port of a program, where it may wait for clients."""
+    """A port of a program, at which it may wait for clients."""
 
     port: int
 
@@ -60,22 +60,22 @@ class SocketState:
     status: float = CREATED
     address: str = ""
     port: int = 0
-    """What SocketBind gave it; 0 before."""
+    """Port assigned by SocketBind; 0 before."""
     connection: Connection | None = None
     datagrams: DatagramPort | None = None
-    """The port of a socket for datagrams; None for one of streams."""
+    """The port of a socket for datagrams; None for a socket of streams."""
     listener: Listener | None = None
-    """The port that SocketBind gave it, whether it listens or not."""
+    """The port of SocketBind, whether it listens or not."""
 
 
 class Sockets(Protocol):
-    """Connections to other computers, or to what stands for them."""
+    """Connections to other computers, or to their substitutes."""
 
     def bind_port(self, address: str, port: int) -> Listener:
-        """Take a port; clients cannot connect to it yet.
+        """Bind a port; clients cannot connect to it yet.
 
         Raises:
-            RapidError: ERR_SOCK_ADDR_INUSE if somebody has it already.
+            RapidError: ERR_SOCK_ADDR_INUSE if another socket has it already.
         """
         ...
 
@@ -88,13 +88,13 @@ class Sockets(Protocol):
         ...
 
     def accept_client(self, listener: Listener, *, max_time: float | None) -> Connection | None:
-        """Wait `max_time` [s] or forever for a client; None if none came."""
+        """Wait `max_time` [s], or indefinitely if None, for a client; None if none connects."""
         ...
 
     def connect_socket(
         self, address: str, port: int, *, max_time: float | None
     ) -> Connection | None:
-        """Connect to a server within `max_time` [s], or wait forever; None if none answered."""
+        """Connect to a server within `max_time` [s] if not None; None if none answers in time."""
         ...
 
     def send_bytes(self, connection: Connection, data: bytes) -> None:
@@ -122,7 +122,7 @@ class Sockets(Protocol):
         ...
 
     def bind_datagrams(self, socket: DatagramPort, address: str, port: int) -> None:
-        """Give a socket for datagrams a port.
+        """Bind a socket for datagrams to a port.
 
         Raises:
             RapidError: ERR_SOCK_ADDR_INUSE if another socket has it already.
@@ -133,14 +133,14 @@ class Sockets(Protocol):
         """Send a datagram.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH where the run may not talk to the host.
+            RapidError: ERR_SOCK_NET_UNREACH if the run may not contact the host.
         """
         ...
 
     def await_datagram(self, socket: DatagramPort, *, max_time: float | None) -> Datagram | None:
-        """Wait `max_time` [s] or forever for a datagram; None if none came."""
+        """Wait `max_time` [s], or indefinitely if None, for a datagram; None if none arrives."""
         ...
 
     def close_datagrams(self, socket: DatagramPort) -> None:
-        """Give the port of a socket for datagrams back."""
+        """Release the port of a socket for datagrams."""
         ...

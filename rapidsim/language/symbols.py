@@ -1,4 +1,4 @@
-"""Data of a running program found by their names: what GetDataVal and its like ask for."""
+"""Data of a running program by their names, for GetDataVal and its like."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class DataName:
-    """Data that a module declares; what a variable of type `datapos` holds."""
+    """Data that a module declares: the value of a variable of type `datapos`."""
 
     name: str
     module: str
@@ -18,14 +18,14 @@ class DataName:
 
 @value_class(frozen=True, slots=True)
 class DataSearch:
-    """Which data to look for."""
+    """Criteria of a search for data."""
 
     type: str
     """Name of the type; "" for any."""
     pattern: str | None
-    """What the whole name must match; None for any."""
+    """Pattern for the whole name; None for any."""
     storages: tuple[str, ...]
-    """Of VAR, PERS, CONST."""
+    """Any of VAR, PERS, CONST."""
     module: str | None = None
     only_global: bool = False
     only_local: bool = False
@@ -38,9 +38,9 @@ class Symbols(Protocol):
         """A copy of a value.
 
         Args:
-            name: As in the program, in any case; with an element or component behind it.
+            name: Name as in the program, ignoring case; may end in an element or component.
             of: The type it must have.
-            data_name: The data of that name that are meant, where several modules have some.
+            data_name: The data to use if several modules have data of that name.
 
         Raises:
             RapidError: ERR_SYM_ACCESS if there are no such data, ERR_SYMBOL_TYPE or ERR_INVDIM if
@@ -53,13 +53,13 @@ class Symbols(Protocol):
         ...
 
     def search(self, search: DataSearch) -> tuple[DataName, ...]:
-        """All matching data, in the order they are written."""
+        """All matching data, in the order of their declarations."""
         ...
 
     def begin_search(self, search: DataSearch | None) -> None:
-        """Look for data; `next_match` gives them one by one. None finds nothing."""
+        """Begin a search; `next_match` returns its results one by one. None ends in no results."""
         ...
 
     def next_match(self) -> DataName | None:
-        """The next data of the search; None when there are no more."""
+        """The next data of the search; None at its end."""
         ...

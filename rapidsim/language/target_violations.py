@@ -1,24 +1,24 @@
-"""Rule M501, which the check finds in the text and a run in values that were computed."""
+"""Rule M501, which the check finds in the text and a run in computed values."""
 
 from __future__ import annotations
 
 from rapidsim.diagnostics import Severity, Violation
 
 TOLERATED_NORM_ERROR = 1e-4
-"""How far the length of a quaternion may be from 1: seven digits of four numbers, rounded."""
+"""Deviation of the length of a quaternion from 1: seven digits of four numbers, rounded."""
 
 
 class QuaternionNotUnit(Violation, code="M501"):
     target: str
     length: float
     refused: bool = False
-    """Whether a move asks for it and it is too far off for the move to be made."""
+    """Whether a move requires it and it is too far off for the move to be made."""
     valueless: bool = False
-    """Whether the program has persistents without a value, which another task may give."""
+    """Whether the program has persistents without a value, which another task may set."""
 
     @property
     def help(self) -> str | None:
-        """What to write instead; zeros have no direction that could be kept."""
+        """Replacement to suggest; zeros have no direction that could be kept."""
         if self.valueless:
             return (
                 "a persistent without an initial value has zeros unless another task gives it one: "

@@ -1,4 +1,4 @@
-"""What a task may ask of the other tasks of its cell; part of the controller's protocols."""
+"""Services that involve other tasks of the cell; part of the controller's protocols."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ class TaskService(Protocol):
 
     @property
     def task_number(self) -> int:
-        """Place of the task in the station, from 1."""
+        """Position of the task in the station, from 1."""
         ...
 
     @property
     def robot_number(self) -> int:
-        """Place of the task's robot among those of the station, from 1; 0 without a robot."""
+        """Position of the task's robot among all robots, from 1; 0 without a robot."""
         ...
 
     @property
     def robot_task(self) -> str:
-        """Name of the task whose robot this one reads: its own, or the first that has one."""
+        """Name of the task whose robot this one uses: its own, or the first task with a robot."""
         ...
 
     def has_task(self, name: str) -> bool:
@@ -52,14 +52,14 @@ class TaskService(Protocol):
         max_time: float | None = None,
         in_position: bool = False,
     ) -> bool:
-        """Wait at a synchronization point until some tasks are there, this one among them.
+        """Wait at a synchronization point until all listed tasks, including this one, have arrived.
 
         Args:
-            instruction: Points of different instructions never meet.
+            instruction: Points of different instructions are different.
             name: Of the point.
-            tasks: Names of all that must come.
-            max_time: So long [s] at most.
-            in_position: First let the robot come to rest.
+            tasks: Names of all tasks that must arrive.
+            max_time: Maximum time [s]; None for no limit.
+            in_position: Whether to bring the robot to rest first.
 
         Returns:
             False if `max_time` ran out first.
@@ -67,7 +67,7 @@ class TaskService(Protocol):
         ...
 
     def joints_of(self, task: str) -> JointTarget:
-        """Where the axes of another task's robot are now.
+        """Current positions of the axes of another task's robot.
 
         Raises:
             RapidError: ERR_TASKNAME if there is no such task, ERR_NOT_MOVETASK if it has no robot.
@@ -75,7 +75,7 @@ class TaskService(Protocol):
         ...
 
     def target_of(self, task: str, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
-        """Where the TCP of another task's robot is now; None takes what its last move used.
+        """Current robtarget of another task's robot; None selects the data of its last move.
 
         Raises:
             RapidError: See `joints_of`.
@@ -83,34 +83,34 @@ class TaskService(Protocol):
         ...
 
     def stop_robots(self, *, every: bool, quick: bool) -> None:
-        """Stop the robot that a task without one watches, or all; returns when they stand."""
+        """Stop the robot a task without one refers to, or all; returns when they are at rest."""
         ...
 
     def start_robots(self, *, every: bool) -> None:
-        """Let the robot that a task without one watches go on, or all."""
+        """Restart the robot to which a task without one refers, or all."""
         ...
 
     def is_robot_held(self) -> tuple[bool, bool]:
-        """Whether the robot's own task keeps it where it is, and whether one that watches does."""
+        """Whether the robot's own task holds it, and whether an observing task does."""
         ...
 
 
 class SyncMoves(Protocol):
-    """Moving together with the robots of other tasks."""
+    """Synchronized motion with the robots of other tasks."""
 
     @property
     def team(self) -> tuple[str, ...]:
-        """Names of the tasks that move together, this one among them; empty while it is alone."""
+        """Names of the tasks of the team, this one included; empty while it moves alone."""
         ...
 
     def sync_move_on(
         self, name: str, tasks: Sequence[str], *, max_time: float | None = None
     ) -> bool:
-        """Wait for some tasks at a stop point; from there their robots move together."""
+        """Wait for some tasks at a stop point; from there their robots form a team."""
         ...
 
     def sync_move_off(self, name: str, *, max_time: float | None = None) -> bool:
-        """Wait for the tasks that move together at a stop point; from there each moves alone."""
+        """Wait for the tasks of the team at a stop point; from there each moves alone."""
         ...
 
     def leave_team(self) -> None:
@@ -122,5 +122,5 @@ class SyncMoves(Protocol):
         ...
 
     def resume_team(self) -> None:
-        """Move together again."""
+        """Join the suspended team again."""
         ...

@@ -10,13 +10,13 @@ class Texts(Protocol):
     """Texts by table and number."""
 
     def install_texts(self, name: str, texts: Mapping[int, str]) -> None:
-        """Keep a table of texts."""
+        """Install a table of texts."""
         ...
 
     def text_table(self, name: str) -> int | None:
-        """The number of a table, by its name; None if there is none."""
+        """Number of a table, by its name; None if it does not exist."""
         ...
 
     def table_text(self, table: float, index: float) -> str | None:
-        """A text of a table, by numbers; None if there is none."""
+        """Text of a table, by numbers; None if it does not exist."""
         ...

@@ -1,6 +1,6 @@
-"""RAPID's types, and what may be assigned to what.
+"""RAPID's types and their assignability.
 
-Types are equal by name once aliases are resolved; `num` and `dnum` never convert by themselves.
+Types are equal by name once aliases are resolved; `num` and `dnum` never convert implicitly.
 Names compare without case: a table of types is keyed by the folded name.
 
 Source: Technical reference manual RAPID Kernel, "Data types"; RAPID Overview, "Data".
@@ -16,7 +16,7 @@ from rapidsim.values import value_class
 
 
 class Kind(Enum):
-    """What can be done with data of a type."""
+    """Operations that data of a type allow."""
 
     VALUE = "value"
     """Assigned, compared, passed by value."""
@@ -25,7 +25,7 @@ class Kind(Enum):
     NON_VALUE = "non-value"
     """Only passed by reference: clocks, devices."""
     UNKNOWN = "unknown"
-    """Nothing declares the type, so it may be anything."""
+    """The type is undeclared, so it may be anything."""
 
 
 @value_class(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Record:
     name: str
     components: tuple[Component, ...]
     python: type[tuple[object, ...]] = field(compare=False)
-    """Each task has its own for a record of the user; the type is the same."""
+    """Each task has its own class for a record of the user; the type is the same."""
 
 
 @value_class(frozen=True, slots=True)
@@ -73,7 +73,7 @@ class ArrayOf:
 
     @property
     def name(self) -> str:
-        """As RAPID writes it: `num{3}`, `robtarget{*}`."""
+        """Name in RAPID syntax: `num{3}`, `robtarget{*}`."""
         sizes = ",".join("*" if d is None else str(d) for d in self.dimensions)
         return f"{self.element.name}{{{sizes}}}"
 
@@ -108,11 +108,11 @@ OPAQUE = tuple(
         *("syncident", "taskid", "trapdata", "triggdata"),
     )
 )
-"""Types whose content only routines that are not simulated use."""
+"""Types whose content is used only by routines that are not simulated."""
 
 
 def resolved(of: Type) -> Atomic | Record | ArrayOf:
-    """The type behind an alias; arrays of an alias become arrays of what it stands for."""
+    """The type of an alias; arrays of an alias become arrays of its type."""
     match of:
         case Alias(of=base):
             return base

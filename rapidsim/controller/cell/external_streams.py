@@ -50,7 +50,7 @@ class Wire(DatagramWire, Protocol):
 
 
 class NullWire:
-    """A wire without peers, for runs that replay the recorded actions of peers."""
+    """A wire without peers: actions of programs have no effect."""
 
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
