@@ -45,7 +45,7 @@ class TaskCameras:
         return self._state(camera).results.pop(0)[1]
 
     def expects(self, camera: Camera) -> bool:
-        """Whether results of a picture are still to come."""
+        """Whether results of a picture are still to arrive."""
         return len(self._state(camera).results) > self.result_count(camera)
 
     def forget(self, camera: Camera) -> None:

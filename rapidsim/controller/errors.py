@@ -1,4 +1,4 @@
-"""The errors of one task, noted in its journal."""
+"""Errors of one task, recorded in its journal."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class TaskErrors:
     journal: Journal
 
     def error_mark(self) -> ErrorMark:
-        """The present moment, for `answered`."""
+        """The current moment, for `answered`."""
         return self.journal.error_mark(self.clock.moment())
 
     def answered(self, mark: object, error: AnsweredError) -> None:
-        """Note an error that was raised at a moment and has been answered since."""
+        """Record an error that was raised at a moment and has been handled since."""
         assert isinstance(mark, ErrorMark)
         self.journal.error(mark, error)

@@ -15,7 +15,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class FileAccess:
-    """Implements `language.controller.Files`."""
+    """Implements `language.files.Files`."""
 
     clock: TaskClock
     cell: Cell

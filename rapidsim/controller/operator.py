@@ -107,7 +107,7 @@ class TaskOperator:
 
 @value_class(frozen=True, slots=True)
 class TaskFidelityReporter:
-    """Implements `language.controller.Honesty`."""
+    """Implements `language.controller.FidelityReporter`."""
 
     clock: TaskClock
     journal: Journal

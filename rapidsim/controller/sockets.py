@@ -31,7 +31,7 @@ _SHOWN = 40
 
 @value_class(frozen=True, slots=True)
 class TaskSockets:
-    """Implements `language.controller.Sockets`."""
+    """Implements `language.sockets.Sockets`."""
 
     clock: TaskClock
     cell: Cell

@@ -20,7 +20,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class TaskZones:
-    """Implements `language.controller.WorldZones`."""
+    """Implements `language.path_control.WorldZones`."""
 
     clock: TaskClock
     unit: MechanicalUnit
@@ -71,7 +71,7 @@ class TaskZones:
             raise _no_zone(zone) from None
 
     def free_zone(self, zone: float) -> None:
-        """Forget a zone.
+        """Remove a zone.
 
         Raises:
             RapidError: ERR_ARGVALERR, if there is no such zone.

@@ -122,5 +122,5 @@ class GuidedSensor:
         self.all.send(self.number, StreamFeedback(tuple(stream)))
 
     def close(self) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
         self.all.forget(self.number)

@@ -190,12 +190,12 @@ class StepSensor(SilentSensor):
     is_open: bool = True
 
     def begin(self, run: GuidedExecution, feedback: FeedbackSchedule) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
         del run
         self.correct(feedback.first_s, feedback.samples * CYCLE_S)
 
     def correct(self, first_s: float, sample_s: float) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
         del first_s
         self.sample_s = sample_s
         self.socket.begin()
@@ -216,7 +216,7 @@ class StepSensor(SilentSensor):
             self.socket.send(feedback)
 
     def close(self) -> None:
-        """See `Sensor`."""
+        """See `GuidanceSensor`."""
         self.is_open = False
 
 

@@ -1,1 +1,1 @@
-"""The facts of RAPID that both the text half and the motion half need: types, values, errors."""
+"""The facts of RAPID that program analysis and motion share: types, values, errors."""

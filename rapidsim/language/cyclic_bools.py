@@ -25,9 +25,9 @@ class CyclicBools(Protocol):
         ...
 
     def remove(self, name: str) -> None:
-        """Leave a persistent alone from now on; its name in any case."""
+        """Stop updating a persistent; its name ignores case."""
         ...
 
     def names(self) -> tuple[str, ...]:
-        """The persistents that are kept, in the order of setting up."""
+        """The persistents that are updated, in the order of setting up."""
         ...

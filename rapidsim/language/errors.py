@@ -29,7 +29,7 @@ class RapidError(Exception):
 
 
 class RaisedError(RapidError):
-    """An error that RAISE raises: from an ERROR clause it is passed to the caller."""
+    """An error that ErrRaise raises: from an ERROR clause it is passed to the caller."""
 
 
 class RaisedToUser(RapidError):  # noqa: N818 - it says where to

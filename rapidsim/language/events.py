@@ -218,4 +218,4 @@ EVENT_TITLES: Final[Mapping[int, str]] = MappingProxyType(
         for number, _, title in (line.partition(" "),)
     }
 )
-"""By number."""
+"""Titles by number."""

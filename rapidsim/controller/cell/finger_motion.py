@@ -1,4 +1,4 @@
-"""The fingers of a servo gripper, which outlast the tasks that move them."""
+"""Motion of the fingers of a servo gripper, independent of the tasks that move them."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ class Fingers:
     """Position of the fingers over time: straight lines, without ramps."""
 
     object_mm: float | None = None
-    """Position at which closing fingers meet an object; None if nothing describes one."""
+    """Position at which closing fingers meet an object; None if it is unknown."""
     speed_mm_s: float = FASTEST_MM_S
     force_n: float = STRONGEST_N
     limit_mm: float = OPEN_MM
-    """Position to which they open at most."""
+    """Maximum position to which they open."""
     _from_mm: float = 0.0
     _to_mm: float = 0.0
     _began_s: float = 0.0
@@ -27,7 +27,7 @@ class Fingers:
 
     @property
     def rest_s(self) -> float:
-        """Time [s] at which they come, or came, to rest."""
+        """Time [s] at which they are at rest."""
         return self._ends_s
 
     def position(self, now_s: float) -> float:
@@ -50,6 +50,6 @@ class Fingers:
         self._ends_s = now_s + abs(self._to_mm - self._from_mm) / self.speed_mm_s
 
     def stop(self, now_s: float) -> None:
-        """Come to rest at once."""
+        """Stop at once."""
         self._to_mm = self.position(now_s)
         self._ends_s = min(self._ends_s, now_s)

@@ -120,7 +120,7 @@ class ScriptedPeer:
 
 
 class ExternalPeer(Protocol):
-    """Peers beyond the scripts; see `outside_streams`."""
+    """Peers beyond the scripts; see `external_streams`."""
 
     def opened(self, port: Port, address: str) -> None:
         """Handle a program that listens at a port."""

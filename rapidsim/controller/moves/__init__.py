@@ -1,1 +1,1 @@
-"""From a move instruction to a segment: frames, speeds, zone and the configuration at its end."""
+"""Resolution of move instructions to segments: frames, speeds, zone, end configuration."""

@@ -15,7 +15,7 @@ from rapidsim.values import value_class as value
 
 @value(frozen=True, slots=True, eq=False)
 class Holder:
-    """Another robot and where it currently is."""
+    """Another robot at its current pose."""
 
     unit: str
     """Name of the mechanical unit."""
@@ -25,7 +25,7 @@ class Holder:
 
 
 def no_holder(unit: str) -> Holder | None:
-    """For cells in which no other robot has this name."""
+    """Return None: for cells in which no other robot has this name."""
     del unit
     return None
 

@@ -1,1 +1,1 @@
-"""A robot's queue of moves and how much of its motion is fixed, alone or in step with others."""
+"""Motion queue of a robot, alone or in a team: its moves and the fixed part of its motion."""
