@@ -65,7 +65,7 @@ class TaskPathControl:
 
         Raises:
             RapidError: ERR_ALRDY_MOVING; ERR_PATHDIST, when it is too far from where it left its
-            path.
+                path.
         """
         self.clock.note_line()
         now_s = self.clock.resolve_time()

@@ -106,8 +106,8 @@ class TaskSockets:
         """Connect to a server; None if no server answers in time.
 
         Raises:
-            RapidError: ERR_SOCK_NET_UNREACH if the run may not contact the host. WaitsForever: If
-            the wait has no limit and no known event ends it.
+            RapidError: ERR_SOCK_NET_UNREACH if the run may not contact the host.
+            WaitsForever: If the wait has no limit and no known event ends it.
         """
         deadline_s = self._deadline(max_time)
         network, sockets = self.cell.network, self.cell.sockets

@@ -208,8 +208,8 @@ class TaskTeam:
         Its end must be known first, so this waits for its task.
 
         Raises:
-            MoveImpossible: If it waits for this one in turn. WaitsForever: If its task never
-            submits its part.
+            MoveImpossible: If it waits for this one in turn.
+            WaitsForever: If its task never submits its part.
         """
         wobj, team = move.wobj, team_queue.team
         other = None if wobj.ufprog or wobj.robhold else self.coordination.robot_of(wobj.ufmec)

@@ -1,8 +1,8 @@
 """Entries of the controller's event log, for IError and ReadErrData.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "errdomain",
-"errtype", "ErrWrite", "ErrLog". Numbers are without the digits of their domain, as in ReadErrData:
-80001 is number 1 of domain 8.
+"errtype", "ErrWrite", "ErrLog". Numbers are without the digits of their domain, as in
+ReadErrData: 80001 is number 1 of domain 8.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ class Files(Protocol):
 
         Raises:
             RapidError: ERR_FILNOTFND if it does not exist, ERR_IOERROR if it cannot be read,
-            ERR_PRGMEMFULL if it has more than `most` bytes.
+                ERR_PRGMEMFULL if it has more than `most` bytes.
         """
         ...
 

@@ -51,7 +51,7 @@ class Modules(Protocol):
 
         Raises:
             RapidError: ERR_SYNTAX, ERR_LOADED, ERR_PRGMEMFULL or ERR_LINKREF; the program is
-            unchanged.
+                unchanged.
         """
         ...
 

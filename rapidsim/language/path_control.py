@@ -137,7 +137,7 @@ class Searches(Protocol):
 
         Raises:
             RapidError: ERR_WHLSEARCH without a hit or with too many, ERR_SIGSUPSEARCH or
-            ERR_PERSSUPSEARCH if the value is active at the start.
+                ERR_PERSSUPSEARCH if the value is active at the start.
         """
         ...
 

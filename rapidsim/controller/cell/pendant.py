@@ -82,7 +82,8 @@ class Pendant:
         """Answer the question of a task.
 
         Raises:
-            LookupError: If the task has no question. ValueError: If the text is not a valid answer.
+            LookupError: If the task has no question.
+            ValueError: If the text is not a valid answer.
         """
         question = self.questions[task]
         self._answers[task] = question.read(text)

@@ -116,7 +116,7 @@ class Resolver:
 
         Raises:
             MoveImpossible: When the arm cannot make it. As on a controller, no ERROR clause is
-            called then.
+                called then.
         """
         try:
             if starts_free:
@@ -392,9 +392,9 @@ class Resolver:
         """Placement of a tool and a work object; `place` is the place that needs it.
 
         Raises:
-            NotReachableError: When one of their frames has no orientation. Stopped: When the frame
-            of the work object is unknown, and guesses are not allowed. NotSimulated: When a
-            conveyor of the cell carries the work object.
+            NotReachableError: When one of their frames has no orientation.
+            Stopped: When the frame of the work object is unknown, and guesses are not allowed.
+            NotSimulated: When a conveyor of the cell carries the work object.
         """
         if not wobj.ufprog and wobj.ufmec.lower() in self.conveyors:
             raise NotSimulated(wobj.ufmec)
