@@ -17,7 +17,7 @@ from rapidsim.values import value_class
 
 _SPEEDS_UP_IN_S = 0.16
 _UNKNOWN_SPEED = math.pi
-"""An axis of an arm that turns on its own; of a URDF without speeds [rad/s]."""
+"""Maximum speed [rad/s] of an independent arm axis if the robot's description has none."""
 
 
 @value_class(frozen=True, slots=True)

@@ -195,7 +195,7 @@ class TaskGuidance:
         self._stream(one, sample_s)
 
     def give_back(self, identity: int) -> None:
-        """End everything and release the identity."""
+        """End guidance and streams, and release the identity."""
         one = self._identities.get(identity)
         if one is None:
             return

@@ -1,4 +1,4 @@
-"""Sensors over UDP: one socket per device, on which the controller speaks first.
+"""Sensors over UDP: one socket per device, on which the controller sends first.
 
 No incoming data can end a run: datagrams that are not sensor messages are dropped.
 """

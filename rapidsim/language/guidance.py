@@ -142,7 +142,7 @@ class Guidance(Protocol):
         ...
 
     def give_back(self, identity: int) -> None:
-        """End everything and release the identity."""
+        """End guidance and streams, and release the identity."""
         ...
 
     def state(self, identity: int) -> float:

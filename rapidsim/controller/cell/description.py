@@ -36,7 +36,7 @@ GROUP_WIDTH = 32
 def mapped_bits(text: str) -> tuple[int, ...]:
     """Bits of a device that a text such as `0-3,8` defines, the lowest of the group first.
 
-    At most as many as a group can have; empty if the text is invalid.
+    At most as many as a group can have; invalid parts are skipped.
     """
     found: list[int] = []
     for part in text.replace(" ", "").split(","):

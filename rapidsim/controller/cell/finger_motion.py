@@ -27,7 +27,7 @@ class Fingers:
 
     @property
     def rest_s(self) -> float:
-        """Time [s] at which they are at rest."""
+        """Time [s] at which they come, or came, to rest."""
         return self._ends_s
 
     def position(self, now_s: float) -> float:

@@ -39,7 +39,7 @@ class CellInputs:
     network: Network | None
     """Permitted use of the network by sockets; None limits them to the station's scripts."""
     tasks: tuple[str, ...]
-    """Names of all tasks of the cell; a run may be of some of them."""
+    """Names of all tasks of the cell; a run may have only some of them."""
     configured: Configured
     """The system parameters."""
     starts_at: datetime

@@ -91,7 +91,7 @@ class Watchdog:
         return max(0.0, self._ends_s - monotonic()) if self._limit_s < math.inf else math.inf
 
     def watch(self, task: Ticking) -> None:
-        """Interrupt the loops of one more task when the time is over."""
+        """Interrupt the loops of one more task at the limit."""
         self._tasks.append(task)
 
     def forget(self, task: Ticking) -> None:

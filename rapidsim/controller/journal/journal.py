@@ -249,7 +249,7 @@ class Journal:
             self._failed_moves.append(failed)
 
     def has_finding(self, once: object) -> bool:
-        """Whether a finding with this key has been recorded, so its facts need no work."""
+        """Whether a finding with this key has been recorded, so that its facts can be skipped."""
         return once in self._reported
 
     def unsimulated(

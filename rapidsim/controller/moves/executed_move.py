@@ -1,4 +1,4 @@
-"""A move as it was carried out."""
+"""A move as executed."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class CornerKind(StrEnum):
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class ExecutedMove:
-    """A move as it was carried out; target, joints and configuration are its programmed end."""
+    """A move as executed; target, joints and configuration are its programmed end."""
 
     index: int
     task: str

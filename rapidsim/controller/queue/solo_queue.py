@@ -40,7 +40,7 @@ _OTHER_STANCE = np.radians(90.0)
 
 @value_class(frozen=True, slots=True)
 class _Stored:
-    """A path kept by StorePath."""
+    """A path stored by StorePath."""
 
     block: MotionBlock
     end: Waypoint

@@ -30,7 +30,7 @@ def halt(planner: BlockPlanner, now_s: float, in_s: float = 0.0) -> float:
 
     Args:
         planner: Of the path.
-        now_s: When braking begins [s].
+        now_s: Time [s] at which braking begins.
         in_s: Braking time [s]; as fast as the axes can if 0.
 
     Returns:

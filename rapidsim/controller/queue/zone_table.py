@@ -93,7 +93,7 @@ class WorldZoneTable:
         return any(zone.enabled for zone in self._zones.values())
 
     def next_s(self) -> float | None:
-        """When the arm next enters or leaves a zone [s], as far as its motion is known."""
+        """Time [s] at which the arm next enters or leaves a zone, if known; else None."""
         if not self.is_watching:
             return None
         if self._next is None or self._next[0] != self.unit.version:
