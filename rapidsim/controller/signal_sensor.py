@@ -18,7 +18,7 @@ class SignalSensor(SilentSensor):
     """Answers with the values of signals; implements `sensors.GuidanceSensor`.
 
     They are joints [deg]; or a pose: x, y, z [mm], then the angles about fixed x, y and z [deg]; or
-    a path correction: x, y, z [mm]. A value without a signal is that at the begin of the guidance.
+    a path correction: x, y, z [mm]. A value without a signal is that at the start of the guidance.
     """
 
     cell: Cell

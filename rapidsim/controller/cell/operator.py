@@ -72,7 +72,7 @@ class OperatorDialog:
         return OperatorAnswer(first, (QuestionUnanswered(prompt, choices[first]),))
 
     def text(self, prompt: str, proposal: str, *, ends: bool = False) -> OperatorAnswer[str] | None:
-        """The text that answers a question; the proposal if there is no answer."""
+        """The text that answers a question; without one the proposal, or None if it `ends`."""
         text = self._read_answer(prompt)
         if text is None and ends:
             return None

@@ -55,7 +55,7 @@ class Watchdog:
     """Watches the wall-clock time of one run."""
 
     runs_ended: ClassVar[int] = 0
-    """Number of runs of this process ended by their limit, machine dependent."""
+    """Number of runs of this process that their limit ended; a faster computer ends fewer."""
 
     def __init__(self, limit_s: float | None, noted: Callable[[], int]) -> None:
         """Begin to watch a run.

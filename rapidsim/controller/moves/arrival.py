@@ -2,8 +2,8 @@
 
 With ConfJ or ConfL on the controller stops at a stored configuration that the arm cannot take. A
 run stops, too, unless it has the option to take the nearest that works: programs are often run
-against another work object than they were taught with, and the rest of the run has its value.
-`motion.configurations.compliance` decides which configurations match a stored one.
+against another work object than they were taught with, and the rest of the run is still
+informative. `motion.configurations.compliance` decides which configurations match a stored one.
 """
 
 from __future__ import annotations
