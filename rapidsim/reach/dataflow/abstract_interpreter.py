@@ -24,9 +24,9 @@ from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.interpreter.runtime import arithmetic
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
+from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run

@@ -10,18 +10,18 @@ from collections.abc import Callable, Mapping, Sequence
 from operator import ge, gt, le, lt
 from typing import Any, Protocol, TypeAlias
 
+from rapidsim.analysis.literals import from_literal, literal
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, Symbol
 from rapidsim.analysis.types.operators import ARITHMETIC
 from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.special_forms import SPECIAL_FORMS
-from rapidsim.interpreter.runtime import arithmetic
-from rapidsim.interpreter.runtime.values import from_literal, literal
 from rapidsim.language import types
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.data import Orient, Pos
 from rapidsim.language.errors import RapidError
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import ArrayOf, Record, Type, resolved
+from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
 from rapidsim.values import value_class

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from rapidsim.interpreter.runtime.arrays import copy_array
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.syntax import tree
@@ -85,11 +84,6 @@ def element_type(array: ArrayOf) -> Type:
     """The type of `a{i}`, where `a` may have more dimensions."""
     rest = array.dimensions[1:]
     return ArrayOf(array.element, rest) if rest else array.element
-
-
-def copied(value: Value) -> Value:
-    """A copy that shares no mutable part: arrays are copied, the rest is immutable."""
-    return copy_array(value) if isinstance(value, list) else value
 
 
 def is_signal(of: Type) -> bool:
