@@ -20,11 +20,15 @@ from rapidsim.cli.options.job_options import (
 )
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, echo, print_json, terminal_options
+from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.fixes import apply_fixes, difference, harmless_fixes
-from rapidsim.cli.tools.known_findings import compare_with_baseline, group_by_settings
+from rapidsim.cli.tools.known_findings import (
+    NewFindings,
+    compare_with_baseline,
+    group_by_settings,
+)
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
@@ -36,7 +40,7 @@ from rapidsim.jobs.run_request import RunRequest
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
-from rapidsim.report.findings.merging import errors_first, merged
+from rapidsim.report.findings.merging import Finding, errors_first, merged
 from rapidsim.report.findings.statistics import statistics, statistics_json
 from rapidsim.report.findings.text import summary_line
 from rapidsim.values import value_class
@@ -150,7 +154,32 @@ def check(options: CheckOptions) -> int:
     """
     started = time.perf_counter()
     terminal = current_terminal()
-    asked = RunRequest(
+    programs = [options.paths]
+    if options.each:
+        programs = [(one,) for path in options.paths for one in single_programs(path)]
+    jobs, unread = _jobs(programs, options)
+    outcome = _outcome(programs, jobs, options)
+    if options.diff and options.output_format != "json":
+        echo(outcome.differences, nl=False)
+        return ExitCode.FINDINGS if outcome.differences else ExitCode.CLEAN
+    is_spoken = options.output_format in SPOKEN_FORMATS
+    findings = merged(outcome.result.diagnostics, merge=not options.no_merge, spoken=is_spoken)
+    if options.sort == "severity" or (is_spoken and options.sort is None):
+        findings = errors_first(findings)
+    _print_findings(findings, outcome, options, terminal)
+    if is_spoken and not terminal.quiet:
+        seconds = time.perf_counter() - started
+        for line in _closing_lines(findings, outcome, options, seconds):
+            echo(line)
+    if unread:
+        others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
+        raise InputError(f"{unread[0].message}{others}", unread[0].help)
+    is_clean = not outcome.differences if options.diff else outcome.is_ok
+    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
+
+
+def _request(options: CheckOptions) -> RunRequest:
+    return RunRequest(
         paths=options.paths,
         robot=options.robot,
         scale=options.scale,
@@ -165,14 +194,18 @@ def check(options: CheckOptions) -> int:
         strict=options.strict,
         fail_on=Severity(options.fail_on) if options.fail_on else None,
     )
-    programs = [options.paths]
-    if options.each:
-        programs = [(one,) for path in options.paths for one in single_programs(path)]
+
+
+def _jobs(
+    programs: Sequence[tuple[str, ...]], options: CheckOptions
+) -> tuple[list[Job], list[InputError]]:
+    """The jobs of the programs, and why others cannot be read."""
+    request = _request(options)
     jobs: list[Job] = []
     unread: list[InputError] = []
     for program in programs:
         try:
-            jobs.append(job_of(replace(asked, paths=program), open_robot=open_quietly))
+            jobs.append(job_of(replace(request, paths=program), open_robot=open_quietly))
         except InputError as error:
             # One encoded module among hundreds of programs is no reason to check none of them.
             if not options.each:
@@ -180,93 +213,118 @@ def check(options: CheckOptions) -> int:
             unread.append(error)
     if unread and not jobs:
         raise unread[0]
-    known = [
-        Path(options.baseline) if options.baseline else job.station.check.baseline for job in jobs
-    ]
-    if options.unsafe_fixes and not (options.fix or options.diff):
-        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
-    if options.update_baseline and None in known:
-        raise click.UsageError("--update-baseline needs --baseline FILE")
-    with limited_to(options.max_wall):
-        results = checked_jobs(
-            jobs,
-            options.processes,
-            uses_cache=not (options.no_cache or options.fix or options.diff),
-        )
-        differences = (
-            _differences(jobs, results, unsafe=options.unsafe_fixes) if options.diff else ""
-        )
-        if options.diff and options.output_format != "json":
-            echo(differences, nl=False)
-            return ExitCode.FINDINGS if differences else ExitCode.CLEAN
-        mended = [
-            _apply_fixes(job, result, unsafe=options.unsafe_fixes)
-            if options.fix
-            else _FixedCheck(result)
-            for job, result in zip(jobs, results, strict=True)
-        ]
-    # A setting alone writes nothing: the repository that holds it is not trusted.
-    judged = [
-        compare_with_baseline(
-            group, update=options.update_baseline, create=options.baseline is not None
-        )
-        for group in group_by_settings(jobs, [one.result for one in mended], known)
-    ]
-    result = merge_results([one.result for one in judged])
-    is_ok = all(one.result.ok for one in judged)
-    spoken = options.output_format in SPOKEN_FORMATS
-    findings = merged(result.diagnostics, merge=not options.no_merge, spoken=spoken)
-    if options.sort == "severity" or (spoken and options.sort is None):
-        findings = errors_first(findings)
-    if options.output_format == "json":
-        report = checked_json(findings, result, is_ok=is_ok)
-        if options.counted:
-            report["statistics"] = statistics_json(result.diagnostics)
-        if options.diff:
-            report["diff"] = differences
-        print_json(report)
-    elif options.counted:
-        echo(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
-    else:
-        text = checked_text(options.output_format, findings, result, terminal, is_ok=is_ok)
-        echo(text, palette=terminal.palette, nl=False)
-    if spoken and not terminal.quiet:
-        seconds, files = time.perf_counter() - started, len(result.files)
-        echo(summary_line(findings, files=files, seconds=seconds, baseline_count=len(result.known)))
-        for line in _remarks(programs, result, mended):
-            echo(line)
-        for one in judged:
-            for line in one.remarks:
-                echo(line)
-        if (options.no_run or options.no_reach) and any(
-            job.station.check.cycle_budget_s for job in jobs
-        ):
-            echo("The cycle budget was not checked, because main was not run.")
-        chosen = (one.arm or job.robot for job, one in zip(jobs, results, strict=True))
-        arms = ", ".join(dict.fromkeys(arm.text for arm in chosen))
-        for line in () if options.no_reach else coverage_lines(result.coverage, arms):
-            echo(line)
-        if any(one.result.strict for one in judged) and result.qualifications:
-            echo(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
-    if unread:
-        others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
-        raise InputError(f"{unread[0].message}{others}", unread[0].help)
-    is_clean = not differences if options.diff else is_ok
-    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
-
-
-def _listed(option: str | None) -> tuple[str, ...]:
-    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
+    return jobs, unread
 
 
 @value_class(frozen=True, slots=True)
 class _FixedCheck:
-    """What a check finds when the fixes it found are applied."""
+    """The result of a check after its fixes were applied."""
 
     result: CheckResult
     fixed: int = 0
     left_out: int = 0
     """Fixes that would leave more errors."""
+
+
+@value_class(frozen=True, slots=True)
+class _Outcome:
+    """The results of all programs."""
+
+    programs: Sequence[tuple[str, ...]]
+    jobs: Sequence[Job]
+    arms: str
+    """The arms that moves were checked with."""
+    fixed: Sequence[_FixedCheck]
+    judged: Sequence[NewFindings]
+    """The results without known findings, by settings."""
+    differences: str
+    """The text of `--diff`."""
+
+    @property
+    def result(self) -> CheckResult:
+        """The results of all programs as one."""
+        return merge_results([group.result for group in self.judged])
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether nothing fails the check."""
+        return all(group.result.ok for group in self.judged)
+
+
+def _outcome(
+    programs: Sequence[tuple[str, ...]], jobs: Sequence[Job], options: CheckOptions
+) -> _Outcome:
+    """Check the programs, apply fixes, and compare with the baselines."""
+    baselines = [
+        Path(options.baseline) if options.baseline else job.station.check.baseline for job in jobs
+    ]
+    if options.unsafe_fixes and not (options.fix or options.diff):
+        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
+    if options.update_baseline and None in baselines:
+        raise click.UsageError("--update-baseline needs --baseline FILE")
+    uses_cache = not (options.no_cache or options.fix or options.diff)
+    differences = ""
+    with limited_to(options.max_wall):
+        results = checked_jobs(jobs, options.processes, uses_cache=uses_cache)
+        if options.diff:
+            differences = _differences(jobs, results, unsafe=options.unsafe_fixes)
+        fixed = [_FixedCheck(result) for result in results]
+        if options.fix:
+            pairs = zip(jobs, results, strict=True)
+            fixed = [_apply_fixes(*pair, unsafe=options.unsafe_fixes) for pair in pairs]
+    groups = group_by_settings(jobs, [one.result for one in fixed], baselines)
+    if options.diff and options.output_format != "json":
+        judged = [NewFindings(group.result) for group in groups]
+    else:
+        # A setting alone writes nothing: the repository that holds it is not trusted.
+        creates, updates = options.baseline is not None, options.update_baseline
+        judged = [compare_with_baseline(group, update=updates, create=creates) for group in groups]
+    arms = (result.arm or job.robot for job, result in zip(jobs, results, strict=True))
+    names = ", ".join(dict.fromkeys(arm.text for arm in arms))
+    return _Outcome(programs, jobs, names, fixed, judged, differences)
+
+
+def _print_findings(
+    findings: Sequence[Finding], outcome: _Outcome, options: CheckOptions, terminal: Terminal
+) -> None:
+    result = outcome.result
+    if options.output_format == "json":
+        report = checked_json(findings, result, is_ok=outcome.is_ok)
+        if options.counted:
+            report["statistics"] = statistics_json(result.diagnostics)
+        if options.diff:
+            report["diff"] = outcome.differences
+        print_json(report)
+        return
+    if options.counted:
+        text = statistics(result.diagnostics, terminal.palette)
+    else:
+        text = checked_text(options.output_format, findings, result, terminal, is_ok=outcome.is_ok)
+    echo(text, palette=terminal.palette, nl=False)
+
+
+def _closing_lines(
+    findings: Sequence[Finding], outcome: _Outcome, options: CheckOptions, seconds: float
+) -> Iterator[str]:
+    """The lines after the findings: counts, remarks, and what was not checked."""
+    result = outcome.result
+    yield summary_line(
+        findings, files=len(result.files), seconds=seconds, baseline_count=len(result.known)
+    )
+    yield from _remarks(outcome.programs, result, outcome.fixed)
+    for group in outcome.judged:
+        yield from group.remarks
+    has_budget = any(job.station.check.cycle_budget_s for job in outcome.jobs)
+    if has_budget and (options.no_run or options.no_reach):
+        yield "The cycle budget was not checked, because main was not run."
+    if not options.no_reach:
+        yield from coverage_lines(result.coverage, outcome.arms)
+    if any(group.result.strict for group in outcome.judged) and result.qualifications:
+        yield f"Fails, because the check is strict: {'; '.join(result.qualifications)}."
+
+
+def _listed(option: str | None) -> tuple[str, ...]:
+    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
 def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:

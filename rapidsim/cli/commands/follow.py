@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import radians
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -31,6 +33,16 @@ from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
 from rapidsim.values import value_class
+
+if TYPE_CHECKING:
+    from rapidsim.cli.tools.follow_steps import FollowOptions, PreparedPoints
+    from rapidsim.frames.euler import Convention
+    from rapidsim.motion.robot.robot import Robot
+    from rapidsim.motion.waypoints.plan import Plan
+    from rapidsim.motion.waypoints.points import Points
+    from rapidsim.motion.waypoints.solver_seeds import SeededSolve
+    from rapidsim.report.run.summary import OutputFile
+    from rapidsim.report.tables.follow_tables import Attempt
 
 _WAYS = ("line", "spline", "joint", "joint-quintic")
 _PROFILES = ("trapezoid", "scurve", "sigmoid", "quintic")
@@ -187,27 +199,45 @@ def follow(options: FollowRequest) -> int:
     between two points is out of reach, or a joint would have to exceed its speed.
     """
     from rapidsim.cli.options.robot_choice import open_robot
-    from rapidsim.cli.tools.follow_steps import (
-        FollowOptions,
-        attempt,
-        attempt_all,
-        prepared,
-        render_result,
-        started,
-        unused,
-        written,
-    )
+    from rapidsim.cli.tools.follow_steps import attempt, attempt_all, prepared, started, unused
+    from rapidsim.cli.tools.follow_steps import written as write_files
     from rapidsim.frames.euler import Convention
-    from rapidsim.motion.waypoints.plan import Plan, Way
-    from rapidsim.motion.waypoints.points import Points
-    from rapidsim.motion.waypoints.points_file import points_from_text
-    from rapidsim.motion.waypoints.velocity_profiles import Profile
-    from rapidsim.report.tables.follow_json import compared_json, follow_json, starts_json
-    from rapidsim.report.tables.follow_tables import starts_page
+    from rapidsim.motion.waypoints.plan import Way
 
     recording = new_recording(options.record) if options.record else None
     trace_file = new_trace(options.trace) if options.trace else None
     pictures = new_plots(options.plots) if options.plots else None
+    _require_consistent(options, writes=bool(recording or trace_file or pictures))
+    arm = open_robot(options.robot, options.scale)
+    points = _points(options, len(arm.joints), Convention(options.convention))
+    plan = _plan(options)
+    task = prepared(_task_options(options, arm, plan), points)
+    if not (current_terminal().quiet or options.compare):
+        for remark in unused(task, plan):
+            echo(f"note: {remark}", err=True)
+    if len(options.dt) > 1:
+        attempts = tuple(attempt(replace(task, dt=step), plan) for step in options.dt)
+    else:
+        attempts = attempt_all(task, plan, tuple(Way) if options.compare else (plan.kind,))
+    title = "line" if options.points_file in (None, "-") else str(options.points_file)
+    result = attempts[0].result
+    files = write_files(result, title, recording, trace_file, pictures, task.requested)
+    _report(options, task, attempts, files, started(result) if options.starts else ())
+    is_clean = task.all_reached and all(one.possible for one in attempts)
+    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
+
+
+def _comparisons(options: FollowRequest) -> list[str]:
+    """The options that ask for a comparison."""
+    requested = {
+        "--compare": options.compare,
+        "--starts": options.starts,
+        "several --dt": len(options.dt) > 1,
+    }
+    return [name for name, is_requested in requested.items() if is_requested]
+
+
+def _require_consistent(options: FollowRequest, *, writes: bool) -> None:
     if options.starts:
         require("scipy", "--starts")
     if (options.points_file is None) == (options.line is None):
@@ -216,29 +246,33 @@ def follow(options: FollowRequest) -> int:
         # With longer steps a jump could not be told from a fast axis.
         if not SHORTEST_DT <= step <= LONGEST_DT:
             raise InputError(f"--dt {step:g}: it must be {SHORTEST_DT:g} to {LONGEST_DT:g} s")
-    comparing = {
-        "--compare": options.compare,
-        "--starts": options.starts,
-        "several --dt": len(options.dt) > 1,
-    }
-    asked = [name for name, given in comparing.items() if given]
-    if len(asked) > 1:
-        raise InputError(f"{' and '.join(asked)} exclude each other")
-    if asked and (recording or trace_file or pictures):
-        (name,) = asked
+    comparisons = _comparisons(options)
+    if len(comparisons) > 1:
+        raise InputError(f"{' and '.join(comparisons)} exclude each other")
+    if comparisons and writes:
+        (name,) = comparisons
         verb = "write" if name.startswith("several") else "writes"
         raise InputError(f"{name} {verb} no files", f"leave out {name}, or the files")
-    several = bool(asked)
     if options.avoid and not options.min_radius:
         raise InputError("--avoid needs to know the sphere", "give its radius with --min-radius")
-    arm, given_as = open_robot(options.robot, options.scale), Convention(options.convention)
+
+
+def _points(options: FollowRequest, joint_count: int, convention: Convention) -> Points:
+    from rapidsim.motion.waypoints.points import Points
+    from rapidsim.motion.waypoints.points_file import points_from_text
+
     if options.points_file is not None:
         text = _text(options.points_file)
-        points = points_from_text(text, options.points_file, len(arm.joints), given_as)
-    else:
-        assert options.line is not None
-        points = Points(line_points(options.line, options.count) / 1000.0, None)
-    plan = Plan(
+        return points_from_text(text, options.points_file, joint_count, convention)
+    assert options.line is not None
+    return Points(line_points(options.line, options.count) / 1000.0, None)
+
+
+def _plan(options: FollowRequest) -> Plan:
+    from rapidsim.motion.waypoints.plan import Plan, Way
+    from rapidsim.motion.waypoints.velocity_profiles import Profile
+
+    return Plan(
         Way(options.path_kind),
         Profile(options.profile),
         speed=options.speed / 1000.0,
@@ -248,43 +282,49 @@ def follow(options: FollowRequest) -> int:
         least_radius=options.min_radius / 1000.0,
         avoid=options.avoid,
     )
-    stands = world_from_base(options.base)
-    given = FollowOptions(
+
+
+def _task_options(options: FollowRequest, arm: Robot, plan: Plan) -> FollowOptions:
+    from rapidsim.cli.tools.follow_steps import FollowOptions
+    from rapidsim.frames.euler import Convention
+
+    return FollowOptions(
         arm,
         options.tool,
-        stands,
+        world_from_base(options.base),
         plan,
         options.via_speed,
         options.start,
         options.conf,
         options.dt[0],
         options.skip_unreachable,
-        given_as,
+        Convention(options.convention),
     )
-    task = prepared(given, points)
-    if not (current_terminal().quiet or options.compare):
-        for remark in unused(task, plan):
-            echo(f"note: {remark}", err=True)
-    if len(options.dt) > 1:
-        attempts = tuple(attempt(replace(task, dt=step), plan) for step in options.dt)
-    else:
-        attempts = attempt_all(task, plan, tuple(Way) if options.compare else (plan.kind,))
-    title = "line" if options.points_file in (None, "-") else str(options.points_file)
-    files = written(attempts[0].result, title, recording, trace_file, pictures, task.requested)
-    tried = started(attempts[0].result) if options.starts else ()
+
+
+def _report(
+    options: FollowRequest,
+    task: PreparedPoints,
+    attempts: tuple[Attempt, ...],
+    files: Sequence[OutputFile],
+    tried: Sequence[SeededSolve],
+) -> None:
+    from rapidsim.cli.tools.follow_steps import render_result
+    from rapidsim.report.tables.follow_json import compared_json, follow_json, starts_json
+    from rapidsim.report.tables.follow_tables import starts_page
+
+    terminal = current_terminal()
     if options.output_format == "json":
-        if several and not options.starts:
+        if _comparisons(options) and not options.starts:
             report = compared_json(task.requested, attempts)
         else:
             report = follow_json(task.requested, attempts) | starts_json(tried)
         print_json(report)
-    elif not current_terminal().quiet:
-        current_terminal().show(render_result(task, attempts, files, compare=options.compare))
+    elif not terminal.quiet:
+        terminal.show(render_result(task, attempts, files, compare=options.compare))
         if tried:
             echo("")
-            current_terminal().show(starts_page(tried))
-    clean = task.all_reached and all(attempt.possible for attempt in attempts)
-    return ExitCode.CLEAN if clean else ExitCode.FINDINGS
+            terminal.show(starts_page(tried))
 
 
 def _text(file: str) -> str:
