@@ -38,7 +38,7 @@ from rapidsim.values import value_class
 class RobotsOptions:
     """What the command line says about robots to show."""
 
-    name: str | None = argument("[NAME]", required=False)
+    name: str | None = argument(required=False)
     program: str | None = option(
         "--for",
         metavar="PATH",

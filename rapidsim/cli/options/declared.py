@@ -34,7 +34,7 @@ def option(*names: str, **settings: Any) -> Any:
     return _declared(lambda name: click.option(*names, name, **settings))
 
 
-def argument(metavar: str, **settings: Any) -> Any:
+def argument(metavar: str | None = None, **settings: Any) -> Any:
     """Declare a field that is an argument; the settings are those of `click.argument`."""
     return _declared(lambda name: click.argument(name, metavar=metavar, **settings))
 
