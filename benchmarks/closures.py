@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from itertools import count
 from typing import Any
 
+from rapidsim.analysis.literals import literal
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
@@ -23,16 +24,15 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.interpreter.runtime.arithmetic import integer_quotient, integer_remainder, steps
 from rapidsim.interpreter.runtime.arrays import assign_array, copy_array, dimension, out_of_bounds
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, as_rapid_error, raised
 from rapidsim.interpreter.runtime.references import ComponentReference, Element
-from rapidsim.interpreter.runtime.values import literal
 from rapidsim.language.controller import uniform_controller
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import ArrayOf, Record, resolved
+from rapidsim.library.arithmetic import integer_quotient, integer_remainder, steps
 from rapidsim.syntax import tree
 
 Frame = list[Any]

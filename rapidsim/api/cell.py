@@ -16,9 +16,9 @@ from rapidsim.jobs.job import job
 from rapidsim.jobs.run_request import RunRequest
 
 if TYPE_CHECKING:
+    from rapidsim.analysis.literals import Value
     from rapidsim.api.run import Run
     from rapidsim.controller.cell.inputs import Answers
-    from rapidsim.interpreter.runtime.values import Value
     from rapidsim.motion.robot.robot import Robot
 
 PathLike_ = str | PathLike[str]

@@ -9,6 +9,7 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.api.views import (
@@ -27,7 +28,6 @@ from rapidsim.export.trace import write_trace
 from rapidsim.extras import require
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.runtime.memory import module_data
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.report.html.write import write_report
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import figures

@@ -8,9 +8,9 @@ from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from rapidsim.analysis.literals import Value
 from rapidsim.files import did_you_mean
 from rapidsim.frames.transform import Array
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.motion.trajectory.command import Index
 from rapidsim.simulation.results.signal_history import signal_changes
 from rapidsim.simulation.results.simulation import RobotRun, Simulation

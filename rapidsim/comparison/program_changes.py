@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from difflib import SequenceMatcher
 from typing import TypeVar
 
+from rapidsim.analysis.literals import literal
 from rapidsim.comparison.changes import ComponentChange, ProgramChange
 from rapidsim.comparison.components import changed_components
 from rapidsim.comparison.program_parts import (
@@ -19,7 +20,6 @@ from rapidsim.comparison.program_parts import (
     ProgramParts,
     Routine,
     folded,
-    literal,
 )
 from rapidsim.comparison.values import difference, kind_of
 from rapidsim.comparison.world import object_in_world, target_in_world
@@ -359,7 +359,7 @@ def _static_value(
     if isinstance(expression, tree.DataReference):
         found = _named(parts.data, expression.name.key)
         return None if found is None or found.value is None else (found.type, found.value)
-    value = literal(expression)
+    value = None if expression is None else literal(expression, None)
     if isinstance(value, tuple) and len(value) in (2, 4):
         return ("robtarget" if len(value) == 4 else "jointtarget"), value
     return None

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 
+from rapidsim.analysis.literals import literal
 from rapidsim.analysis.tree_walk import blocks, clauses
 from rapidsim.comparison.changes import SourcePosition
 from rapidsim.syntax import tree
@@ -104,25 +105,6 @@ def folded(text: str, renamed: Mapping[str, str] | None = None) -> str:
     return "".join(parts)
 
 
-def literal(expression: tree.Expression | None) -> object:
-    """The value of a literal expression; None for any other."""
-    match expression:
-        case (
-            tree.NumberLiteral(value=value)
-            | tree.BoolLiteral(value=value)
-            | tree.StringLiteral(value=value)
-        ):
-            return value
-        case tree.Unary(operator="-", operand=tree.NumberLiteral(value=value)):
-            return -value
-        case tree.LiteralAggregate(value=value):
-            return value
-        case tree.Parenthesised(inner=inner):
-            return literal(inner)
-        case _:
-            return None
-
-
 def _folded_token(token: str, renamed: Mapping[str, str]) -> str:
     if token[0].isalpha() or token[0] == "_":
         return renamed.get(token.lower(), token.lower())
@@ -157,7 +139,7 @@ def _declaration(item: tree.Data, module: tree.Module) -> Declaration:
         item.storage,
         text if item.value is None else print_expression(item.value),
         folded(text),
-        literal(item.value),
+        literal(item.value, None),
         _at(item, module),
     )
 

@@ -10,12 +10,12 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from rapidsim.analysis.literals import Value, is_signal
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.program import ParameterSymbol, Program, RoutineSymbol
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.interpreter.runtime.values import Value, is_signal
 from rapidsim.jobs.job import Job
 from rapidsim.jobs.load_tasks import LoadedTask
 from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared

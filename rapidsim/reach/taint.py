@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.program import LibrarySymbol, Program, RoutineSymbol, Symbol
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.analysis.types.data_paths import root_of
-from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import SIGNAL_AI, SIGNAL_DI, SIGNAL_GI, resolved
 from rapidsim.library.traits import Trait

@@ -7,13 +7,13 @@ take their type from their context; everything else has a type of its own.
 from __future__ import annotations
 
 from rapidsim.analysis.context import Context
+from rapidsim.analysis.evaluation import ARITHMETIC
 from rapidsim.analysis.parameters import ExpectedType
 from rapidsim.analysis.types.aggregates import type_of_aggregate
 from rapidsim.analysis.types.calls import check_unbound, type_of_call
 from rapidsim.analysis.types.data_paths import type_of_path
 from rapidsim.analysis.types.error_numbers import check_error_number
 from rapidsim.analysis.types.operators import (
-    ARITHMETIC,
     EQUALITY,
     LOGICAL,
     ORDERING,

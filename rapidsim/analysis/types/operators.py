@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
+from rapidsim.analysis.evaluation import ARITHMETIC
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.language import types
 from rapidsim.language.types import ArrayOf, Atomic, Kind, Record, Type, resolved
@@ -38,7 +39,6 @@ _RESULTS = MappingProxyType(
         ("MOD", "dnum", "dnum"): types.DNUM,
     }
 )
-ARITHMETIC = frozenset({"+", "-", "*", "/", "DIV", "MOD"})
 ORDERING = frozenset({"<", "<=", ">", ">="})
 EQUALITY = frozenset({"=", "<>"})
 LOGICAL = frozenset({"AND", "OR", "XOR"})

@@ -11,6 +11,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.interrupted import limited_to
+from rapidsim.cli.options.declared import argument, option, options_of, shared
 from rapidsim.cli.options.job_options import (
     assume_missing_option,
     job_of,
@@ -19,11 +20,15 @@ from rapidsim.cli.options.job_options import (
 )
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
-from rapidsim.cli.terminal import current_terminal, echo, print_json, terminal_options
+from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.fixes import apply_fixes, difference, harmless_fixes
-from rapidsim.cli.tools.known_findings import compare_with_baseline, group_by_settings
+from rapidsim.cli.tools.known_findings import (
+    NewFindings,
+    compare_with_baseline,
+    group_by_settings,
+)
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
@@ -35,114 +40,109 @@ from rapidsim.jobs.run_request import RunRequest
 from rapidsim.jobs.task_files import missing_neighbours
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
-from rapidsim.report.findings.merging import errors_first, merged
+from rapidsim.report.findings.merging import Finding, errors_first, merged
 from rapidsim.report.findings.statistics import statistics, statistics_json
 from rapidsim.report.findings.text import summary_line
 from rapidsim.values import value_class
 
 
+@value_class(frozen=True, slots=True)
+class CheckOptions:
+    """What the command line says about a check."""
+
+    paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
+    robot: str | None = option(
+        "--robot", metavar="NAME|FILE.urdf", help="The arm the program is for."
+    )
+    scale: float | None = shared(scale_option)
+    station: str | None = option(
+        "--station", metavar="FILE.toml", help="The station file, instead of the nearest."
+    )
+    output_format: str = option(
+        "--format",
+        "--output-format",
+        type=click.Choice(FORMATS),
+        default="full",
+        show_default=True,
+        help="Source excerpts, one line per finding, or a format for other tools.",
+    )
+    sort: str | None = option(
+        "--sort",
+        type=click.Choice(["severity", "place"]),
+        help="Order of the findings.  [default: severity in full and concise, else place]",
+    )
+    select: str | None = option(
+        "--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`."
+    )
+    extend_select: str | None = option(
+        "--extend-select", metavar="CODES", help="These rules in addition, such as `S9`."
+    )
+    ignore: str | None = option("--ignore", metavar="CODES", help="Not these rules.")
+    fix: bool = option(
+        "--fix", is_flag=True, help="Apply safe fixes, which do not change what a run does."
+    )
+    unsafe_fixes: bool = option(
+        "--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too."
+    )
+    diff: bool = option(
+        "--diff", is_flag=True, help="Show what --fix would change, without changing it."
+    )
+    baseline: str | None = option(
+        "--baseline", metavar="FILE", help="Known findings, not reported again; created if missing."
+    )
+    update_baseline: bool = option(
+        "--update-baseline", is_flag=True, help="Write the current findings to the baseline."
+    )
+    counted: bool = option("--statistics", is_flag=True, help="Count findings by rule.")
+    no_reach: bool = option(
+        "--no-reach",
+        is_flag=True,
+        help="Do not check the moves: reach, limits, configuration, path.",
+    )
+    no_run: bool = option(
+        "--no-run",
+        is_flag=True,
+        help="Do not run main to find its errors and the moves that only a run can check.",
+    )
+    max_wall: float | None = option(
+        "--max-wall",
+        metavar="SECONDS",
+        type=POSITIVE,
+        help="End the check after this much real time; the run of main may take half of it.",
+    )
+    assume_missing: bool = shared(assume_missing_option)
+    strict: bool = shared(strict_option)
+    each: bool = option(
+        "--each",
+        is_flag=True,
+        help="Check each PATH, and each controller of a .rspag, as a program of its own.",
+    )
+    processes: int = option(
+        "-j",
+        type=PROCESSES,
+        default=1,
+        show_default=True,
+        help="Number of parallel processes, for programs and tasks; auto is one for each core.",
+    )
+    no_cache: bool = option(
+        "--no-cache",
+        is_flag=True,
+        envvar="RAPIDSIM_NO_CACHE",
+        help="Neither use nor keep results of earlier checks.",
+    )
+    no_merge: bool = option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
+    fail_on: str | None = option(
+        "--fail-on",
+        type=click.Choice([severity.value for severity in Severity]),
+        help="The lowest severity that sets exit code 1.  [default: warning]",
+    )
+
+
 @click.command(no_args_is_help=False)
 @watch_option
-@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
-@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm the program is for.")
-@scale_option
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
-@click.option(
-    "--format",
-    "--output-format",
-    "output_format",
-    type=click.Choice(FORMATS),
-    default="full",
-    show_default=True,
-    help="Source excerpts, one line per finding, or a format for other tools.",
-)
-@click.option(
-    "--sort",
-    type=click.Choice(["severity", "place"]),
-    help="Order of the findings.  [default: severity in full and concise, else place]",
-)
-@click.option("--select", metavar="CODES", help="Only these rules: `K6,N201,syntax-error`.")
-@click.option("--extend-select", metavar="CODES", help="These rules in addition, such as `S9`.")
-@click.option("--ignore", metavar="CODES", help="Not these rules.")
-@click.option("--fix", is_flag=True, help="Apply safe fixes, which do not change what a run does.")
-@click.option("--unsafe-fixes", is_flag=True, help="With --fix or --diff: all other fixes too.")
-@click.option("--diff", is_flag=True, help="Show what --fix would change, without changing it.")
-@click.option(
-    "--baseline",
-    metavar="FILE",
-    help="Known findings, not reported again; created if missing.",
-)
-@click.option("--update-baseline", is_flag=True, help="Write the current findings to the baseline.")
-@click.option("--statistics", "counted", is_flag=True, help="Count findings by rule.")
-@click.option(
-    "--no-reach", is_flag=True, help="Do not check the moves: reach, limits, configuration, path."
-)
-@click.option(
-    "--no-run",
-    is_flag=True,
-    help="Do not run main to find its errors and the moves that only a run can check.",
-)
-@click.option(
-    "--max-wall",
-    metavar="SECONDS",
-    type=POSITIVE,
-    help="End the check after this much real time; the run of main may take half of it.",
-)
-@assume_missing_option
-@strict_option
-@click.option(
-    "--each",
-    is_flag=True,
-    help="Check each PATH, and each controller of a .rspag, as a program of its own.",
-)
-@click.option(
-    "-j",
-    "processes",
-    type=PROCESSES,
-    default=1,
-    show_default=True,
-    help="Number of parallel processes, for programs and tasks; auto is one for each core.",
-)
-@click.option(
-    "--no-cache",
-    is_flag=True,
-    envvar="RAPIDSIM_NO_CACHE",
-    help="Neither use nor keep results of earlier checks.",
-)
-@click.option("--no-merge", is_flag=True, help="Show repeated findings one by one.")
-@click.option(
-    "--fail-on",
-    type=click.Choice([severity.value for severity in Severity]),
-    help="The lowest severity that sets exit code 1.  [default: warning]",
-)
+@options_of(CheckOptions)
 @terminal_options
-def check(
-    paths: tuple[str, ...],
-    robot: str | None,
-    scale: float | None,
-    station: str | None,
-    output_format: str,
-    sort: str | None,
-    select: str | None,
-    extend_select: str | None,
-    ignore: str | None,
-    fix: bool,
-    unsafe_fixes: bool,
-    diff: bool,
-    baseline: str | None,
-    update_baseline: bool,
-    counted: bool,
-    no_reach: bool,
-    no_run: bool,
-    max_wall: float | None,
-    assume_missing: bool,
-    strict: bool,
-    each: bool,
-    processes: int,
-    no_cache: bool,
-    no_merge: bool,
-    fail_on: str | None,
-) -> int:
+def check(options: CheckOptions) -> int:
     """Check RAPID modules for mistakes: syntax, names, types, flow, motion data, reach.
 
     PATH is a module (.mod .modx .sys .sysx .prg), a .pgf program file, a folder, a controller
@@ -154,109 +154,177 @@ def check(
     """
     started = time.perf_counter()
     terminal = current_terminal()
-    asked = RunRequest(
-        paths=paths,
-        robot=robot,
-        scale=scale,
-        station=station,
-        select=_listed(select),
-        extend_select=_listed(extend_select),
-        ignore=_listed(ignore),
-        reach=not no_reach,
-        trial_run=not no_run,
-        max_wall_s=max_wall,
-        assume_missing=assume_missing,
-        strict=strict,
-        fail_on=Severity(fail_on) if fail_on else None,
+    programs = [options.paths]
+    if options.each:
+        programs = [(one,) for path in options.paths for one in single_programs(path)]
+    jobs, unread = _jobs(programs, options)
+    outcome = _outcome(programs, jobs, options)
+    if options.diff and options.output_format != "json":
+        echo(outcome.differences, nl=False)
+        return ExitCode.FINDINGS if outcome.differences else ExitCode.CLEAN
+    is_spoken = options.output_format in SPOKEN_FORMATS
+    findings = merged(outcome.result.diagnostics, merge=not options.no_merge, spoken=is_spoken)
+    if options.sort == "severity" or (is_spoken and options.sort is None):
+        findings = errors_first(findings)
+    _print_findings(findings, outcome, options, terminal)
+    if is_spoken and not terminal.quiet:
+        seconds = time.perf_counter() - started
+        for line in _closing_lines(findings, outcome, options, seconds):
+            echo(line)
+    if unread:
+        others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
+        raise InputError(f"{unread[0].message}{others}", unread[0].help)
+    is_clean = not outcome.differences if options.diff else outcome.is_ok
+    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
+
+
+def _request(options: CheckOptions) -> RunRequest:
+    return RunRequest(
+        paths=options.paths,
+        robot=options.robot,
+        scale=options.scale,
+        station=options.station,
+        select=_listed(options.select),
+        extend_select=_listed(options.extend_select),
+        ignore=_listed(options.ignore),
+        reach=not options.no_reach,
+        trial_run=not options.no_run,
+        max_wall_s=options.max_wall,
+        assume_missing=options.assume_missing,
+        strict=options.strict,
+        fail_on=Severity(options.fail_on) if options.fail_on else None,
     )
-    programs = [paths]
-    if each:
-        programs = [(one,) for path in paths for one in single_programs(path)]
+
+
+def _jobs(
+    programs: Sequence[tuple[str, ...]], options: CheckOptions
+) -> tuple[list[Job], list[InputError]]:
+    """The jobs of the programs, and why others cannot be read."""
+    request = _request(options)
     jobs: list[Job] = []
     unread: list[InputError] = []
     for program in programs:
         try:
-            jobs.append(job_of(replace(asked, paths=program), open_robot=open_quietly))
+            jobs.append(job_of(replace(request, paths=program), open_robot=open_quietly))
         except InputError as error:
             # One encoded module among hundreds of programs is no reason to check none of them.
-            if not each:
+            if not options.each:
                 raise
             unread.append(error)
     if unread and not jobs:
         raise unread[0]
-    known = [Path(baseline) if baseline else job.station.check.baseline for job in jobs]
-    if unsafe_fixes and not (fix or diff):
-        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
-    if update_baseline and None in known:
-        raise click.UsageError("--update-baseline needs --baseline FILE")
-    with limited_to(max_wall):
-        results = checked_jobs(jobs, processes, uses_cache=not (no_cache or fix or diff))
-        differences = _differences(jobs, results, unsafe=unsafe_fixes) if diff else ""
-        if diff and output_format != "json":
-            echo(differences, nl=False)
-            return ExitCode.FINDINGS if differences else ExitCode.CLEAN
-        mended = [
-            _apply_fixes(job, result, unsafe=unsafe_fixes) if fix else _FixedCheck(result)
-            for job, result in zip(jobs, results, strict=True)
-        ]
-    # A setting alone writes nothing: the repository that holds it is not trusted.
-    judged = [
-        compare_with_baseline(group, update=update_baseline, create=baseline is not None)
-        for group in group_by_settings(jobs, [one.result for one in mended], known)
-    ]
-    result = merge_results([one.result for one in judged])
-    is_ok = all(one.result.ok for one in judged)
-    spoken = output_format in SPOKEN_FORMATS
-    findings = merged(result.diagnostics, merge=not no_merge, spoken=spoken)
-    if sort == "severity" or (spoken and sort is None):
-        findings = errors_first(findings)
-    if output_format == "json":
-        report = checked_json(findings, result, is_ok=is_ok)
-        if counted:
-            report["statistics"] = statistics_json(result.diagnostics)
-        if diff:
-            report["diff"] = differences
-        print_json(report)
-    elif counted:
-        echo(statistics(result.diagnostics, terminal.palette), palette=terminal.palette, nl=False)
-    else:
-        text = checked_text(output_format, findings, result, terminal, is_ok=is_ok)
-        echo(text, palette=terminal.palette, nl=False)
-    if spoken and not terminal.quiet:
-        seconds, files = time.perf_counter() - started, len(result.files)
-        echo(summary_line(findings, files=files, seconds=seconds, baseline_count=len(result.known)))
-        for line in _remarks(programs, result, mended):
-            echo(line)
-        for one in judged:
-            for line in one.remarks:
-                echo(line)
-        if (no_run or no_reach) and any(job.station.check.cycle_budget_s for job in jobs):
-            echo("The cycle budget was not checked, because main was not run.")
-        chosen = (one.arm or job.robot for job, one in zip(jobs, results, strict=True))
-        arms = ", ".join(dict.fromkeys(arm.text for arm in chosen))
-        for line in () if no_reach else coverage_lines(result.coverage, arms):
-            echo(line)
-        if any(one.result.strict for one in judged) and result.qualifications:
-            echo(f"Fails, because the check is strict: {'; '.join(result.qualifications)}.")
-    if unread:
-        others = f", and {len(unread) - 1} more that cannot be read" if unread[1:] else ""
-        raise InputError(f"{unread[0].message}{others}", unread[0].help)
-    is_clean = not differences if diff else is_ok
-    return ExitCode.CLEAN if is_clean else ExitCode.FINDINGS
-
-
-def _listed(option: str | None) -> tuple[str, ...]:
-    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
+    return jobs, unread
 
 
 @value_class(frozen=True, slots=True)
 class _FixedCheck:
-    """What a check finds when the fixes it found are applied."""
+    """The result of a check after its fixes were applied."""
 
     result: CheckResult
     fixed: int = 0
     left_out: int = 0
     """Fixes that would leave more errors."""
+
+
+@value_class(frozen=True, slots=True)
+class _Outcome:
+    """The results of all programs."""
+
+    programs: Sequence[tuple[str, ...]]
+    jobs: Sequence[Job]
+    arms: str
+    """The arms that moves were checked with."""
+    fixed: Sequence[_FixedCheck]
+    judged: Sequence[NewFindings]
+    """The results without known findings, by settings."""
+    differences: str
+    """The text of `--diff`."""
+
+    @property
+    def result(self) -> CheckResult:
+        """The results of all programs as one."""
+        return merge_results([group.result for group in self.judged])
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether nothing fails the check."""
+        return all(group.result.ok for group in self.judged)
+
+
+def _outcome(
+    programs: Sequence[tuple[str, ...]], jobs: Sequence[Job], options: CheckOptions
+) -> _Outcome:
+    """Check the programs, apply fixes, and compare with the baselines."""
+    baselines = [
+        Path(options.baseline) if options.baseline else job.station.check.baseline for job in jobs
+    ]
+    if options.unsafe_fixes and not (options.fix or options.diff):
+        raise click.UsageError("--unsafe-fixes goes with --fix or --diff")
+    if options.update_baseline and None in baselines:
+        raise click.UsageError("--update-baseline needs --baseline FILE")
+    uses_cache = not (options.no_cache or options.fix or options.diff)
+    differences = ""
+    with limited_to(options.max_wall):
+        results = checked_jobs(jobs, options.processes, uses_cache=uses_cache)
+        if options.diff:
+            differences = _differences(jobs, results, unsafe=options.unsafe_fixes)
+        fixed = [_FixedCheck(result) for result in results]
+        if options.fix:
+            pairs = zip(jobs, results, strict=True)
+            fixed = [_apply_fixes(*pair, unsafe=options.unsafe_fixes) for pair in pairs]
+    groups = group_by_settings(jobs, [one.result for one in fixed], baselines)
+    if options.diff and options.output_format != "json":
+        judged = [NewFindings(group.result) for group in groups]
+    else:
+        # A setting alone writes nothing: the repository that holds it is not trusted.
+        creates, updates = options.baseline is not None, options.update_baseline
+        judged = [compare_with_baseline(group, update=updates, create=creates) for group in groups]
+    arms = (result.arm or job.robot for job, result in zip(jobs, results, strict=True))
+    names = ", ".join(dict.fromkeys(arm.text for arm in arms))
+    return _Outcome(programs, jobs, names, fixed, judged, differences)
+
+
+def _print_findings(
+    findings: Sequence[Finding], outcome: _Outcome, options: CheckOptions, terminal: Terminal
+) -> None:
+    result = outcome.result
+    if options.output_format == "json":
+        report = checked_json(findings, result, is_ok=outcome.is_ok)
+        if options.counted:
+            report["statistics"] = statistics_json(result.diagnostics)
+        if options.diff:
+            report["diff"] = outcome.differences
+        print_json(report)
+        return
+    if options.counted:
+        text = statistics(result.diagnostics, terminal.palette)
+    else:
+        text = checked_text(options.output_format, findings, result, terminal, is_ok=outcome.is_ok)
+    echo(text, palette=terminal.palette, nl=False)
+
+
+def _closing_lines(
+    findings: Sequence[Finding], outcome: _Outcome, options: CheckOptions, seconds: float
+) -> Iterator[str]:
+    """The lines after the findings: counts, remarks, and what was not checked."""
+    result = outcome.result
+    yield summary_line(
+        findings, files=len(result.files), seconds=seconds, baseline_count=len(result.known)
+    )
+    yield from _remarks(outcome.programs, result, outcome.fixed)
+    for group in outcome.judged:
+        yield from group.remarks
+    has_budget = any(job.station.check.cycle_budget_s for job in outcome.jobs)
+    if has_budget and (options.no_run or options.no_reach):
+        yield "The cycle budget was not checked, because main was not run."
+    if not options.no_reach:
+        yield from coverage_lines(result.coverage, outcome.arms)
+    if any(group.result.strict for group in outcome.judged) and result.qualifications:
+        yield f"Fails, because the check is strict: {'; '.join(result.qualifications)}."
+
+
+def _listed(option: str | None) -> tuple[str, ...]:
+    return tuple(code.strip() for code in (option or "").split(",") if code.strip())
 
 
 def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:

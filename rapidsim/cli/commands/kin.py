@@ -10,12 +10,12 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options import poses
+from rapidsim.cli.options.declared import option, options_of, shared
 from rapidsim.cli.options.numbers import ANY_NUMBER, numbers
 from rapidsim.cli.options.poses import (
     base_option,
     convention_option,
     euler_option,
-    posture_options,
     scale_option,
 )
 from rapidsim.cli.terminal import (
@@ -28,6 +28,7 @@ from rapidsim.cli.terminal import (
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array, Transform
@@ -48,31 +49,34 @@ _joints_option = click.option(
 )
 
 
-def _common(command: Command) -> Command:
-    """The options of all three commands."""
-    for option in (
-        terminal_options,
-        table_or_json,
-        base_option,
-        convention_option,
-        posture_options,
-        scale_option,
-        click.option(
-            "--tool",
-            type=numbers(3, 7),
-            metavar="X,Y,Z[,Q1,Q2,Q3,Q4]",
-            help="The TCP in the flange [mm]; without it, the flange itself.",
-        ),
-        click.option(
-            "--robot",
-            metavar="NAME|FILE.urdf",
-            default=DEFAULT_ROBOT,
-            show_default=True,
-            help="The arm; `rapidsim robots` lists them.",
-        ),
-    ):
-        command = option(command)
-    return command
+@value_class(frozen=True, slots=True)
+class SetupOptions:
+    """What the command line says about the arm, its tool and base, and the output."""
+
+    robot: str = option(
+        "--robot",
+        metavar="NAME|FILE.urdf",
+        default=DEFAULT_ROBOT,
+        show_default=True,
+        help="The arm; `rapidsim robots` lists them.",
+    )
+    tool: tuple[float, ...] | None = option(
+        "--tool",
+        type=numbers(3, 7),
+        metavar="X,Y,Z[,Q1,Q2,Q3,Q4]",
+        help="The TCP in the flange [mm]; without it, the flange itself.",
+    )
+    scale: float | None = shared(scale_option)
+    record: str | None = option(
+        "--record", metavar="FILE.rrd", help="Write a recording of the arm."
+    )
+    plots: str | None = option(
+        "--plots", metavar="DIR", help="Write pictures of arm, frames and matrix."
+    )
+    view: bool = option("--view", is_flag=True, help="Open the recording in the rerun viewer.")
+    convention: str = shared(convention_option)
+    base: str = shared(base_option)
+    output_format: str = shared(table_or_json)
 
 
 @click.group(invoke_without_command=True)
@@ -90,25 +94,21 @@ def kin(context: click.Context) -> int | None:
     return None
 
 
+@value_class(frozen=True, slots=True)
+class ForwardOptions:
+    """What the command line says about joints."""
+
+    joints: tuple[float, ...] = shared(_joints_option)
+    tables: bool = option(
+        "--tables", is_flag=True, help="Also show the matrix of each link, and the arm's tables."
+    )
+
+
 @kin.command()
-@_joints_option
-@click.option(
-    "--tables", is_flag=True, help="Also show the matrix of each link, and the arm's tables."
-)
-@_common
-def fk(
-    joints: tuple[float, ...],
-    tables: bool,
-    robot: str,
-    scale: float | None,
-    tool: tuple[float, ...] | None,
-    base: str,
-    convention: str,
-    record: str | None,
-    plots: str | None,
-    view: bool,
-    output_format: str,
-) -> int:
+@options_of(ForwardOptions, "options")
+@options_of(SetupOptions, "setup")
+@terminal_options
+def fk(options: ForwardOptions, setup: SetupOptions) -> int:
     """Show where the flange is, or the TCP, and every link."""
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.cli.tools import kin_steps
@@ -117,91 +117,81 @@ def fk(
     from rapidsim.report.tables.kin_json import forward_json
     from rapidsim.report.tables.kin_tables import forward_page
 
-    arm = open_robot(robot, scale)
-    files = kin_steps.outputs(record, plots, view, f"{arm.name}-fk.rrd")
-    angles = _joints(arm, joints)
+    arm = open_robot(setup.robot, setup.scale)
+    files = kin_steps.outputs(setup.record, setup.plots, setup.view, f"{arm.name}-fk.rrd")
+    angles = _joints(arm, options.joints)
     shown = Postures(
         arm,
-        poses.world_from_base(base),
-        poses.tool(tool),
+        poses.world_from_base(setup.base),
+        poses.tool(setup.tool),
         (Posture(angles, "joints"),),
-        f"{arm.title} at {_list(joints)} {arm.units()}",
+        f"{arm.title} at {_list(options.joints)} {arm.units()}",
     )
-    if output_format == "json":
-        print_json(forward_json(shown, Convention(convention)))
+    if setup.output_format == "json":
+        print_json(forward_json(shown, Convention(setup.convention)))
     else:
-        current_terminal().show(forward_page(shown, Convention(convention), tables=tables))
-    kin_steps.write(shown, files, quiet=output_format == "json")
+        current_terminal().show(
+            forward_page(shown, Convention(setup.convention), tables=options.tables)
+        )
+    kin_steps.write(shown, files, quiet=setup.output_format == "json")
     return ExitCode.CLEAN
 
 
+@value_class(frozen=True, slots=True)
+class InverseOptions:
+    """What the command line says about a pose to reach."""
+
+    position: tuple[float, ...] = option(
+        "--position",
+        type=numbers(3),
+        required=True,
+        metavar="X,Y,Z",
+        help="Position of the TCP in base [mm].",
+    )
+    quaternion: tuple[float, ...] | None = option(
+        "--quaternion",
+        type=numbers(4),
+        metavar="Q1,Q2,Q3,Q4",
+        help="Orientation of the TCP, scalar first.",
+    )
+    euler: tuple[float, ...] | None = shared(euler_option)
+    pitch: float | None = option(
+        "--pitch",
+        type=ANY_NUMBER,
+        metavar="DEG",
+        help="Instead: the tool in the vertical plane through axis 1, at this angle above "
+        "horizontal.",
+    )
+    roll: float = option(
+        "--roll",
+        type=ANY_NUMBER,
+        metavar="DEG",
+        default=0.0,
+        help="With --pitch: rotation about the tool [deg].",
+    )
+    conf: tuple[float, ...] | None = option(
+        "--conf",
+        type=numbers(4),
+        metavar="CF1,CF4,CF6,CFX",
+        help="Only solutions in this configuration.",
+    )
+    everything: bool = option(
+        "--all", is_flag=True, help="Include whole turns and solutions outside the limits."
+    )
+    solver: str = option(
+        "--solver",
+        type=click.Choice(["auto", "analytic", *SEARCHES]),
+        default="auto",
+        show_default=True,
+        help="auto: closed form where the arm has one, else numerical; or a SciPy solver by name.",
+    )
+
+
 @kin.command()
-@click.option(
-    "--position",
-    type=numbers(3),
-    required=True,
-    metavar="X,Y,Z",
-    help="Position of the TCP in base [mm].",
-)
-@click.option(
-    "--quaternion",
-    type=numbers(4),
-    metavar="Q1,Q2,Q3,Q4",
-    help="Orientation of the TCP, scalar first.",
-)
-@euler_option
-@click.option(
-    "--pitch",
-    type=ANY_NUMBER,
-    metavar="DEG",
-    help="Instead: the tool in the vertical plane through axis 1, at this angle above horizontal.",
-)
-@click.option(
-    "--roll",
-    type=ANY_NUMBER,
-    metavar="DEG",
-    default=0.0,
-    help="With --pitch: rotation about the tool [deg].",
-)
-@click.option(
-    "--conf",
-    type=numbers(4),
-    metavar="CF1,CF4,CF6,CFX",
-    help="Only solutions in this configuration.",
-)
-@click.option(
-    "--all",
-    "everything",
-    is_flag=True,
-    help="Include whole turns and solutions outside the limits.",
-)
-@click.option(
-    "--solver",
-    type=click.Choice(["auto", "analytic", *SEARCHES]),
-    default="auto",
-    show_default=True,
-    help="auto: closed form where the arm has one, else numerical; or a SciPy solver by name.",
-)
-@_common
-def ik(
-    position: tuple[float, ...],
-    quaternion: tuple[float, ...] | None,
-    euler: tuple[float, ...] | None,
-    pitch: float | None,
-    roll: float,
-    conf: tuple[float, ...] | None,
-    everything: bool,
-    solver: str,
-    robot: str,
-    scale: float | None,
-    tool: tuple[float, ...] | None,
-    base: str,
-    convention: str,
-    record: str | None,
-    plots: str | None,
-    view: bool,
-    output_format: str,
-) -> int:
+@options_of(InverseOptions, "options")
+@options_of(SetupOptions, "setup")
+@terminal_options
+def ik(options: InverseOptions, setup: SetupOptions) -> int:
     """Show the joints that bring the TCP to a pose.
 
     One solution per branch within the joint limits, in the turn nearest to joint values 0. The exit
@@ -215,65 +205,68 @@ def ik(
     from rapidsim.report.tables.kin_json import inverse_json
     from rapidsim.report.tables.kin_tables import inverse_page
 
-    arm = open_robot(robot, scale)
-    files = kin_steps.outputs(record, plots, view, f"{arm.name}-ik.rrd")
+    arm = open_robot(setup.robot, setup.scale)
+    files = kin_steps.outputs(setup.record, setup.plots, setup.view, f"{arm.name}-ik.rrd")
     closed_form = has_branches(arm.kinematics)
-    stands, flange_from_tcp = poses.world_from_base(base), poses.tool(tool)
-    asked = poses.asked_pose(position, quaternion, euler, convention, pitch, roll)
+    stands, flange_from_tcp = poses.world_from_base(setup.base), poses.tool(setup.tool)
+    asked = poses.asked_pose(
+        options.position,
+        options.quaternion,
+        options.euler,
+        setup.convention,
+        options.pitch,
+        options.roll,
+    )
     pose = stands.inverse() @ asked @ flange_from_tcp.inverse()
     searched: SearchCost | None = None
-    if solver in SEARCHES:
-        if conf is not None or everything:
+    if options.solver in SEARCHES:
+        if options.conf is not None or options.everything:
             raise InputError(
-                f"--solver {solver} finds one solution, in no configuration in particular",
+                f"--solver {options.solver} finds one solution, in no configuration in particular",
                 "leave out --conf and --all, or use --solver analytic",
             )
-        name = solver
-        found, searched = _search(arm, pose, solver)
-    elif solver == "analytic" and not closed_form:
+        name = options.solver
+        found, searched = _search(arm, pose, options.solver)
+    elif options.solver == "analytic" and not closed_form:
         raise InputError(f"{arm.name} has no closed form", "use --solver auto, lm, bfgs or trf")
     else:
         name = "analytic" if closed_form else "damped-least-squares"
-        if conf is None:
-            found = solve_pose(arm, pose, everything=everything)
+        if options.conf is None:
+            found = solve_pose(arm, pose, everything=options.everything)
         elif not closed_form:
             raise InputError(f"the solutions of {arm.name} are not told apart by confdata")
         else:
-            found = solve_pose_as(arm, pose, _whole(conf))
-    if output_format == "json":
+            found = solve_pose_as(arm, pose, _whole(options.conf))
+    if setup.output_format == "json":
         print_json(inverse_json(arm, name, found, searched))
     else:
         current_terminal().show(inverse_page(arm, name, asked, found, searched))
     if found.solutions:
-        title = f"{arm.title} with the TCP at {_list(position)} mm"
+        title = f"{arm.title} with the TCP at {_list(options.position)} mm"
         rows = kin_steps.solved_postures(found, arm.kinematics.turns)
         shown = Postures(arm, stands, flange_from_tcp, rows, title)
-        kin_steps.write(shown, files, quiet=output_format == "json")
+        kin_steps.write(shown, files, quiet=setup.output_format == "json")
     return ExitCode.CLEAN if found.reason is None else ExitCode.FINDINGS
 
 
+@value_class(frozen=True, slots=True)
+class JacobianOptions:
+    """What the command line says about a posture and its motion."""
+
+    joints: tuple[float, ...] = shared(_joints_option)
+    twist: tuple[float, ...] | None = option(
+        "--twist",
+        type=numbers(6),
+        metavar="VX,VY,VZ,WX,WY,WZ",
+        help="Velocity of the TCP in base [mm/s, deg/s]; shows the joint speeds it needs.",
+    )
+
+
 @kin.command(short_help="Show how joints move the TCP, and how close singularities are.")
-@_joints_option
-@click.option(
-    "--twist",
-    type=numbers(6),
-    metavar="VX,VY,VZ,WX,WY,WZ",
-    help="Velocity of the TCP in base [mm/s, deg/s]; shows the joint speeds it needs.",
-)
-@_common
-def jacobian(
-    joints: tuple[float, ...],
-    twist: tuple[float, ...] | None,
-    robot: str,
-    scale: float | None,
-    tool: tuple[float, ...] | None,
-    base: str,
-    convention: str,
-    record: str | None,
-    plots: str | None,
-    view: bool,
-    output_format: str,
-) -> int:
+@options_of(JacobianOptions)
+@options_of(SetupOptions, "setup")
+@terminal_options
+def jacobian(options: JacobianOptions, setup: SetupOptions) -> int:
     """Show how joint speeds move the TCP, and which singularity is near."""
     import numpy as np
 
@@ -284,27 +277,28 @@ def jacobian(
     from rapidsim.report.tables.kin_json import jacobian_json
     from rapidsim.report.tables.kin_tables import jacobian_page
 
-    del convention
-    arm = open_robot(robot, scale)
-    files = kin_steps.outputs(record, plots, view, f"{arm.name}-jacobian.rrd")
-    angles, flange_from_tcp = _joints(arm, joints), poses.tool(tool)
+    arm = open_robot(setup.robot, setup.scale)
+    files = kin_steps.outputs(setup.record, setup.plots, setup.view, f"{arm.name}-jacobian.rrd")
+    angles, flange_from_tcp = _joints(arm, options.joints), poses.tool(setup.tool)
     found = differential(arm.kinematics, angles, flange_from_tcp)
     wanted: Array | None = None
-    if twist is not None:
-        wanted = np.array([*(v / 1000.0 for v in twist[:3]), *np.radians(twist[3:])])
-    if output_format == "json":
+    if options.twist is not None:
+        wanted = np.array(
+            [*(v / 1000.0 for v in options.twist[:3]), *np.radians(options.twist[3:])]
+        )
+    if setup.output_format == "json":
         print_json(jacobian_json(arm, found, wanted))
     else:
         current_terminal().show(jacobian_page(arm, found, wanted))
     shown = Postures(
         arm,
-        poses.world_from_base(base),
+        poses.world_from_base(setup.base),
         flange_from_tcp,
         (Posture(angles, "joints"),),
-        f"{arm.title} at {_list(joints)} {arm.units()}",
+        f"{arm.title} at {_list(options.joints)} {arm.units()}",
         found,
     )
-    kin_steps.write(shown, files, quiet=output_format == "json")
+    kin_steps.write(shown, files, quiet=setup.output_format == "json")
     return ExitCode.CLEAN
 
 

@@ -8,71 +8,74 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options import poses
+from rapidsim.cli.options.declared import option, options_of, shared
 from rapidsim.cli.options.numbers import numbers
 from rapidsim.cli.options.poses import base_option, line_option, line_points, scale_option
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.files import InputError
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array
 
 
+@value_class(frozen=True, slots=True)
+class PointsOptions:
+    """What the command line says about points to reach."""
+
+    shell: tuple[float, ...] | None = option(
+        "--shell",
+        type=numbers(2),
+        metavar="R1,R2",
+        help="Inner and outer radius of a spherical shell around the base [mm].",
+    )
+    postures: bool = option(
+        "--postures", is_flag=True, help="Instead: the TCP at random joint values."
+    )
+    line: tuple[float, ...] | None = shared(line_option)
+    count: int = option(
+        "--count",
+        type=click.IntRange(1, 20_000),
+        default=8,
+        show_default=True,
+        help="Number of points.",
+    )
+    seed: int = option(
+        "--seed",
+        type=click.IntRange(min=0),
+        default=0,
+        show_default=True,
+        help="Seed of the random numbers; the same seed gives the same points.",
+    )
+    robot: str | None = option(
+        "--robot",
+        metavar="NAME|FILE.urdf",
+        help="Only points that this arm reaches within its limits.",
+    )
+    scale: float | None = shared(scale_option)
+    attitude: str | None = option(
+        "--attitude",
+        type=click.Choice(["down", "random"]),
+        help="With --robot: the tool straight down (default), or in any orientation.",
+    )
+    tool: tuple[float, ...] | None = option(
+        "--tool",
+        type=numbers(3, 7),
+        metavar="X,Y,Z[,Q1,Q2,Q3,Q4]",
+        help="The TCP in the flange [mm].",
+    )
+    base: str = shared(base_option)
+    convention: str | None = option(
+        "--euler",
+        type=click.Choice(poses.CONVENTIONS),
+        help="Orientations as Euler angles e1,e2,e3 of this convention, not as quaternions.",
+    )
+
+
 @click.command()
-@click.option(
-    "--shell",
-    type=numbers(2),
-    metavar="R1,R2",
-    help="Inner and outer radius of a spherical shell around the base [mm].",
-)
-@click.option("--postures", is_flag=True, help="Instead: the TCP at random joint values.")
-@line_option
-@click.option(
-    "--count",
-    type=click.IntRange(1, 20_000),
-    default=8,
-    show_default=True,
-    help="Number of points.",
-)
-@click.option(
-    "--seed",
-    type=click.IntRange(min=0),
-    default=0,
-    show_default=True,
-    help="Seed of the random numbers; the same seed gives the same points.",
-)
-@click.option(
-    "--robot", metavar="NAME|FILE.urdf", help="Only points that this arm reaches within its limits."
-)
-@scale_option
-@click.option(
-    "--attitude",
-    type=click.Choice(["down", "random"]),
-    help="With --robot: the tool straight down (default), or in any orientation.",
-)
-@click.option(
-    "--tool", type=numbers(3, 7), metavar="X,Y,Z[,Q1,Q2,Q3,Q4]", help="The TCP in the flange [mm]."
-)
-@base_option
-@click.option(
-    "--euler",
-    "convention",
-    type=click.Choice(poses.CONVENTIONS),
-    help="Orientations as Euler angles e1,e2,e3 of this convention, not as quaternions.",
-)
+@options_of(PointsOptions)
 @terminal_options
-def points(
-    shell: tuple[float, ...] | None,
-    postures: bool,
-    line: tuple[float, ...] | None,
-    count: int,
-    seed: int,
-    robot: str | None,
-    scale: float | None,
-    attitude: str | None,
-    tool: tuple[float, ...] | None,
-    base: str,
-    convention: str | None,
-) -> int:
+def points(options: PointsOptions) -> int:
     """Print points as a table for `follow`.
 
     The points are random in a spherical shell around the base, or those of random joint values, or
@@ -85,59 +88,63 @@ def points(
         shell_points,
     )
 
-    ways = [name for name, given in (("--shell", shell), ("--postures", postures), ("--line", line))
-            if given]  # fmt: skip
-    if len(ways) != 1:
+    if sum(map(bool, (options.shell, options.postures, options.line))) != 1:
         raise InputError("give exactly one of --shell, --postures and --line")
-    if robot is None and (postures or tool or attitude or base != "floor"):
+    if options.robot is None and (
+        options.postures or options.tool or options.attitude or options.base != "floor"
+    ):
         raise InputError("--postures, --attitude, --tool and --base need --robot")
-    if scale is not None and robot is None:
+    if options.scale is not None and options.robot is None:
         raise InputError("--scale is for a URDF file", "name it with --robot")
-    if attitude and not shell:
+    if options.attitude and not options.shell:
         raise InputError("--attitude is for points of a --shell")
-    if line is not None:
-        if robot is not None:
+    if options.line is not None:
+        if options.robot is not None:
             raise InputError("--line takes no robot", "`rapidsim follow --line` has one")
-        _print(line_points(line, count), None, convention)
+        _print(line_points(options.line, options.count), None, options.convention)
         return ExitCode.CLEAN
-    inner, outer = shell or (0.0, 1.0)
+    inner, outer = options.shell or (0.0, 1.0)
     if not 0.0 <= inner < outer:
         raise InputError(f"--shell {inner:g},{outer:g}: the first radius must be the smaller one")
-    if robot is None:
-        _print(1000.0 * shell_points(inner / 1000.0, outer / 1000.0, count, seed), None, convention)
+    if options.robot is None:
+        _print(
+            1000.0 * shell_points(inner / 1000.0, outer / 1000.0, options.count, options.seed),
+            None,
+            options.convention,
+        )
         return ExitCode.CLEAN
 
     from rapidsim.cli.options.robot_choice import open_robot
     from rapidsim.frames.transform import Transform, matrix_from_quaternion
 
     arm, stands, flange_from_tcp = (
-        open_robot(robot, scale),
-        poses.world_from_base(base),
-        poses.tool(tool),
+        open_robot(options.robot, options.scale),
+        poses.world_from_base(options.base),
+        poses.tool(options.tool),
     )
-    if postures:
-        _, base_from_tcp = posture_points(arm, flange_from_tcp, count, seed)
+    if options.postures:
+        _, base_from_tcp = posture_points(arm, flange_from_tcp, options.count, options.seed)
     else:
         places, quaternions, drawn = reached_points(
             arm,
             flange_from_tcp,
             (inner / 1000.0, outer / 1000.0),
-            count,
-            seed,
-            any_attitude=attitude == "random",
+            options.count,
+            options.seed,
+            any_attitude=options.attitude == "random",
         )
         if not current_terminal().quiet:
             echo(f"note: {drawn} points were looked at", err=True)
         base_from_tcp = Transform(matrix_from_quaternion(quaternions), places)
-        if len(places) < count:
+        if len(places) < options.count:
             echo(
-                f"note: {arm.title} reached {len(places)} of them, not {count}; "
+                f"note: {arm.title} reached {len(places)} of them, not {options.count}; "
                 "take another shell or --attitude random",
                 err=True,
             )
     world_from_tcp = stands @ base_from_tcp
-    _print(1000.0 * world_from_tcp.translation, world_from_tcp.rotation, convention)
-    return ExitCode.CLEAN if len(world_from_tcp) == count else ExitCode.FINDINGS
+    _print(1000.0 * world_from_tcp.translation, world_from_tcp.rotation, options.convention)
+    return ExitCode.CLEAN if len(world_from_tcp) == options.count else ExitCode.FINDINGS
 
 
 def _print(places: Array, rotations: Array | None, convention: str | None) -> None:

@@ -7,6 +7,7 @@ from math import degrees
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.declared import argument, option, options_of, shared
 from rapidsim.cli.options.outputs import new_plots
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.options.robot_choice import open_robot
@@ -30,35 +31,38 @@ from rapidsim.report.tables.robot_tables import (
     workspace_json,
     workspace_page,
 )
+from rapidsim.values import value_class
+
+
+@value_class(frozen=True, slots=True)
+class RobotsOptions:
+    """What the command line says about robots to show."""
+
+    name: str | None = argument(required=False)
+    program: str | None = option(
+        "--for",
+        metavar="PATH",
+        help="Rank the arms by how well they suit the targets of a program.",
+    )
+    table: bool = option(
+        "--table", is_flag=True, help="Also show the DH table and the screw axes of the arm."
+    )
+    workspace: bool = option(
+        "--workspace",
+        is_flag=True,
+        help="Also show the volume that the arm reaches, and a section of it.",
+    )
+    plots: str | None = option(
+        "--plots", metavar="DIR", help="With --workspace: write a picture of the section."
+    )
+    scale: float | None = shared(scale_option)
+    output_format: str = shared(table_or_json)
 
 
 @click.command()
-@click.argument("name", required=False)
-@click.option(
-    "--for",
-    "program",
-    metavar="PATH",
-    help="Rank the arms by how well they suit the targets of a program.",
-)
-@click.option("--table", is_flag=True, help="Also show the DH table and the screw axes of the arm.")
-@click.option(
-    "--workspace",
-    is_flag=True,
-    help="Also show the volume that the arm reaches, and a section of it.",
-)
-@click.option("--plots", metavar="DIR", help="With --workspace: write a picture of the section.")
-@scale_option
-@table_or_json
+@options_of(RobotsOptions)
 @terminal_options
-def robots(
-    name: str | None,
-    program: str | None,
-    table: bool,
-    workspace: bool,
-    plots: str | None,
-    scale: float | None,
-    output_format: str,
-) -> int:
+def robots(options: RobotsOptions) -> int:
     """List the robots, or show one with limits, speeds, reach and source.
 
     NAME is a name or alias of the catalogue, or a URDF file.
@@ -67,52 +71,59 @@ def robots(
     stored configuration; a tie goes to the arm that comments, files, folders, stations or a
     backup name. For targets with seven axes, only arms with seven axes.
     """
-    terminal = current_terminal()
-    if program is not None:
-        if name is not None or table or workspace or scale or plots:
+    details = options.table or options.workspace or options.scale
+    if options.program is not None:
+        if options.name is not None or details or options.plots:
             raise InputError("--for ranks all arms", "it goes with --format only")
-        _show_ranking(program, output_format)
+        _show_ranking(options.program, options.output_format)
         return ExitCode.CLEAN
-    if name is None and (table or workspace or scale):
-        raise InputError("--table, --workspace and --scale are for one robot", "name it")
-    if plots and not workspace:
+    if options.plots and not options.workspace:
         raise InputError("--plots needs --workspace", "it draws a section of the workspace")
-    if name is not None:
-        folder = new_plots(plots) if plots else None
-        robot = open_robot(name, scale)
-        short = aliases_of(robot.name)
-        reached = workspace_of(robot) if workspace else None
-        if output_format == "json":
-            one = _as_json(robot, short)
-            one |= axis_tables_json(robot) if table else {}
-            one |= {} if reached is None else {"workspace": workspace_json(reached)}
-            print_json(one)
-        else:
-            terminal.show(robot_page(robot, short))
-            for page in (
-                axis_tables_page(robot) if table else None,
-                None if reached is None else workspace_page(reached),
-            ):
-                if page is not None:
-                    echo("")
-                    terminal.show(page)
-        if isinstance(reached, str):
-            return ExitCode.FINDINGS
-        if folder and reached is not None:
-            from rapidsim.plots.workspace_picture import write_workspace_plots
+    if options.name is not None:
+        return _show_robot(options.name, options)
+    if details:
+        raise InputError("--table, --workspace and --scale are for one robot", "name it")
+    _show_catalogue(options.output_format)
+    return ExitCode.CLEAN
 
-            write_workspace_plots(reached, folder)
-            if output_format != "json" and not terminal.quiet:
-                terminal.show(files_text([OutputFile(folder, "plots")]))
-        return ExitCode.CLEAN
-    # How each is solved is told where one is used, not in a list of all.
+
+def _show_robot(name: str, options: RobotsOptions) -> ExitCode:
+    terminal, is_json = current_terminal(), options.output_format == "json"
+    folder = new_plots(options.plots) if options.plots else None
+    robot = open_robot(name, options.scale)
+    short = aliases_of(robot.name)
+    reached = workspace_of(robot) if options.workspace else None
+    if is_json:
+        report = _as_json(robot, short)
+        report |= axis_tables_json(robot) if options.table else {}
+        report |= {} if reached is None else {"workspace": workspace_json(reached)}
+        print_json(report)
+    else:
+        terminal.show(robot_page(robot, short))
+        pages = [axis_tables_page(robot)] if options.table else []
+        pages += [] if reached is None else [workspace_page(reached)]
+        for page in pages:
+            echo("")
+            terminal.show(page)
+    if isinstance(reached, str):
+        return ExitCode.FINDINGS
+    if folder and reached is not None:
+        from rapidsim.plots.workspace_picture import write_workspace_plots
+
+        write_workspace_plots(reached, folder)
+        if not is_json and not terminal.quiet:
+            terminal.show(files_text([OutputFile(folder, "plots")]))
+    return ExitCode.CLEAN
+
+
+def _show_catalogue(output_format: str) -> None:
+    # How each is solved is said where one is used, not in a list of all.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]
         print_json({"schema": 1, "robots": report})
     else:
-        terminal.show(catalogue_table(listed))
-    return ExitCode.CLEAN
+        current_terminal().show(catalogue_table(listed))
 
 
 def _show_ranking(path: str, output_format: str) -> None:

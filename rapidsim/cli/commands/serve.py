@@ -14,6 +14,7 @@ import click
 
 from rapidsim import __version__
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.declared import argument, option, options_of, shared
 from rapidsim.cli.options.job_options import assume_missing_option
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
@@ -22,147 +23,138 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.run_request import DEFAULT_ENTRY, RunRequest
+from rapidsim.values import value_class
 
 _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 
 
+@value_class(frozen=True, slots=True)
+class ServeOptions:
+    """What the command line says about a controller that stays on."""
+
+    paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
+    robot: str | None = option(
+        "--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them."
+    )
+    station: str | None = option(
+        "--station", metavar="FILE.toml", help="The station file, instead of the nearest."
+    )
+    task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
+    io: str | None = option(
+        "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
+    )
+    host: str = option(
+        "--host",
+        metavar="ADDRESS",
+        default="127.0.0.1",
+        show_default=True,
+        help="The address to listen on.",
+    )
+    rws1_port: str = option(
+        "--rws1-port",
+        metavar="N|off",
+        default="8080",
+        show_default=True,
+        help="The port of Robot Web Services 1.0 (RobotWare 6); 0 picks a free one, off disables "
+        "it.",
+    )
+    rws2_port: str = option(
+        "--rws2-port",
+        metavar="N|off",
+        default="8443",
+        show_default=True,
+        help="The port of Robot Web Services 2.0 (RobotWare 7), with TLS.",
+    )
+    speed: str = option(
+        "--speed",
+        metavar="F|max",
+        default="1",
+        show_default=True,
+        help="Virtual seconds per second of real time; max is as fast as possible.",
+    )
+    assume_missing: bool = shared(assume_missing_option)
+    lock_step: bool = option(
+        "--lock-step",
+        is_flag=True,
+        help="Virtual time passes only with requests, so that runs repeat.",
+    )
+    request_time: float | None = option(
+        "--request-time",
+        metavar="SECONDS",
+        type=POSITIVE,
+        help="In lock-step, the virtual time before each request; default 0.05.",
+    )
+    sensors: tuple[str, ...] = option(
+        "--egm",
+        metavar="NAME=HOST:PORT",
+        multiple=True,
+        help="Address of the sensor behind a UDPUC device; overrides SIO.cfg.",
+    )
+    home: str | None = option(
+        "--home", metavar="DIR", help="The folder for HOME:; default <program>.home."
+    )
+    ramdisk: str | None = option(
+        "--ramdisk", metavar="DIR", help="The folder for RAMDISK:; default: one in HOME:."
+    )
+    opmode: str = option(
+        "--opmode",
+        type=click.Choice(list(_MODES)),
+        default="auto",
+        show_default=True,
+        help="The operating mode at the start.",
+    )
+    motors: str = option(
+        "--motors",
+        type=click.Choice(["on", "off"]),
+        default="on",
+        show_default=True,
+        help="The state of the motors at the start.",
+    )
+    users: tuple[str, ...] = option(
+        "--user",
+        metavar="NAME:PASSWORD",
+        multiple=True,
+        help="A login that replaces a controller's default users.",
+    )
+    max_sessions: int = option(
+        "--max-sessions",
+        metavar="N",
+        type=click.IntRange(min=1),
+        default=70,
+        show_default=True,
+        help="Maximum number of clients at a time.",
+    )
+    session_timeout: float = option(
+        "--session-timeout",
+        metavar="SECONDS",
+        type=POSITIVE,
+        default=300.0,
+        show_default=True,
+        help="End a session that has been idle this long.",
+    )
+    network_hosts: tuple[str, ...] = option(
+        "--network-host",
+        metavar="ADDRESS",
+        multiple=True,
+        help="Another host that the program's sockets may reach.",
+    )
+    journal: str | None = option(
+        "--journal",
+        metavar="FILE.jsonl",
+        help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
+    )
+    record: str | None = option(
+        "--record",
+        metavar="FILE.rrd",
+        help="Record while the server runs; the file appears at the end.",
+    )
+    view: bool = option("--view", is_flag=True, help="Show the recording live.")
+
+
 @click.command()
-@click.argument("paths", metavar="PATH...", nargs=-1, required=True)
-@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them.")
-@click.option("--station", metavar="FILE.toml", help="The station file, instead of the nearest.")
-@click.option("--task", metavar="NAME", help="Only this task, of several.")
-@click.option(
-    "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
-)
-@click.option(
-    "--host",
-    metavar="ADDRESS",
-    default="127.0.0.1",
-    show_default=True,
-    help="The address to listen on.",
-)
-@click.option(
-    "--rws1-port",
-    metavar="N|off",
-    default="8080",
-    show_default=True,
-    help="The port of Robot Web Services 1.0 (RobotWare 6); 0 picks a free one, off disables it.",
-)
-@click.option(
-    "--rws2-port",
-    metavar="N|off",
-    default="8443",
-    show_default=True,
-    help="The port of Robot Web Services 2.0 (RobotWare 7), with TLS.",
-)
-@click.option(
-    "--speed",
-    metavar="F|max",
-    default="1",
-    show_default=True,
-    help="Virtual seconds per second of real time; max is as fast as possible.",
-)
-@assume_missing_option
-@click.option(
-    "--lock-step", is_flag=True, help="Virtual time passes only with requests, so that runs repeat."
-)
-@click.option(
-    "--request-time",
-    metavar="SECONDS",
-    type=POSITIVE,
-    help="In lock-step, the virtual time before each request; default 0.05.",
-)
-@click.option(
-    "--egm",
-    "sensors",
-    metavar="NAME=HOST:PORT",
-    multiple=True,
-    help="Address of the sensor behind a UDPUC device; overrides SIO.cfg.",
-)
-@click.option("--home", metavar="DIR", help="The folder for HOME:; default <program>.home.")
-@click.option("--ramdisk", metavar="DIR", help="The folder for RAMDISK:; default: one in HOME:.")
-@click.option(
-    "--opmode",
-    type=click.Choice(list(_MODES)),
-    default="auto",
-    show_default=True,
-    help="The operating mode at the start.",
-)
-@click.option(
-    "--motors",
-    type=click.Choice(["on", "off"]),
-    default="on",
-    show_default=True,
-    help="The state of the motors at the start.",
-)
-@click.option(
-    "--user",
-    "users",
-    metavar="NAME:PASSWORD",
-    multiple=True,
-    help="A login that replaces a controller's default users.",
-)
-@click.option(
-    "--max-sessions",
-    metavar="N",
-    type=click.IntRange(min=1),
-    default=70,
-    show_default=True,
-    help="Maximum number of clients at a time.",
-)
-@click.option(
-    "--session-timeout",
-    metavar="SECONDS",
-    type=POSITIVE,
-    default=300.0,
-    show_default=True,
-    help="End a session that has been idle this long.",
-)
-@click.option(
-    "--network-host",
-    "network_hosts",
-    metavar="ADDRESS",
-    multiple=True,
-    help="Another host that the program's sockets may reach.",
-)
-@click.option(
-    "--journal",
-    metavar="FILE.jsonl",
-    help="Write what clients ask and what happens; `rapidsim run --replay` runs it again.",
-)
-@click.option(
-    "--record",
-    metavar="FILE.rrd",
-    help="Record while the server runs; the file appears at the end.",
-)
-@click.option("--view", is_flag=True, help="Show the recording live.")
+@options_of(ServeOptions)
 @terminal_options
-def serve(
-    paths: tuple[str, ...],
-    robot: str | None,
-    station: str | None,
-    task: str | None,
-    io: str | None,
-    host: str,
-    rws1_port: str,
-    rws2_port: str,
-    speed: str,
-    lock_step: bool,
-    request_time: float | None,
-    sensors: tuple[str, ...],
-    home: str | None,
-    ramdisk: str | None,
-    assume_missing: bool,
-    opmode: str,
-    motors: str,
-    users: tuple[str, ...],
-    max_sessions: int,
-    session_timeout: float,
-    network_hosts: tuple[str, ...],
-    journal: str | None,
-    record: str | None,
-    view: bool,
-) -> int:
+def serve(options: ServeOptions) -> int:
     """Serve a virtual controller to clients of Robot Web Services 1.0 and 2.0.
 
     PATH is as for `rapidsim run`. The first line on stdout gives the addresses as JSON. The server
@@ -171,7 +163,7 @@ def serve(
     Exit codes: 0 ended on request, 1 the program has errors, 2 wrong usage or a port in use.
     """
     require("aiohttp", "rapidsim serve")
-    ports = _port("--rws1-port", rws1_port), _port("--rws2-port", rws2_port)
+    ports = _port("--rws1-port", options.rws1_port), _port("--rws2-port", options.rws2_port)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
     from rapidsim.egm.devices import read_device
@@ -183,54 +175,55 @@ def serve(
     from rapidsim.server.settings import DEFAULT_USERS, EngineSettings, ServerSettings
     from rapidsim.simulation.live.states import Motors, OperatingMode
 
-    if "-" in paths:
+    if "-" in options.paths:
         raise InputError("serve reads no program from standard input", "name a file or a folder")
     if ports == (None, None):
         raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
-    if view and record is None:
+    if options.view and options.record is None:
         raise InputError("--view: it shows what --record FILE.rrd writes")
-    if view:
+    if options.view:
         require_screen()
-    if record is not None:
+    if options.record is not None:
         require("rerun", "--record")
-    if request_time is not None and not lock_step:
+    if options.request_time is not None and not options.lock_step:
         raise InputError("--request-time: it needs --lock-step")
-    if not users and not is_loopback(host):
+    if not options.users and not is_loopback(options.host):
         raise InputError(
-            f"--host {host}: other computers reach it, and default passwords are known to all",
+            f"--host {options.host}: other computers reach it, and default passwords are known to "
+            "all",
             "`--user NAME:PASSWORD` says who may come in",
         )
     asked = RunRequest(
-        paths=paths,
-        robot=robot,
-        station=station,
-        task=task,
-        io=io,
+        paths=options.paths,
+        robot=options.robot,
+        station=options.station,
+        task=options.task,
+        io=options.io,
         entry=DEFAULT_ENTRY,
-        assume_missing=assume_missing,
-        home=home,
-        ramdisk=ramdisk,
+        assume_missing=options.assume_missing,
+        home=options.home,
+        ramdisk=options.ramdisk,
     )
     engine_settings = EngineSettings(
-        speed=_speed(speed),
-        request_s=(request_time or 0.05) if lock_step else None,
-        motors=Motors.ON if motors == "on" else Motors.OFF,
-        mode=OperatingMode(_MODES[opmode]),
-        hosts=frozenset(network_hosts),
-        sensors=tuple(map(read_device, sensors)),
-        journal=None if journal is None else Path(journal),
-        record=None if record is None else Path(record),
-        view=view,
+        speed=_speed(options.speed),
+        request_s=(options.request_time or 0.05) if options.lock_step else None,
+        motors=Motors.ON if options.motors == "on" else Motors.OFF,
+        mode=OperatingMode(_MODES[options.opmode]),
+        hosts=frozenset(options.network_hosts),
+        sensors=tuple(map(read_device, options.sensors)),
+        journal=None if options.journal is None else Path(options.journal),
+        record=None if options.record is None else Path(options.record),
+        view=options.view,
     )
     server_settings = ServerSettings(
-        host=host,
+        host=options.host,
         rws1_port=ports[0],
         rws2_port=ports[1],
         tls=None if ports[1] is None else _tls(),
-        users=_users(users) if users else DEFAULT_USERS,
-        most_sessions=max_sessions,
+        users=_users(options.users) if options.users else DEFAULT_USERS,
+        most_sessions=options.max_sessions,
         # In lock-step nothing depends on the wall, sessions included.
-        session_timeout_s=inf if lock_step else session_timeout,
+        session_timeout_s=inf if options.lock_step else options.session_timeout,
     )
     try:
         engine = started(asked, engine_settings)

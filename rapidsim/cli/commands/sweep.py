@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.options.declared import argument, option, options_of
 from rapidsim.cli.options.job_options import job_of
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
@@ -15,6 +16,7 @@ from rapidsim.cli.tools.sweep_output import swept_text
 from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.run_request import RunRequest
+from rapidsim.values import value_class
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -24,57 +26,55 @@ def _shard(text: str) -> tuple[int, int]:
     return int(first), int(of)
 
 
+@value_class(frozen=True, slots=True)
+class SweepOptions:
+    """What the command line says about a sweep."""
+
+    paths: tuple[str, ...] = argument("JOB.toml|PATH...", nargs=-1, required=True)
+    varied: tuple[str, ...] = option(
+        "--vary",
+        metavar="KEY=FROM:TO:STEP",
+        multiple=True,
+        required=True,
+        help="base.x, base.y, base.z [mm], base.rz, base.ry, base.rx [deg]; several form a grid.",
+    )
+    robot: str | None = option(
+        "--robot", metavar="NAME|FILE.urdf", help="The arm, instead of the station's."
+    )
+    task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
+    no_run: bool = option("--no-run", is_flag=True, help="Only check reach; run nothing.")
+    max_time: float = option(
+        "--max-time",
+        type=POSITIVE,
+        default=3600.0,
+        help="End each run after this much virtual time [s].",
+    )
+    processes: int = option(
+        "-j",
+        type=PROCESSES,
+        default=1,
+        show_default=True,
+        help="Number of parallel processes; auto is one for each core.",
+    )
+    shard: tuple[int, int] = option(
+        "--shard",
+        type=_shard,
+        default="1/1",
+        metavar="I/N",
+        help="Part I of N equal parts, on one of N machines.",
+    )
+    out: str | None = option(
+        "--out", metavar="FILE", help="Write a table of all variants: .parquet or .csv."
+    )
+    plots: str | None = option(
+        "--plots", metavar="DIR", help="Write a picture of where the program works, and how well."
+    )
+
+
 @click.command(no_args_is_help=False)
-@click.argument("paths", metavar="JOB.toml|PATH...", nargs=-1, required=True)
-@click.option(
-    "--vary",
-    "varied",
-    metavar="KEY=FROM:TO:STEP",
-    multiple=True,
-    required=True,
-    help="base.x, base.y, base.z [mm], base.rz, base.ry, base.rx [deg]; several form a grid.",
-)
-@click.option("--robot", metavar="NAME|FILE.urdf", help="The arm, instead of the station's.")
-@click.option("--task", metavar="NAME", help="Only this task, of several.")
-@click.option("--no-run", is_flag=True, help="Only check reach; run nothing.")
-@click.option(
-    "--max-time",
-    type=POSITIVE,
-    default=3600.0,
-    help="End each run after this much virtual time [s].",
-)
-@click.option(
-    "-j",
-    "processes",
-    type=PROCESSES,
-    default=1,
-    show_default=True,
-    help="Number of parallel processes; auto is one for each core.",
-)
-@click.option(
-    "--shard",
-    type=_shard,
-    default="1/1",
-    metavar="I/N",
-    help="Part I of N equal parts, on one of N machines.",
-)
-@click.option("--out", metavar="FILE", help="Write a table of all variants: .parquet or .csv.")
-@click.option(
-    "--plots", metavar="DIR", help="Write a picture of where the program works, and how well."
-)
+@options_of(SweepOptions)
 @terminal_options
-def sweep(
-    paths: tuple[str, ...],
-    varied: tuple[str, ...],
-    robot: str | None,
-    task: str | None,
-    no_run: bool,
-    max_time: float,
-    processes: int,
-    shard: tuple[int, int],
-    out: str | None,
-    plots: str | None,
-) -> int:
+def sweep(options: SweepOptions) -> int:
     """Try a program with the robot in many places.
 
     JOB.toml is a station file; the program is in the same folder, or given as further PATHs.
@@ -86,20 +86,22 @@ def sweep(
     from rapidsim.jobs.sweep import axis_of
     from rapidsim.jobs.sweep import sweep as swept
 
-    axes = [axis_of(text) for text in varied]
-    if plots is not None:
+    axes = [axis_of(text) for text in options.varied]
+    if options.plots is not None:
         require("matplotlib", "--plots")
-    ready = loaded(job_of(_request(paths, robot, task, max_time)))
+    ready = loaded(job_of(_request(options.paths, options.robot, options.task, options.max_time)))
     try:
-        result = swept(ready, axes, shard=shard, run=not no_run, processes=processes)
+        result = swept(
+            ready, axes, shard=options.shard, run=not options.no_run, processes=options.processes
+        )
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, "table", current_terminal())
         return ExitCode.FINDINGS
-    written = [] if out is None else [write_variants(result, Path(out))]
-    if plots is not None:
+    written = [] if options.out is None else [write_variants(result, Path(options.out))]
+    if options.plots is not None:
         from rapidsim.plots.sweep_picture import write_sweep_picture
 
-        written += write_sweep_picture(result, Path(plots))
+        written += write_sweep_picture(result, Path(options.plots))
     echo(swept_text(result, written))
     return ExitCode.CLEAN if result.works.any() else ExitCode.FINDINGS
 

@@ -1,16 +1,17 @@
-"""What the command line asks of a run, as one `Asked`; and a job of it, with its notes said."""
+"""The options of a run as one `RunRequest`, and the job of a request."""
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from datetime import datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from rapidsim.cli.options.answers import answers_from
 from rapidsim.cli.options.dates import Date
+from rapidsim.cli.options.declared import Command, argument, attach, collect, option, shared
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import echo
@@ -18,6 +19,7 @@ from rapidsim.files import InputError
 from rapidsim.jobs.job import Job, OpenRobot, job
 from rapidsim.jobs.run_request import RunRequest
 from rapidsim.station.station import Station
+from rapidsim.values import value_class
 
 if TYPE_CHECKING:
     from rapidsim.controller.cell.network import Network
@@ -31,133 +33,115 @@ assume_missing_option = click.option(
 strict_option = click.option(
     "--strict", is_flag=True, help="Fail on what is unknown, not simulated or not checked, too."
 )
-_PROGRAM = (
-    click.argument("paths", metavar="PATH...", nargs=-1, required=True),
-    click.option(
+
+
+@value_class(frozen=True, slots=True)
+class ProgramOptions:
+    """What the command line says about the program of a run."""
+
+    paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
+    robot: str | None = option(
         "--robot", metavar="NAME|FILE.urdf", help="The arm; `rapidsim robots` lists them."
-    ),
-    scale_option,
-    click.option(
+    )
+    scale: float | None = shared(scale_option)
+    station: str | None = option(
         "--station", metavar="FILE.toml", help="The station file, instead of the nearest."
-    ),
-    click.option("--task", metavar="NAME", help="Only this task, of several."),
-    click.option("--proc", metavar="NAME", default="main", help="The procedure to run."),
-)
-_INPUTS = (
-    click.option(
+    )
+    task: str | None = option("--task", metavar="NAME", help="Only this task, of several.")
+    proc: str = option("--proc", metavar="NAME", default="main", help="The procedure to run.")
+
+
+@value_class(frozen=True, slots=True)
+class InputOptions:
+    """What the command line says about the inputs, limits and clock of a run."""
+
+    io: str | None = option(
         "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
-    ),
-    click.option(
+    )
+    answers: str | None = option(
         "--answers", metavar="FILE", help="Answers to the program's questions, one per line."
-    ),
-    click.option("--home", metavar="DIR", help="The folder for HOME:; default <program>.home."),
-    click.option(
+    )
+    home: str | None = option(
+        "--home", metavar="DIR", help="The folder for HOME:; default <program>.home."
+    )
+    allow_network: bool = option(
         "--allow-network", is_flag=True, help="Sockets may use real ports of this computer."
-    ),
-    click.option(
+    )
+    network_hosts: tuple[str, ...] = option(
         "--network-host",
-        "network_hosts",
         metavar="ADDRESS",
         multiple=True,
         help="Another host that sockets may reach.",
-    ),
-    assume_missing_option,
-    strict_option,
-    click.option(
+    )
+    assume_missing: bool = shared(assume_missing_option)
+    strict: bool = shared(strict_option)
+    start_time: datetime | None = option(
         "--start-time",
         metavar="DATE",
         type=Date(),
         help="The controller's clock at the start; default 2000-01-01.",
-    ),
-    click.option(
+    )
+    max_time: float = option(
         "--max-time",
         metavar="SECONDS",
         type=POSITIVE,
         default=3600.0,
         show_default=True,
         help="End the run after this much simulated time.",
-    ),
-    click.option(
+    )
+    max_wall: float | None = option(
         "--max-wall",
         metavar="SECONDS",
         type=POSITIVE,
         help="End the run after this much real time; default: no limit.",
-    ),
-    click.option(
+    )
+    cycles: int = option(
         "--cycles",
         metavar="N",
         type=click.IntRange(min=1),
         default=1,
         show_default=True,
         help="How many times the procedure runs.",
-    ),
-)
+    )
 
 
-def program_options(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command options of the program; these and `input_options` come as one `asked`."""
+def program_options(command: Command) -> Command:
+    """Give a command options of the program; these and `input_options` become one `request`."""
 
     @functools.wraps(command)
-    def asking(
-        *,
-        paths: tuple[str, ...],
-        robot: str | None,
-        scale: float | None,
-        station: str | None,
-        task: str | None,
-        proc: str,
-        io: str | None,
-        answers: str | None,
-        home: str | None,
-        allow_network: bool,
-        network_hosts: tuple[str, ...],
-        assume_missing: bool,
-        strict: bool,
-        start_time: datetime | None,
-        max_time: float,
-        max_wall: float | None,
-        cycles: int,
-        **others: object,
-    ) -> int:
-        if network_hosts and not allow_network:
-            raise InputError("--network-host: it needs --allow-network")
-        asked = RunRequest(
-            paths=paths,
-            robot=robot,
-            scale=scale,
-            station=station,
-            task=task,
-            io=io,
-            entry=proc,
-            answers=answers_from(answers),
-            answers_are_typed=answers is None,
-            home=home,
-            network=_network(network_hosts) if allow_network else None,
-            assume_missing=assume_missing,
-            strict=strict,
-            starts_at=start_time,
-            max_time_s=max_time,
-            max_wall_s=max_wall,
-            max_cycles=cycles,
-        )
-        return command(request=asked, **others)
+    def with_request(**values: Any) -> int:
+        program, inputs = collect(ProgramOptions, values), collect(InputOptions, values)
+        return command(request=_request(program, inputs), **values)
 
-    return _with_all(_PROGRAM, asking)
+    return attach(ProgramOptions)(with_request)
 
 
-def input_options(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command the options of what a run is given beside its program."""
-    return _with_all(_INPUTS, command)
+input_options = attach(InputOptions)
+"""Gives a command with `program_options` the inputs of a run, at another place of its help page."""
 
 
-def _with_all(
-    options: Sequence[Callable[[Callable[..., int]], Callable[..., int]]],
-    command: Callable[..., int],
-) -> Callable[..., int]:
-    # Decorators stand on the help page from the last applied to the first.
-    for option in reversed(options):
-        command = option(command)
-    return command
+def _request(program: ProgramOptions, inputs: InputOptions) -> RunRequest:
+    if inputs.network_hosts and not inputs.allow_network:
+        raise InputError("--network-host: it needs --allow-network")
+    return RunRequest(
+        paths=program.paths,
+        robot=program.robot,
+        scale=program.scale,
+        station=program.station,
+        task=program.task,
+        io=inputs.io,
+        entry=program.proc,
+        answers=answers_from(inputs.answers),
+        answers_are_typed=inputs.answers is None,
+        home=inputs.home,
+        network=_network(inputs.network_hosts) if inputs.allow_network else None,
+        assume_missing=inputs.assume_missing,
+        strict=inputs.strict,
+        starts_at=inputs.start_time,
+        max_time_s=inputs.max_time,
+        max_wall_s=inputs.max_wall,
+        max_cycles=inputs.cycles,
+    )
 
 
 def job_of(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import fields
 from pathlib import Path
 
-import click
-
 from rapidsim.cli.open_command import open_command
+from rapidsim.cli.options.declared import option, options_of
 from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.viewer import require_screen
 from rapidsim.extras import is_installed, require
@@ -28,60 +26,41 @@ VALUES = "values of persistents"
 class OutputFileOptions:
     """What the command line says about files to write, as it was typed."""
 
-    record: str | None
-    no_record: bool
-    record_dt: float | None
-    view: bool
-    report: str | None
-    plots: str | None
-    trace: str | None
-    dt: float
-    events: str | None
-
-
-_OPTIONS = (
-    click.option(
+    record: str | None = option(
         "--record", metavar="FILE.rrd", help="Where to write the recording; default <program>.rrd."
-    ),
-    click.option("--no-record", is_flag=True, help="Write no recording."),
-    click.option(
+    )
+    no_record: bool = option("--no-record", is_flag=True, help="Write no recording.")
+    record_dt: float | None = option(
         "--record-dt",
         metavar="SECONDS",
         type=POSITIVE,
         help="Time step of the recording; default 0.012, or more if it would exceed 100 MB.",
-    ),
-    click.option("--view", is_flag=True, help="Open the recording when it is written."),
-    click.option(
+    )
+    view: bool = option("--view", is_flag=True, help="Open the recording when it is written.")
+    report: str | None = option(
         "--report", metavar="FILE.html", help="Write a report: one file that needs no network."
-    ),
-    click.option("--plots", metavar="DIR", help="Write pictures of path, joints, speed and times."),
-    click.option(
+    )
+    plots: str | None = option(
+        "--plots", metavar="DIR", help="Write pictures of path, joints, speed and times."
+    )
+    trace: str | None = option(
         "--trace", metavar="FILE", help="Write joints and TCP: .csv .parquet .json .ros.json"
-    ),
-    click.option(
+    )
+    dt: float = option(
         "--dt",
         metavar="SECONDS",
         type=POSITIVE,
         default=TRACE_STEP_S,
         show_default=True,
         help="Time step of the trace.",
-    ),
-    click.option("--events", metavar="FILE.jsonl", help="Write events, one JSON object per line."),
-)
+    )
+    events: str | None = option(
+        "--events", metavar="FILE.jsonl", help="Write events, one JSON object per line."
+    )
 
 
-def output_options(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command the options above; it gets what was typed as one `files`."""
-
-    @functools.wraps(command)
-    def asking(*arguments: object, **options: object) -> int:
-        typed = {field.name: options.pop(field.name) for field in fields(OutputFileOptions)}
-        return command(*arguments, files=OutputFileOptions(**typed), **options)  # type: ignore[arg-type]
-
-    # Decorators stand on the help page from the last applied to the first.
-    for option in reversed(_OPTIONS):
-        asking = option(asking)
-    return asking
+output_options = options_of(OutputFileOptions, "files")
+"""Gives a command the options of files to write; it receives them as `files`."""
 
 
 @value_class(frozen=True, slots=True)

@@ -59,17 +59,6 @@ _STANDS = {
 }
 
 
-def posture_options(command: Command) -> Command:
-    """Give a command the options of its files."""
-    for option in (
-        click.option("--view", is_flag=True, help="Open the recording in the rerun viewer."),
-        click.option("--plots", metavar="DIR", help="Write pictures of arm, frames and matrix."),
-        click.option("--record", metavar="FILE.rrd", help="Write a recording of the arm."),
-    ):
-        command = option(command)
-    return command
-
-
 def world_from_base(text: str) -> Transform:
     """Where the robot stands.
 

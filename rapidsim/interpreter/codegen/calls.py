@@ -11,6 +11,7 @@ import ast
 from collections.abc import Sequence
 from itertools import islice
 
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.program import (
     LibrarySymbol,
     ParameterSymbol,
@@ -31,7 +32,6 @@ from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.runtime.bulk_execution import ROW, BulkExecution
 from rapidsim.interpreter.runtime.late_binding import DeferredArgument, key_of
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
-from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.moves import Place

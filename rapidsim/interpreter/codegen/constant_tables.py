@@ -6,11 +6,11 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.interpreter.codegen.intervals import Interval
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.types import NUM, ArrayOf, resolved
+from rapidsim.library.arithmetic import MAX_INTEGER
 
 _MOST_ELEMENTS = 1000
 """Elements of a constant that are looked at whenever it is read."""

@@ -13,6 +13,7 @@ from enum import Enum
 from types import MappingProxyType
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
+from rapidsim.analysis.literals import element_type, is_signal, literal
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -28,11 +29,10 @@ from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.written_paths import FlatPath, flat
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.interpreter.runtime.references import position_of
-from rapidsim.interpreter.runtime.values import element_type, is_signal, literal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import NUM, SIGNAL_DI, ArrayOf, Record, Type, resolved
+from rapidsim.library.arithmetic import MAX_INTEGER
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 

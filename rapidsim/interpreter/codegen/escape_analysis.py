@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
@@ -19,7 +20,6 @@ from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.written_paths import bare, flat
 from rapidsim.interpreter.runtime.loaded_calls import may_be_loaded
-from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.table import Parameter

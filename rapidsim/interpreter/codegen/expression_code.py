@@ -14,8 +14,8 @@ from enum import Enum
 
 from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.codegen.intervals import ANY, MAX_EXACT, Interval, rounded
-from rapidsim.interpreter.runtime.arithmetic import MAX_DOUBLE, MAX_INTEGER, MAX_STRING
 from rapidsim.language.single_precision import LARGEST_SINGLE, SPLIT
+from rapidsim.library.arithmetic import MAX_DOUBLE, MAX_INTEGER, MAX_STRING
 from rapidsim.values import value_class
 
 

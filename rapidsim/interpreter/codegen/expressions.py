@@ -10,6 +10,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from rapidsim.analysis.literals import Value, element_type, literal
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.codegen.ast_builder import AstBuilder, Positions
@@ -27,10 +28,9 @@ from rapidsim.interpreter.codegen.intervals import MAX_EXACT, Interval, combined
 from rapidsim.interpreter.codegen.names import LocalNames
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import MAX_EXPRESSION, NotExecutableError
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER, WHOLE_FROM
-from rapidsim.interpreter.runtime.values import Value, element_type, literal
 from rapidsim.language.single_precision import LARGEST_SINGLE, single
 from rapidsim.language.types import ArrayOf, Atomic, Record, Type, resolved
+from rapidsim.library.arithmetic import MAX_INTEGER, WHOLE_FROM
 from rapidsim.syntax import tree
 
 ConstantValue = Callable[[DataSymbol], Value]

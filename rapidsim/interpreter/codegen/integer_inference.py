@@ -16,6 +16,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from rapidsim.analysis.literals import Value, literal
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -44,10 +45,9 @@ from rapidsim.interpreter.codegen.intervals import (
     widened,
 )
 from rapidsim.interpreter.codegen.written_paths import declaration, flat
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
-from rapidsim.interpreter.runtime.values import Value, literal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.types import NUM, Type, resolved
+from rapidsim.library.arithmetic import MAX_INTEGER
 from rapidsim.syntax import tree
 
 _SMALL = 3000

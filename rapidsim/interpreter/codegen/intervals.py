@@ -11,8 +11,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.language.single_precision import LARGEST_SINGLE
+from rapidsim.library.arithmetic import MAX_INTEGER
 from rapidsim.values import value_class
 
 LARGEST = int(LARGEST_SINGLE)

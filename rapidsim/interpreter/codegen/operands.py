@@ -10,13 +10,13 @@ import ast
 from collections.abc import Callable, Mapping
 from typing import Protocol
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.diagnostics import Span
 from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.interpreter.codegen.expression_code import Code
 from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.names import LocalNames
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.types import Type
 from rapidsim.syntax import tree
 

@@ -22,9 +22,9 @@ from rapidsim.interpreter.codegen.intervals import Interval
 from rapidsim.interpreter.codegen.operands import Operands
 from rapidsim.interpreter.codegen.written_paths import bare
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.interpreter.runtime.arithmetic import MAX_INTEGER
 from rapidsim.language.moves import Place
 from rapidsim.language.types import ArrayOf, Type, resolved
+from rapidsim.library.arithmetic import MAX_INTEGER
 from rapidsim.syntax import tree
 
 SpecialForm = Callable[[Operands, DataPathTranslator, tree.FunctionCall, AstBuilder], Code]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 from dataclasses import dataclass, field
 
+from rapidsim.analysis.literals import Value, literal
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.interpreter.codegen.ast_builder import Positions
 from rapidsim.interpreter.codegen.expressions import Expressions
@@ -17,7 +18,6 @@ from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.namespace import FUNCTIONS
 from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED
-from rapidsim.interpreter.runtime.values import Value, literal
 from rapidsim.language.initial_values import initial_value
 
 

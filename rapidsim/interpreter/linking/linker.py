@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence, Set
 from types import CodeType, FrameType, FunctionType
 from typing import Any, cast, overload
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Storage
 from rapidsim.analysis.tree_walk import data_of, descendants
 from rapidsim.diagnostics import Source
@@ -26,13 +27,13 @@ from rapidsim.interpreter.linking.translation import (
     Translation,
     translate,
 )
+from rapidsim.interpreter.runtime.arrays import copied
 from rapidsim.interpreter.runtime.call_stack import Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, Recovery, is_generated
 from rapidsim.interpreter.runtime.error_trace import ErrorTrace
 from rapidsim.interpreter.runtime.late_binding import LateBinding, UserRoutine
 from rapidsim.interpreter.runtime.memory import Memory
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
-from rapidsim.interpreter.runtime.values import Value, copied
 from rapidsim.language.controller import Controller
 from rapidsim.syntax import tree
 from rapidsim.syntax.garbage_collection import gc_paused

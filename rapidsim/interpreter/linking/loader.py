@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol, Scope
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
 from rapidsim.interpreter.linking.linker import LinkedProgram
@@ -22,7 +23,6 @@ from rapidsim.interpreter.runtime.idle_state import idle_state
 from rapidsim.interpreter.runtime.memory import ChangedPersistent, module_data
 from rapidsim.interpreter.runtime.references import ABSENT
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.controller import Controller
 from rapidsim.language.errors import RapidError
 from rapidsim.library.predefined import DATA

@@ -14,7 +14,7 @@ from types import MappingProxyType
 from typing import Any, NoReturn
 
 from rapidsim.interpreter.linking.argument_names import argument_name
-from rapidsim.interpreter.runtime import arithmetic, arrays, error_recovery, references
+from rapidsim.interpreter.runtime import arrays, error_recovery, references
 from rapidsim.interpreter.runtime.error_recovery import Recovery
 from rapidsim.interpreter.runtime.late_binding import (
     DeferredArgument,
@@ -31,6 +31,7 @@ from rapidsim.language.errors import RapidError, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.language.reference import Box, Reference
 from rapidsim.language.types import Type
+from rapidsim.library import arithmetic
 
 
 def unfinished() -> NoReturn:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NoReturn
 
+from rapidsim.analysis.literals import Value
 from rapidsim.interpreter.runtime.references import Absent, not_present
 from rapidsim.language.error_numbers import (
     ERR_ILLDIM,
@@ -80,6 +81,11 @@ def copy_array(array: list[Any] | Absent) -> list[Any]:
     if array and isinstance(array[0], list):
         return [copy_array(row) for row in array]
     return array[:]
+
+
+def copied(value: Value) -> Value:
+    """A copy that shares no mutable part: arrays are copied, the rest is immutable."""
+    return copy_array(value) if isinstance(value, list) else value
 
 
 def assign_array(target: list[Any], value: list[Any]) -> None:

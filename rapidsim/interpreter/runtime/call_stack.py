@@ -10,11 +10,11 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import islice, zip_longest
 from types import CodeType, MappingProxyType, TracebackType
 
+from rapidsim.analysis.literals import Value
 from rapidsim.analysis.program import DataSymbol, Program, RoutineSymbol
 from rapidsim.diagnostics import Source, Span
 from rapidsim.interpreter.runtime.bulk_execution import ROW
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
-from rapidsim.interpreter.runtime.values import Value
 from rapidsim.language.errors import RapidError
 from rapidsim.syntax import tree
 from rapidsim.values import value_class

@@ -12,10 +12,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import field
 from typing import Any, NoReturn
 
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.program import ParameterSymbol, RoutineSymbol
 from rapidsim.interpreter.runtime.arrays import copy_array
 from rapidsim.interpreter.runtime.references import ABSENT
-from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.controller import Controller
 from rapidsim.language.error_numbers import (

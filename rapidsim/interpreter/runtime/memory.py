@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import field
 from typing import Any
 
+from rapidsim.analysis.literals import Value, literal
 from rapidsim.analysis.program import DataSymbol, Program, Storage
-from rapidsim.interpreter.runtime.arrays import copy_array
-from rapidsim.interpreter.runtime.values import Value, copied, literal
+from rapidsim.interpreter.runtime.arrays import copied, copy_array
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box
 from rapidsim.syntax import tree

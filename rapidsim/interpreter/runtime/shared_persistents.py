@@ -14,13 +14,13 @@ from dataclasses import field
 from typing import Any, Protocol, SupportsIndex
 
 from rapidsim.analysis.program import DataSymbol, Program, Scope, Storage
+from rapidsim.interpreter.runtime.arrays import copied
 from rapidsim.interpreter.runtime.memory import (
     PersistentArray,
     PersistentBox,
     initial_literal,
     module_data,
 )
-from rapidsim.interpreter.runtime.values import copied
 from rapidsim.language.error_numbers import ERR_LINKREF, rapid_error
 from rapidsim.language.initial_values import initial_value
 from rapidsim.language.reference import Box

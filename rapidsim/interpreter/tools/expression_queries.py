@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.passes.checker import CheckOutcome, check
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -25,7 +26,6 @@ from rapidsim.interpreter.codegen.names import free_name
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, Task
 from rapidsim.interpreter.runtime.shared_persistents import may_be_shared
-from rapidsim.interpreter.runtime.values import is_signal
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.errors import Stopped
 from rapidsim.language.types import Type, resolved

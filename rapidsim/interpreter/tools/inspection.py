@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from types import FrameType
 from typing import Any, TypeAlias
 
+from rapidsim.analysis.literals import Value, element_type
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
@@ -24,7 +25,6 @@ from rapidsim.interpreter.runtime.call_stack import CLAUSES, Origin
 from rapidsim.interpreter.runtime.error_recovery import GENERATED, is_generated
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.references import ABSENT, ComponentReference, Element, position_of
-from rapidsim.interpreter.runtime.values import Value, element_type
 from rapidsim.language.reference import Box
 from rapidsim.language.types import NUM, ArrayOf, Record, Type, resolved
 from rapidsim.library.predefined import DATA

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
+from rapidsim.analysis.evaluation import Known, NotStatic
 from rapidsim.analysis.program import (
     DataSymbol,
     LibrarySymbol,
@@ -24,16 +25,16 @@ from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
-from rapidsim.interpreter.runtime import arithmetic
 from rapidsim.language.data import JointTarget
 from rapidsim.language.moves import Move
+from rapidsim.library import arithmetic
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.library.traits import Trait
 from rapidsim.reach.dataflow.bulk_moves import Runs, moves_of_run
 from rapidsim.reach.dataflow.controller_stub import ControllerStub
 from rapidsim.reach.dataflow.data_places import empty_data, replaced
 from rapidsim.reach.dataflow.known_moves import KnownMove, MoveStatement
-from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic
+from rapidsim.reach.dataflow.known_values import evaluator_of
 from rapidsim.reach.dataflow.motion_settings import DISPLACEMENTS, KnownSettings
 from rapidsim.reach.dataflow.side_effects import Effects, ProgramEffects, root_of
 from rapidsim.reach.dataflow.state import BEGINNING, AbstractFrame, State, joined
@@ -89,7 +90,7 @@ class AbstractInterpreter:
     _steps_remaining: int = MOST_STATEMENTS
 
     def __post_init__(self) -> None:
-        self._evaluator = Evaluator(self.program, self)
+        self._evaluator = evaluator_of(self.program, self)
 
     # --- routines
 

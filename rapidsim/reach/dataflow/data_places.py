@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import prod
 
+from rapidsim.analysis.evaluation import Evaluator, Known, NotStatic, component_index
 from rapidsim.analysis.program import DataSymbol
 from rapidsim.language.initial_values import initial_value
-from rapidsim.language.types import ArrayOf, Record, resolved
-from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic, component_index
+from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
 
 MOST_ELEMENTS = 20_000
@@ -34,12 +34,12 @@ def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
     if isinstance(path, tree.Index):
         places = [evaluator.value(index) for index in path.indices]
         return replaced(evaluator, outer, _with_element(whole, places, value))
-    of = evaluator.program.type_of.get(path.record)
-    target = None if of is None else resolved(of)
-    if not isinstance(target, Record):
-        return NotStatic("a component of what is not a record")
+    of = evaluator.tables.type_of.get(path.record)
+    index = None if of is None else component_index(resolved(of), path.name.key)
+    if index is None:
+        return NotStatic("a component of data that are no record")
     parts = list(whole)
-    parts[component_index(target, path.name.key)] = value
+    parts[index] = value
     return replaced(evaluator, outer, tuple.__new__(type(whole), parts))
 
 

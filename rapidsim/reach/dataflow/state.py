@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Final
 
+from rapidsim.analysis.evaluation import Known, NotStatic
 from rapidsim.analysis.program import RoutineSymbol, Symbol
-from rapidsim.reach.dataflow.known_values import Known, NotStatic
 from rapidsim.reach.dataflow.motion_settings import KnownSettings
 
 _MISSING = object()

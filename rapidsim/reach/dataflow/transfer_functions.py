@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rapidsim.analysis.evaluation import Evaluator, Known, NotStatic
 from rapidsim.interpreter.codegen.calls import match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.written_paths import bare
@@ -15,7 +16,7 @@ from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.reach.dataflow.controller_stub import ControllerStub, NeedsRunError
-from rapidsim.reach.dataflow.known_values import Evaluator, Known, NotStatic
+from rapidsim.reach.dataflow.known_values import argument_values
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
@@ -53,7 +54,8 @@ def perform(
     given = match_arguments(arguments, signature.parameters)
     # Most instructions have many options, and most calls few arguments.
     there = [one for one in signature.parameters if one.name.lower() in given]
-    values = evaluator.arguments([one for one in there if _TRIGGER not in one.types], given)
+    plain = [one for one in there if _TRIGGER not in one.types]
+    values = argument_values(plain, given, evaluator)
     if isinstance(values, NotStatic):
         return values.reason
     cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
@@ -82,7 +84,7 @@ def perform(
         typed = given.get(open_parameter.name.lower())
         if typed is None or typed.value is None:
             return "its type is not known"
-        options[keyword] = evaluator.program.type_of.get(typed.value)
+        options[keyword] = evaluator.tables.type_of.get(typed.value)
     try:
         routine.body(*required, **options)
     except NeedsRunError:

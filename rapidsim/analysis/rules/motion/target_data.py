@@ -6,9 +6,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from rapidsim.analysis.program_parts import Facts, ProgramPart
-from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbers
 from rapidsim.analysis.rules.facts.written_numbers import part_span
-from rapidsim.analysis.types.constant_folding import Value
 from rapidsim.diagnostics import Diagnostic, Related, Violation
 from rapidsim.syntax import tree
 from rapidsim.values import value_class

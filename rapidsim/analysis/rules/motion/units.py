@@ -13,10 +13,9 @@ from itertools import pairwise
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, moves
-from rapidsim.analysis.rules.facts.known_values import known_value, numbers
+from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbers
 from rapidsim.analysis.rules.facts.taught_targets import taught_target
 from rapidsim.analysis.tree_walk import descendants
-from rapidsim.analysis.types.constant_folding import Value
 from rapidsim.diagnostics import Diagnostic, Related, Severity, Violation
 from rapidsim.library.predefined import DATA
 from rapidsim.library.traits import Trait

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from rapidsim.analysis.evaluation import arithmetic_result
 from rapidsim.analysis.program import CounterSymbol, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_by
 from rapidsim.analysis.rules.facts.instruction_questions import arguments_of
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.tree_walk import blocks, descendants
-from rapidsim.analysis.types.constant_folding import computed
 from rapidsim.diagnostics import Diagnostic, Violation
+from rapidsim.language.errors import RapidError
 from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
@@ -170,7 +171,7 @@ def _index_offset(index: tree.Expression, counter: Symbol, facts: Facts) -> floa
         case tree.Binary(left=left, operator="+" | "-" as operator, right=right):
             a, b = _index_offset(left, counter, facts), _number(right, facts)
             if a is not None and b is not None:
-                return computed(operator, a, b)
+                return _result(operator, a, b)
             a, b = _number(left, facts), _index_offset(right, counter, facts)
             return a + b if operator == "+" and a is not None and b is not None else None
         case _:
@@ -184,9 +185,17 @@ def _number(expression: tree.Expression, facts: Facts) -> float | None:
             return _size(expression, facts)
         case tree.Binary(left=left, operator=operator, right=right):
             a, b = _number(left, facts), _number(right, facts)
-            return None if a is None or b is None else _finite(computed(operator, a, b))
+            return None if a is None or b is None else _finite(_result(operator, a, b))
         case _:
             return _finite(known_value(expression, facts, persistents=False))
+
+
+def _result(operator: str, a: float, b: float) -> float | None:
+    try:
+        value = arithmetic_result(operator, a, b)
+    except RapidError:
+        return None
+    return value if isinstance(value, float) else None
 
 
 def _finite(value: object) -> float | None:

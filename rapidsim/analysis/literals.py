@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from rapidsim.interpreter.runtime.arrays import copy_array
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, resolved
 from rapidsim.syntax import tree
@@ -13,33 +12,37 @@ Value: TypeAlias = Any
 """A float, bool or str; a record's tuple; a list for an array; whatever a library type holds."""
 
 
-def literal(expression: tree.Expression, of: Type) -> Value | None:
-    """The value of a literal expression; None for any other."""
-    target = resolved(of)
+def literal(expression: tree.Expression | None, of: Type | None) -> Value | None:
+    """The value of a literal expression; None for any other.
+
+    Args:
+        expression: Any expression.
+        of: Its type; None for numbers as written and tuples, whatever they stand for.
+    """
+    target = None if of is None else resolved(of)
     match expression:
         case (
             tree.NumberLiteral(value=value)
             | tree.StringLiteral(value=value)
             | tree.BoolLiteral(value=value)
         ):
-            return from_literal(value, target)
+            return value if target is None else from_literal(value, target)
         case tree.LiteralAggregate(value=values):
-            return from_literal(values, target)
+            return values if target is None else from_literal(values, target)
         case tree.Parenthesised(inner=inner):
             return literal(inner, target)
-        case tree.Unary(operator="-", operand=operand):
+        case tree.Unary(operator="-" | "+" as sign, operand=operand):
             number = literal(operand, target)
-            return -number if isinstance(number, float) else None
-        case tree.Unary(operator="+", operand=operand):
-            number = literal(operand, target)
-            return number if isinstance(number, float) else None
+            if not isinstance(number, float):
+                return None
+            return -number if sign == "-" else number
         case tree.Aggregate(elements=elements):
             return _aggregate(elements, target)
         case _:
             return None
 
 
-def _aggregate(elements: tuple[tree.Expression, ...], of: Type) -> Value | None:
+def _aggregate(elements: tuple[tree.Expression, ...], of: Type | None) -> Value | None:
     match of:
         case ArrayOf():
             types: list[Type] = [element_type(of)] * len(elements)
@@ -85,11 +88,6 @@ def element_type(array: ArrayOf) -> Type:
     """The type of `a{i}`, where `a` may have more dimensions."""
     rest = array.dimensions[1:]
     return ArrayOf(array.element, rest) if rest else array.element
-
-
-def copied(value: Value) -> Value:
-    """A copy that shares no mutable part: arrays are copied, the rest is immutable."""
-    return copy_array(value) if isinstance(value, list) else value
 
 
 def is_signal(of: Type) -> bool:
