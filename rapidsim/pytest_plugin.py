@@ -3,8 +3,8 @@
 pytest loads it where rapidsim is installed. The fixture `rapid` loads cells whose home folder is
 fresh for each test, `controller` serves them to clients. A module `test_*.mod` is collected: each
 of its procedures `test_*` without required parameters runs like a `main`, together with the modules
-of its folder that are no tests and those that the setting `rapid_modules` names. It passes when it
-comes to its end.
+of its folder that are not tests and the modules of the setting `rapid_modules`. It passes if it
+runs to its end.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 _WIDTH = 100
 _PATIENCE_S = 30.0
-"""So long [s] a served controller may take to end."""
+"""Time [s] that a served controller has to end."""
 _TEST = "test_"
 
 
@@ -51,13 +51,13 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> RapidFile 
 
 
 class Rapid:
-    """The fixture `rapid`: cells with a home folder of their own."""
+    """The fixture `rapid`: cells, each with its own home folder."""
 
     def __init__(self, folder: Path, home: Path) -> None:
         """Name the folder that paths begin in, and the home folder."""
         self._folder = folder
         self.home = home
-        """What programs find in HOME:, and where they write."""
+        """The folder for HOME: of the programs."""
 
     def load(
         self,
@@ -85,10 +85,10 @@ def rapid(request: pytest.FixtureRequest, tmp_path: Path) -> Rapid:
 
 
 class ServedController:
-    """A controller that `rapidsim serve` serves in a process of its own."""
+    """A controller served by `rapidsim serve` in a separate process."""
 
     def __init__(self, arguments: list[str], folder: Path, log: Path) -> None:
-        """Start it, and wait until it listens; what it says of errors goes to a file."""
+        """Start it, and wait until it listens; its error output goes to a file."""
         self._log = log
         with log.open("w", encoding="utf-8") as errors:
             self._process = subprocess.Popen(
@@ -106,9 +106,9 @@ class ServedController:
             pytest.fail(f"rapidsim serve did not start:\n{self.errors}", pytrace=False)
         ready = json.loads(line)
         self.rws1: str = ready["rws1"]
-        """Where Robot Web Services 1.0 listens: `http://127.0.0.1:PORT`."""
+        """Address of Robot Web Services 1.0: `http://127.0.0.1:PORT`."""
         self.rws2: str | None = ready["rws2"]
-        """Where Robot Web Services 2.0 listens, where that is asked for: `--rws2-port 0`."""
+        """Address of Robot Web Services 2.0; needs `--rws2-port 0`."""
         self.home = Path(ready["home"])
         """The folder of HOME:."""
         self.ramdisk = Path(ready["ramdisk"])
@@ -116,7 +116,7 @@ class ServedController:
 
     @property
     def errors(self) -> str:
-        """What it has said: errors of programs, notes."""
+        """The error output so far: errors of programs, notes."""
         return self._log.read_text(encoding="utf-8")
 
     def end(self) -> int:
@@ -208,7 +208,7 @@ class RapidTest(pytest.Item):
             raise RapidFailedError(errors or run.diagnostics[-1:], run.headline)
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *_: Any) -> str:
-        """What RAPID users read, without Python's traceback."""
+        """The message for RAPID users, without Python's traceback."""
         from rapidsim.files import InputError
         from rapidsim.jobs.run_files import ProgramRejectedError
 
@@ -225,7 +225,7 @@ class RapidTest(pytest.Item):
                 return str(super().repr_failure(excinfo))
 
     def reportinfo(self) -> tuple[Path, int | None, str]:
-        """Where it stands."""
+        """The location of the test."""
         return self.path, None, f"PROC {self.name}"
 
     def _run(self) -> Run:

@@ -41,7 +41,7 @@ def load(
             says which modules belong to which.
         robot: An arm, its name in the catalogue, or a URDF file; None takes that of the station or
             the default.
-        station: The station file; None takes `rapidsim.toml` beside the program or above it.
+        station: The station file; None takes `rapidsim.toml` in the program's folder or above.
         task: Only this one of several tasks.
         home: The folder for HOME: of runs that name none; None is `<program>.home`.
         assume_missing: Whether what no module declares is assumed to exist: calls are skipped.
@@ -99,10 +99,10 @@ class Cell:
         """Check the program for mistakes, as `rapidsim check` does.
 
         Args:
-            select: Codes or beginnings of codes of the rules that are looked for; none means those
+            select: Codes or beginnings of codes of the rules to check; none means those
                 that are on by default.
-            ignore: Those that are left out.
-            run: Whether main is run, for moves only a run can tell and for its error.
+            ignore: Codes of the rules to skip.
+            run: Whether to run main, for its errors and for moves that only a run can check.
 
         Raises:
             InputError: If a file no longer exists, or a selector is not known.
@@ -122,14 +122,14 @@ class Cell:
         cycles: int = 1,
         starts_at: datetime | None = None,
     ) -> Run:
-        """Run the program, as `rapidsim run` does, and write no files but those of the program.
+        """Run the program, as `rapidsim run` does; write only the program's own files.
 
         Args:
             proc: The procedure to run.
             io: A file of signals and what happens to inputs; adds to the station.
             answers: What the operator answers: a file, the answers in order, or a function of the
-                question. Without, a question gets its default, and a finding says so.
-            home: The folder for HOME:; None is the one that `load` was given.
+                question. Without answers, a question gets its default, and a finding reports it.
+            home: The folder for HOME:; None takes the one of `load`.
             max_time_s: Virtual time at which the run ends.
             max_wall_s: Wall-clock time [s] after which it is cut off.
             cycles: How many times the procedure runs.
@@ -202,7 +202,7 @@ class Cell:
         )
 
     def __reduce__(self) -> tuple[Callable[[RunRequest], Cell], tuple[RunRequest]]:
-        """What it was asked for: whoever gets it reads the files."""
+        """The request; its receiver reads the files."""
         return Cell, (self._asked,)
 
     def __repr__(self) -> str:

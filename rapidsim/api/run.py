@@ -42,16 +42,16 @@ Path_ = str | PathLike[str]
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
-    """What happened when a program ran; times in s, lengths in mm, angles in degrees."""
+    """The result of a run; times in s, lengths in mm, angles in degrees."""
 
     simulation: Simulation
-    """All of it, in m and rad."""
+    """The whole result, in m and rad."""
     all_data: tuple[Datum, ...]
     """Every CONST, PERS and VAR of the modules, with the value that the run left."""
 
     @property
     def end(self) -> str:
-        """How the run ended: `ended`, `stopped`, `time_limit`, `cycle_limit` or `error`."""
+        """End of the run: `ended`, `stopped`, `time_limit`, `cycle_limit` or `error`."""
         return self.simulation.end.value
 
     @property
@@ -101,12 +101,12 @@ class Run:
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """The findings of the check, then those of the run."""
+        """The findings of the check, then the findings of the run."""
         return self.simulation.diagnostics
 
     @property
     def headline(self) -> str:
-        """How the run ended, with its qualifications, as the summary shows it."""
+        """Headline of the summary: the end of the run, with its qualifications."""
         return run_verdict(self.simulation).headline
 
     @property
@@ -127,7 +127,7 @@ class Run:
         """The values that data have at the end, by name in any case.
 
         Numbers are float, records named tuples, arrays lists. Where several modules or tasks
-        declare a name with different values, `Module/name` or `Task/Module/name` says which.
+        declare a name with different values, use `Module/name` or `Task/Module/name`.
         """
         return data_by_name(self.all_data)
 

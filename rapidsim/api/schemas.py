@@ -21,7 +21,7 @@ def json_schema(name: str) -> dict[str, Any]:
             `protocol` or `error`.
 
     Raises:
-        InputError: If there is none with that name.
+        InputError: If no schema has that name.
     """
     names = [file.stem for file in shipped("schemas").glob("*.json")]
     if name not in names:

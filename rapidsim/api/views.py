@@ -1,4 +1,4 @@
-"""What a run can be asked: signals over time, the arm at an instant, the values of data."""
+"""Views of a run: signals over time, the arm at an instant, the values of data."""
 
 from __future__ import annotations
 
@@ -73,9 +73,9 @@ class ArmState:
     quaternion: Array
     """Shape (4,), scalar first."""
     speed_mm_s: float | Array
-    """Of the TCP, against the work object."""
+    """Speed of the TCP relative to the work object."""
     move: int | Index
-    """Index of the move under way in `run.moves`; the last one while standing still after it."""
+    """Index of the active move in `run.moves`; while the arm is at rest, of the last one."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -87,7 +87,7 @@ class ArmState:
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class ArmMotion:
-    """What one robot did, at any time."""
+    """State of one robot at any time of the run."""
 
     robot_run: RobotRun
     """In m and rad."""
@@ -96,7 +96,7 @@ class ArmMotion:
 
     @property
     def duration_s(self) -> float:
-        """When it comes to rest [s]."""
+        """Time [s] at which the arm comes to rest."""
         return self.robot_run.trajectory.duration
 
     def at(self, time_s: float | Sequence[float] | Array) -> ArmState:
@@ -148,10 +148,10 @@ class Named(Mapping[str, T], Generic[T]):
         self._by_key = {name.lower(): item for name, item in {**(more or {}), **items}.items()}
 
     def __getitem__(self, name: str) -> T:
-        """The one of that name.
+        """Return the item of a name.
 
         Raises:
-            KeyError: If there is none; the message names the nearest.
+            KeyError: If no item has the name; the message suggests the nearest.
         """
         try:
             return self._by_key[name.lower()]
@@ -164,7 +164,7 @@ class Named(Mapping[str, T], Generic[T]):
         return iter(self._items)
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Number of items."""
         return len(self._items)
 
     def __repr__(self) -> str:

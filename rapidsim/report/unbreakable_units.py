@@ -25,5 +25,5 @@ class UnbreakableUnits:
             yield line
 
     def __rich_measure__(self, console: Console, options: ConsoleOptions) -> Measurement:
-        """As wide as the text."""
+        """Width of the text in cells."""
         return Measurement.get(console, options, self._text)

@@ -1,4 +1,4 @@
-"""How many moves of a program a check looked at, in lines for people."""
+"""Coverage of a check: the lines on how many moves were checked."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def coverage_lines(coverage: Coverage, robot: str) -> Iterator[str]:
     """A line of counts, one if main was not run, one for each of the first moves not checked.
 
     Args:
-        coverage: What was looked at.
+        coverage: The counts of checked moves.
         robot: The arm, and why it was taken.
     """
     if coverage.moves:

@@ -1,4 +1,4 @@
-"""Bring findings into order, and merge those that repeat."""
+"""Sort findings, and merge repeated ones."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _MOST_OF_A_RULE = 20
 
 @value_class(frozen=True, slots=True)
 class Finding:
-    """A diagnostic and the later ones that say the same of other places."""
+    """A diagnostic, and the later ones with the same message at other places."""
 
     first: Diagnostic
     repeats: tuple[Diagnostic, ...] = ()
@@ -25,9 +25,9 @@ def merged(
 ) -> tuple[Finding, ...]:
     """Findings in order of file and place; equal messages of one rule in one file become one.
 
-    A warning never stands for an error of the same words.
+    Findings of different severity are never merged.
 
-    So do all beyond the twentieth of one rule in one file, whatever they say: who moves a work
+    From the 21st finding of a rule in a file on, all are merged: who moves a work
     object wants to know that 5,000 targets are out of reach, and not to read 5,000 findings.
     Programs that read findings, which are not `spoken`, get what is assumed one by one.
     """

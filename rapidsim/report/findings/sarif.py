@@ -22,7 +22,7 @@ _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: 
 
 
 def sarif(findings: Sequence[Finding], version: str) -> dict[str, object]:
-    """A SARIF log with one run; findings that were merged are results of their own.
+    """A SARIF log with one run; merged findings are separate results.
 
     Args:
         findings: What was found.

@@ -1,4 +1,4 @@
-"""Draw a stretch of source text with its line numbers and carets under the place that matters.
+"""Draw a span of source text with line numbers, and carets under the relevant part.
 
 Columns count what a terminal shows: tabs reach the next multiple of four, wide characters take two
 cells, combining ones none. Long lines are cut around the place.
@@ -18,7 +18,7 @@ _CUT = "..."
 _LEAST_WIDTH = 20
 _REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 _SUSPECT = re.compile(r"[^\n\t -~]")
-"""What may steer a terminal; looked at one by one, which is slow."""
+"""Characters that may control a terminal; checked one by one, which is slow."""
 
 
 @value_class(frozen=True, slots=True)

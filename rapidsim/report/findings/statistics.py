@@ -1,4 +1,4 @@
-"""How often each rule was broken."""
+"""Counts of the violations of each rule."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class RuleCount:
-    """How often one rule was broken."""
+    """Count of the violations of one rule."""
 
     rule: Rule
     count: int
     fixable: int
-    """Of these, the findings with a fix."""
+    """Number of the violations that have a fix."""
 
 
 def rule_counts(diagnostics: Iterable[Diagnostic]) -> tuple[RuleCount, ...]:
@@ -41,7 +41,7 @@ def statistics(diagnostics: Iterable[Diagnostic], palette: Palette) -> str:
 
 
 def statistics_json(diagnostics: Iterable[Diagnostic]) -> list[dict[str, object]]:
-    """The same as JSON values."""
+    """The counts by rule as JSON values."""
     return [
         {
             "code": row.rule.code,

@@ -18,12 +18,12 @@ _LISTED_LINES = 6
 def full(
     findings: Sequence[Finding], palette: Palette, *, width: int, headlines: int | None = None
 ) -> str:
-    """Each finding with the source text it points at, related places, and the cure if known.
+    """Each finding with its source text, related places, and the fix or suggestion if known.
 
     Args:
-        findings: What to tell.
+        findings: The findings to print.
         palette: Colours.
-        width: Cells that source text and cures may take.
+        width: Terminal cells for source text and suggestions.
         headlines: Cells after which a message is broken; None keeps it on one line, for `grep`.
     """
     return "".join(f"{_full(finding, palette, width, headlines)}\n\n" for finding in findings)
@@ -37,12 +37,12 @@ def concise(findings: Sequence[Finding], palette: Palette) -> str:
 def summary_line(
     findings: Sequence[Finding], *, files: int, seconds: float | None, baseline_count: int = 0
 ) -> str:
-    """How much was found in how many files, repeats counted, and how long it took.
+    """Summary: numbers of findings, with repeats, and of files, and the duration.
 
     Args:
         findings: What is shown.
         files: How many files were read.
-        seconds: How long it took; None is not told.
+        seconds: The duration; None omits it.
         baseline_count: How many more findings a baseline holds back.
     """
     counts: Counter[Severity] = Counter()
@@ -124,7 +124,7 @@ def _full(finding: Finding, palette: Palette, width: int, headlines: int | None)
 
 
 def _wrapped(label: str, suggestion: str, width: int) -> list[str]:
-    """A cure behind its label; line ends in it stay, as it may be a text to paste."""
+    """A suggestion after its label; its line ends are kept, as it may be a text to paste."""
     indent = " " * (len(label) + 1)
     lines: list[str] = []
     for number, line in enumerate(suggestion.splitlines()):

@@ -1,4 +1,4 @@
-"""What a page needs to draw an arm at any joints: how its links hang together, and their shapes.
+"""Data with which a page draws an arm at any joints: its kinematic chain and link shapes.
 
 A link turns about one axis by a sum of joints, for rods couple them, or slides. Shapes are those
 that ship with the catalogue. They are made of convex bodies, and of each the page gets the
@@ -32,7 +32,7 @@ _EXACT = 1e-6
 _DIRECTIONS = 40
 """Corners of a body that are kept: the furthest in so many directions."""
 _SMALLEST = 0.035
-"""Share of the arm's size; smaller bodies, such as screws, are left out."""
+"""Share of the arm's size; smaller bodies, such as screws, are omitted."""
 _WELDED_M = 1e-5
 _TURN_DEG = 360.0
 _NUMBERS = {5121: "<u1", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -59,12 +59,12 @@ def arm_data(robot: Robot) -> dict[str, object] | None:
 
 
 def _bound(limit: float, without: float) -> float:
-    """A limit [rad] in degrees; endless axes have the turn that is given."""
+    """A limit [rad] in degrees; `without` for an axis that has no limit."""
     return round(degrees(limit), 3) if isfinite(limit) else without
 
 
 def _links(robot: Robot) -> list[dict[str, object]] | None:
-    """Each link in the one before it, the first in base; the last is the flange."""
+    """Poses of the links in their predecessors, the first in base; the last is the flange."""
     count = len(robot.joints)
     at_zero = _relative(robot, np.zeros(count))
     tried = [_relative(robot, _TRIED * one) for one in np.eye(count)]
@@ -94,7 +94,7 @@ def _links(robot: Robot) -> list[dict[str, object]] | None:
 
 
 def _relative(robot: Robot, joints: Array) -> Transform:
-    """Each link, and the flange, in the one before it."""
+    """Poses of each link and of the flange in the link before it."""
     links = robot.kinematics.link_frames(joints)
     flange = robot.kinematics.forward(joints)
     frames = Transform(
@@ -105,7 +105,7 @@ def _relative(robot: Robot, joints: Array) -> Transform:
 
 
 def _slide(offsets: Array) -> dict[str, object]:
-    """How far [mm] a link slides in the one before it per degree of each joint, if it does.
+    """Displacement [mm] of a link in its predecessor per degree of each joint, if it slides.
 
     Args:
         offsets: Shape (n, 3) [m] per rad.
@@ -154,7 +154,7 @@ def _own(robot: Robot) -> Iterator[tuple[int, str, Array]]:
 
 
 def _catalogue_shapes(robot: Robot, link_count: int) -> Iterator[tuple[int, str, Array]]:
-    """The same of the shapes that ship with the catalogue."""
+    """Shapes of an arm of the catalogue: link, colour and triangles."""
     folder = shipped("robots").resolve()
     if robot.urdf is None or folder not in robot.urdf.resolve().parents:
         return
@@ -203,7 +203,7 @@ def _read(file: Path) -> list[tuple[str, Array]]:
 
 
 def _colour(material: dict[str, dict[str, list[float]]]) -> str:
-    """As a style sheet writes it; glTF counts light, a style sheet what the eye sees."""
+    """A colour as in a style sheet: sRGB, while glTF colours are linear."""
     light = np.array(material["pbrMetallicRoughness"]["baseColorFactor"][:3])
     seen = np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
     return "#" + "".join(f"{round(255 * value):02x}" for value in seen.tolist())

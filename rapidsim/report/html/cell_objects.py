@@ -1,4 +1,4 @@
-"""The objects of a cell for the page: where they stand, or are carried, and their outer corners.
+"""The objects of a cell for the page: their poses, what they are attached to, their hulls.
 
 A page draws outlines of convex bodies; a shape with bays is drawn filled.
 """

@@ -1,4 +1,4 @@
-"""What a report says of collisions: contacts, the nearest of each move, what was not judged."""
+"""Collisions in a report: contacts, least clearance of each move, bodies not judged."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def collision_tile(simulation: Simulation) -> str:
 
 
 def collision_section(simulation: Simulation) -> str:
-    """The tables; empty where the station says nothing of bodies."""
+    """The tables; empty if the station has no bodies."""
     collisions = simulation.collisions
     if collisions is None:
         return ""

@@ -1,4 +1,4 @@
-"""Small pieces of HTML; whatever comes from a program is escaped here."""
+"""Small elements of HTML; text of programs is escaped here."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def text(words: object) -> str:
 
 
 def prose(words: object) -> str:
-    """The same, with what stands in backticks set as code."""
+    """Escaped text, with words in backticks set as code."""
     return _CODE.sub(r"<code>\1</code>", text(words))
 
 
 def tile(label: str, value: str, remark: str = "") -> str:
-    """A figure with its name; `remark` stands small below it."""
+    """A figure with its name, and a small `remark` below it."""
     below = f'<span class="remark">{text(remark)}</span>' if remark else ""
     name = f'<span class="label">{text(label)}</span>'
     return f'<div class="tile">{name}<b>{text(value)}</b>{below}</div>'
@@ -66,7 +66,7 @@ def bar(share: float, *, waits: bool = False) -> str:
 
 
 def section(name: str, title: str, body: str, remark: str = "") -> str:
-    """A part of the page that the contents link to; empty where there is nothing to show."""
+    """A section of the page with a link in the contents; empty if it has no content."""
     if not body:
         return ""
     small = f"<small>{text(remark)}</small>" if remark else ""

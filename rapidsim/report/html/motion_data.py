@@ -1,4 +1,4 @@
-"""What the pictures of a report are drawn from: path, poses, curves over time, moves, signals.
+"""Data of a report's pictures: path, poses, curves over time, moves, signals.
 
 Lengths are mm and angles degrees in the base frame of the robot, thinned out so that a page stays
 small however long the run was.
@@ -32,7 +32,7 @@ from rapidsim.simulation.results.time_shares import end_point
 
 MOST_SAMPLES = 12_000
 MOST_MOVES = 12_000
-"""With more moves than this they have no samples of their own, and no lane."""
+"""Number of moves above which they have neither separate samples nor a lane."""
 MOST_NAMES = 60
 MOST_POSES = 500
 MOST_MARKS = 500
@@ -87,7 +87,7 @@ def _robot(run: SampledRun) -> dict[str, object]:
 
 
 def _kinds(run: SampledRun) -> Array:
-    """How the TCP moves at each sample (k,): a place in `DRAWN_KINDS`."""
+    """Kind of motion at each sample (k,): an index into `DRAWN_KINDS`."""
     moves, samples = run.robot_run.moves, run.samples
     if not moves:
         return np.zeros(len(samples.times))
@@ -98,7 +98,7 @@ def _kinds(run: SampledRun) -> Array:
 
 
 def _arm(robot_run: RobotRun, end_s: float, in_world: bool) -> dict[str, object]:
-    """The arm to be drawn at its joints; one whose links that does not tell, as it stood when."""
+    """Data to draw the arm at its joints, or its poses over time if joints do not suffice."""
     samples = evaluate(robot_run.trajectory, np.linspace(0.0, end_s, MOST_POSES))
     arm = arm_data(robot_run.robot)
     step_s = end_s / (MOST_POSES - 1)
@@ -152,8 +152,8 @@ def _move(move: ExecutedMove) -> list[object]:
 def _targets(robot_run: RobotRun, in_world: bool) -> list[list[object]]:
     """Names, place, and whether a line or arc leads there, of each target, once.
 
-    Names that stand at one place are one label, with the number of visits. None where there are
-    too many to be told apart.
+    Names at one position share a label, with the number of visits. None if there are
+    too many to be legible.
     """
     visits: dict[tuple[float, ...], Counter[str]] = {}
     on_lines: set[tuple[float, ...]] = set()

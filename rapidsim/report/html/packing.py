@@ -1,4 +1,4 @@
-"""Columns of numbers as short JSON: whole numbers, each less the one before it."""
+"""Columns of numbers as short JSON: integers, as differences of neighbours."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def head(simulation: Simulation) -> str:
 
 
 def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnostic]) -> str:
-    """The figures that are asked for first."""
+    """The key figures."""
     corners = ", ".join(_corner(kind, count) for kind, count in figures.moves_by_corner)
     kinds = ", ".join(f"{count} {name}" for name, count in figures.moves_by_instruction)
     errors = sum(finding.severity is Severity.ERROR for finding in findings)
@@ -80,7 +80,7 @@ def summary(simulation: Simulation, figures: Figures, findings: Sequence[Diagnos
 
 
 def findings(diagnostics: Sequence[Diagnostic]) -> str:
-    """What is wrong, with the lines and the cures, errors first."""
+    """The findings with their lines and suggestions, errors first."""
     all_of_them = errors_first(merged(diagnostics))
     told = all_of_them[:_MOST_FINDINGS]
     body = "".join(_finding(one) for one in told[:_OPEN_FINDINGS])
@@ -114,7 +114,7 @@ def _finding(finding: Finding) -> str:
 
 
 def _help(words: str) -> str:
-    """What to do; lines below the first are a block to paste."""
+    """A suggestion; lines after the first are a block to paste."""
     first, *block = words.splitlines()
     pasted = "\n".join(map(text, block))
     return f'<p class="help">{prose(first)}</p>' + (f"<pre>{pasted}</pre>" if block else "")
@@ -170,7 +170,7 @@ def cycle_time(simulation: Simulation) -> str:
 
 
 def _slow_sections(simulation: Simulation) -> str:
-    """Where the programmed speed is not reached, and which limit is nearest then."""
+    """Slow sections: lines below the programmed speed, and the nearest limit there."""
     found = slow_sections(simulation)
     if not found:
         return ""
@@ -245,8 +245,8 @@ def _off_curve(share: Share, deviations: Mapping[int, CurveDeviation]) -> str:
 
 
 def events(simulation: Simulation) -> str:
-    """What happened when."""
-    # Interrupts are many, and what they do is told by other events.
+    """The events over time."""
+    # Interrupts are omitted: they are many, and other events show their effects.
     told = [event for event in simulation.events if event.kind is not EventKind.INTERRUPT]
     several = len({event.task for event in told if event.place}) > 1
     rows = [

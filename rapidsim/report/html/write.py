@@ -79,7 +79,7 @@ def _colours_of_moves() -> str:
 
 
 def _json(value: object) -> str:
-    """JSON that can stand inside a script element: nothing in it ends one."""
+    """JSON for a script element: nothing in it ends the element."""
     compact = json.dumps(value, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     return compact.replace("<", "\\u003c")
 

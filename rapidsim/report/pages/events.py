@@ -1,4 +1,4 @@
-"""What a controller event or an error name of RAPID means: number, title, names, rules."""
+"""Page on a controller event or an error name of RAPID: number, title, names, rules."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.report.palette import Palette
 
 
 def error_name(text: str) -> str | None:
-    """An error name as RAPID writes it; None if the text is none."""
+    """The error name as RAPID writes it; None if the text is not an error name."""
     return next((name for name in NUMBERS if name.lower() == text.lower()), None)
 
 
@@ -25,7 +25,7 @@ def event_page(number: int, rules: Sequence[Rule], palette: Palette) -> str:
 
     Args:
         number: Of the event.
-        rules: Those that cite it.
+        rules: The rules that cite the event.
         palette: Colours.
     """
     title = EVENT_TITLES.get(number, "an event that rules cite")

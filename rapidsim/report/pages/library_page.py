@@ -85,7 +85,7 @@ def _how(row: LibraryRoutine) -> Iterator[str]:
 
 
 def _versioned(row: LibraryRoutine) -> Iterator[tuple[str, str]]:
-    """What of a routine may have come later, and its key among the versions."""
+    """The routine and its parameters, each with its key in the table of versions."""
     yield "Known", row.name.lower()
     for parameter in row.signature.parameters:
         option = f"\\{parameter.name}"

@@ -18,13 +18,13 @@ _BLANK_LINES = re.compile(r"\n{3,}")
 def programs(rule: Rule, file: str) -> tuple[bytes, ...]:
     """The programs of `bad.mod` or `good.mod`, which lines `! ---` part.
 
-    The page shows the first; it is empty where a program would say nothing to a reader.
+    The page shows the first; it is empty if a program would not help a reader.
     """
     return tuple(_NEXT_PROGRAM.split(rule.read(file)))
 
 
 def explanation(rule: Rule) -> str:
-    """What the rule is about: a sentence, then why it matters and when it does not."""
+    """Introduction: the mistake in a sentence, why it matters and when it does not."""
     return rule.read("page.md").decode("utf-8").strip()
 
 
@@ -34,7 +34,7 @@ def first_line(rule: Rule) -> str:
 
 
 def shown_programs(rule: Rule) -> dict[str, str]:
-    """What the page shows, by heading: a program that breaks the rule, and how it is cured."""
+    """Examples by heading: a program that breaks the rule, and the corrected one."""
     shown = {
         heading: _MARK.sub("", programs(rule, file)[0].decode("utf-8")).strip("\n")
         for heading, file in (("Example", "bad.mod"), ("Fix", "good.mod"))
@@ -82,7 +82,7 @@ def rule_list(listed: Sequence[Rule], palette: Palette) -> str:
 
 
 def _filled(paragraph: str, width: int) -> str:
-    """A paragraph of running text broken anew; code, lists and tables stay as they are."""
+    """A paragraph of running text, rewrapped; code, lists and tables are unchanged."""
     if paragraph.startswith((" ", "-", "|", "\x1b")):
         return paragraph
     return textwrap.fill(

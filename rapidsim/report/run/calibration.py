@@ -53,7 +53,7 @@ def as_text(calibration: Calibration) -> RenderableType:
 
 
 def _lines(calibration: Calibration) -> str:
-    """What to write into the station file: the parameters that the logs show."""
+    """Block for the station file: the parameters fitted to the logs."""
     tables: dict[str, dict[str, list[float]]] = {}
     for one in calibration.parameters:
         tables.setdefault(one.table, {}).setdefault(one.key, []).append(

@@ -21,25 +21,25 @@ class ContactRecord:
     first: str
     second: str
     task: str
-    """Whose move it was."""
+    """Robot of the move."""
     move: int
     """Its index among all moves."""
     file: str | None
     line: int | None
     routine: str | None
     point_mm: tuple[float, ...]
-    """Where, in the world."""
+    """Position in the world."""
     depth_mm: float | None
-    """How deep they were in each other at most while the move lasted; None after many contacts."""
+    """Greatest penetration depth during the move; None after many contacts."""
     continued: bool
     """Whether they touched when the move began."""
     tcp: PoseRecord
-    """Where the TCP was."""
+    """Position of the TCP."""
 
 
 @value_class(frozen=True, slots=True)
 class ClearanceRecord:
-    """The nearest that bodies came in one move."""
+    """Least distance of bodies in one move."""
 
     distance_mm: float
     time_s: float
@@ -51,7 +51,7 @@ class ClearanceRecord:
     line: int | None
     routine: str | None
     point_mm: tuple[float, ...]
-    """Where, in the world, on the second body."""
+    """Position in the world, on the second body."""
 
 
 def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
@@ -69,7 +69,7 @@ def contact_records(simulation: Simulation) -> tuple[ContactRecord, ...]:
 
 
 def clearance_records(simulation: Simulation) -> tuple[ClearanceRecord, ...]:
-    """How near bodies came in each move that came near something, the worst first."""
+    """Least clearance of each move with a body nearby, the worst first."""
     if simulation.collisions is None:
         return ()
     found = simulation.collisions.report.clearances

@@ -14,17 +14,17 @@ _MOST_WORDS = 8
 
 @value_class(frozen=True, slots=True, repr=False)
 class ErrorRecord:
-    """Errors of one number that one place raised and one ERROR clause answered in one way."""
+    """Errors of one number, raised at one place and handled alike by one ERROR clause."""
 
     time_s: float
-    """When the first was raised."""
+    """Time of the first error."""
     task: str
     number: float
     """ERRNO."""
     name: str
     """The name of the number; the number as text if it has none."""
     file: str
-    """Where it was raised, as `line` and `routine`."""
+    """Place of the RAISE, as `line` and `routine`."""
     line: int
     routine: str
     answered_by: str | None
@@ -33,9 +33,9 @@ class ErrorRecord:
     """`retried`, `next`, `returned`, `raised`, `fell through` or `ended the program`."""
     count: int
     last_s: float
-    """When the last was raised."""
+    """Time of the last error."""
     message: str
-    """Of the first."""
+    """Message of the first error."""
     answered_file: str | None
     answered_line: int | None
 
@@ -85,7 +85,7 @@ def dropped_error_count(simulation: Simulation) -> int:
 
 def errors_text(simulation: Simulation) -> str:
     """The errors and what became of them, in one line; empty if there were none."""
-    # The last clause of those that an error was passed through says what became of it.
+    # The last ERROR clause that an error passed determines its outcome.
     tallies = [one for one in simulation.errors if one.error.outcome is not ErrorOutcome.RAISED]
     parts, file = [], None
     for tally in tallies[:_MOST_WORDS]:

@@ -1,4 +1,4 @@
-"""Figures of a run: what a person asks first, computed from moves and trajectory.
+"""Key figures of a run, computed from moves and trajectory.
 
 Everything is a function of the simulation alone, so a report of the same run is the same text.
 """
@@ -25,7 +25,7 @@ from rapidsim.values import value_class
 _SAMPLE_S = 0.012
 _MOST_SAMPLES = 20_000
 _AT_ONCE = 2_000
-"""So many samples are looked at at once, which bounds the memory."""
+"""Number of samples per batch, which bounds the memory."""
 _SLOWEST = 5
 _ON_PATH_MM = 1e-3
 _MEASURED_FACTOR = 1.05
@@ -36,10 +36,10 @@ _CUT_SHORT = (End.ERROR, End.TIME_LIMIT)
 
 @value_class(frozen=True, slots=True)
 class JointMargin:
-    """The nearest that any joint came to a limit."""
+    """Least margin of a joint to its limit."""
 
     degrees: float
-    """What is left [deg], [mm] of a joint that slides; negative beyond the limit."""
+    """Margin [deg], [mm] for a sliding joint; negative beyond the limit."""
     joint: int
     """From 1."""
     measure: str
@@ -50,10 +50,10 @@ class JointMargin:
 
 @value_class(frozen=True, slots=True)
 class SingularityMargin:
-    """The nearest that the arm came to a singularity."""
+    """Least singular value of the run."""
 
     smallest_singular_value: float
-    """Of the flange's Jacobian in m and rad; 0 in a singularity."""
+    """Least singular value of the flange's Jacobian in m and rad; 0 in a singularity."""
     time_s: float
     move: ExecutedMove
 
@@ -69,7 +69,7 @@ class OffPath:
 
 @value_class(frozen=True, slots=True)
 class Figures:
-    """What the summary of a run shows beside its events."""
+    """Figures of the summary of a run."""
 
     moves_by_instruction: tuple[tuple[str, int], ...]
     """In order of first use."""
@@ -79,7 +79,7 @@ class Figures:
     slowest_waits: tuple[Share, ...]
     """The lines that waited longest."""
     slowest_robot_waits: tuple[Share, ...]
-    """Of these, the lines of tasks with a robot."""
+    """The lines of tasks with a robot."""
     slowest_other_waits: tuple[Share, ...]
     """The lines of tasks without a robot, which tend to wait all the time."""
     joint_margin: JointMargin | None
@@ -96,7 +96,7 @@ class Figures:
 
 @value_class(frozen=True, slots=True)
 class AccelerationSensitivity:
-    """How long the run would take if the axes accelerated otherwise."""
+    """Duration of the run with other accelerations of the axes."""
 
     factor: float
     """On all accelerations."""
@@ -105,7 +105,7 @@ class AccelerationSensitivity:
 
     @property
     def words(self) -> str:
-        """Such as `67 % of the torques`."""
+        """Label, such as `67 % of the torques`."""
         limits = "torques" if self.of_torques else "accelerations"
         return f"{100.0 * self.factor:.0f} % of the {limits}"
 
@@ -171,9 +171,9 @@ def _along_the_path(
     indices = np.array([move.index for move in run.moves])
 
     def move_at(row: int) -> ExecutedMove:
-        """The move under way, numbered among those of all robots.
+        """Number of the active move among the moves of all robots.
 
-        A run that is cut off where a move begins has the one before.
+        If the run ends where a move begins, the move before it.
         """
         before = int(np.searchsorted(indices, under_way[row], side="right")) - 1
         move = run.moves[max(before, 0)]
@@ -199,7 +199,7 @@ def _along_the_path(
 
 
 def _looked_at(run: RobotRun, times: Array) -> tuple[Index, Array, np.ndarray, Array]:
-    """What the arm is at times (k,) [s].
+    """State of the arm at times (k,) [s].
 
     Returns:
         The move under way (k,), what is left to the nearer limit of each joint (k, n) [rad], the
@@ -213,7 +213,7 @@ def _looked_at(run: RobotRun, times: Array) -> tuple[Index, Array, np.ndarray, A
 
 
 def _sample_times(run: RobotRun, end: float) -> Array:
-    """Instants under way; standstill before the first move is not.
+    """Sample times during motion, without the rest before the first move.
 
     The ends of moves are among them, unless there are more than instants.
     """

@@ -46,7 +46,7 @@ def run_json(
         simulation: The run.
         figures: Its figures.
         findings: What checking and running found.
-        files: Paths of the files written, by what they are; `program` lists those of the program.
+        files: Paths of the files written, by kind; `program` lists the program's own.
         judgement: What became of assertions and the cycle budget.
     """
     report = course_json(simulation, findings)
@@ -87,7 +87,7 @@ def run_json(
 
 
 def course_json(simulation: Simulation, findings: Sequence[Diagnostic]) -> dict[str, object]:
-    """The same object before its figures, which take long: what happened when.
+    """The events and moves of the object, without the figures, which take long.
 
     It is what two runs are compared by.
     """
@@ -112,9 +112,9 @@ def rejected_json(
     findings: Sequence[Diagnostic],
     robots: Sequence[object] = (),
 ) -> dict[str, object]:
-    """The same object for a program that cannot run because of the errors in it.
+    """The object for a program that cannot run because of its errors.
 
-    All keys in their order stand here; a run puts its own values in their places.
+    It has all keys in order; a run replaces their values.
     """
     return {
         "schema": SCHEMA,
@@ -172,7 +172,7 @@ def models(simulation: Simulation) -> dict[str, object]:
 
 
 def of_robots(simulation: Simulation, texts: Callable[[Robot], Sequence[str]]) -> list[str]:
-    """What is said of the robots of a run, each text once; of whom, where it is not all of them."""
+    """Notes on the robots of a run, deduplicated; with names unless all share the note."""
     robots = {one.robot.name: one.robot for one in simulation.robots}
     said: dict[str, list[str]] = {}
     for name, robot in robots.items():
@@ -202,7 +202,7 @@ def _speed_lender(robot: Robot) -> list[str]:
 
 
 def _acceleration(model: MotionModel, robot: Robot) -> str:
-    """What the accelerations of an arm were taken to be."""
+    """Note on the assumed accelerations of an arm."""
     if torques_of(robot, model):
         assert robot.dynamics is not None
         known = (
@@ -225,7 +225,7 @@ def _acceleration(model: MotionModel, robot: Robot) -> str:
 
 
 def _load(simulation: Simulation) -> dict[str, object]:
-    """What loads were taken to do; nothing where none adds to the inertia of an arm."""
+    """Note on the modelled effect of loads; empty if none adds to the inertia of an arm."""
     for one in simulation.robots:
         if torques_of(one.robot, simulation.model) and any(
             segment.load > _LIGHT_LOAD
@@ -237,7 +237,7 @@ def _load(simulation: Simulation) -> dict[str, object]:
 
 
 def _ramps(simulation: Simulation) -> dict[str, object]:
-    """What ramps of AccSet were taken to do; nothing where no move has one."""
+    """Note on the modelled effect of AccSet ramps; empty if no move has one."""
     if not any(robot.trajectory.has_ramps for robot in simulation.robots):
         return {}
     return {
@@ -250,7 +250,7 @@ def _degrees(values: Sequence[float]) -> str:
 
 
 def _robots(simulation: Simulation) -> list[object]:
-    """Which task moves which robot and where it stands; none where there is one."""
+    """Robots with their tasks and base frames; empty if there is only one robot."""
     if len(simulation.robots) == 1:
         return []
     return [
@@ -265,7 +265,7 @@ def _robots(simulation: Simulation) -> list[object]:
 
 
 def _collisions(simulation: Simulation) -> dict[str, object]:
-    """What bodies touched and how near they came; nothing where the station tells of no bodies."""
+    """Contacts and least clearances; empty if the station has no bodies."""
     collisions = simulation.collisions
     if collisions is None:
         return {}

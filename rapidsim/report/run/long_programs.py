@@ -1,4 +1,4 @@
-"""Where the time of a program of thousands of moves goes: stretches and parts instead of lines."""
+"""Where the time of a program of thousands of moves goes: sections instead of lines."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.slow_sections import SlowSection, slow_sections
 
 MANY_MOVES = 1000
-"""From so many on, single lines say little."""
+"""Number of moves from which single lines are not informative."""
 _SHOWN = 5
 _COMMENT_CELLS = 30
 
 
 def long_program_text(simulation: Simulation) -> RenderableType | None:
-    """What costs most, for the summary; None for a program whose lines can be listed."""
+    """The most expensive sections; None for a program whose lines can be listed."""
     if len(simulation.moves) < MANY_MOVES:
         return None
     stretches = slow_sections(simulation)
@@ -62,7 +62,7 @@ def lines_of(section: SlowSection) -> str:
 
 
 def slow_sections_json(stretches: Sequence[SlowSection]) -> list[dict[str, object]]:
-    """The stretches as JSON values."""
+    """The slow sections as JSON values."""
     return [
         {
             "task": one.task,

@@ -30,12 +30,12 @@ class PoseRecord:
     quaternion: tuple[float, ...]
     """Scalar first."""
     frame: str
-    """In what it is given; `base` is the base frame of the robot."""
+    """Frame of the pose; `base` is the base frame of the robot."""
 
 
 @value_class(frozen=True, slots=True)
 class DeviationRecord:
-    """How far the TCP was off a line or arc between its zones."""
+    """Greatest path deviation of the TCP from a line or arc between its zones."""
 
     max_mm: float
     rms_mm: float
@@ -52,7 +52,7 @@ class MoveRecord:
     line: int
     routine: str
     to: str | None
-    """As the program writes it."""
+    """The target as the program writes it."""
     tool: str | None
     wobj: str
     speed_mm_s: float
@@ -73,7 +73,7 @@ class MoveRecord:
     conf: tuple[int, ...]
     """cf1, cf4, cf6, cfx."""
     external: Mapping[str, float] | None = None
-    """The external axes by their components [mm or degrees]; None where there are none."""
+    """External axes by component [mm or degrees]; None if there are no external axes."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -90,7 +90,7 @@ class WaitRecord:
     routine: str
     instruction: str
     awaited: str
-    """What it waited for, in the program's words; `for` in the JSON."""
+    """Condition of the wait as the program writes it; `for` in the JSON."""
     start_s: float
     end_s: float
     ended_by: str
@@ -117,7 +117,7 @@ def wait_records(simulation: Simulation) -> tuple[WaitRecord, ...]:
 
 
 def json_of(record: object) -> object:
-    """A record as JSON values; what is None by default and is None is left out."""
+    """A record as JSON values; fields that are None by default are omitted if None."""
     if is_dataclass(record):
         return {
             "for" if field.name == "awaited" else field.name: json_of(value)

@@ -69,7 +69,7 @@ class OutputFile:
 
     path: Path
     what: str
-    """Such as "recording"."""
+    """Kind of the file, such as "recording"."""
     opened_by: str | None = None
     """The command that shows it, if it takes one."""
 
@@ -240,7 +240,7 @@ def _collisions(simulation: Simulation, collisions: Collisions) -> Text:
 
 
 def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
-    """What the bodies that were judged are worth, a line each."""
+    """Notes on the accuracy of the judged bodies, a line each."""
     drawn = [one.robot for one in simulation.robots if one.robot.meshes is None]
     likenesses = {robot.name: robot for robot in drawn if robot.maker is not None}
     said = [_likeness(robot) for robot in likenesses.values()]
@@ -251,7 +251,7 @@ def shape_margins(simulation: Simulation, collisions: Collisions) -> list[str]:
 
 
 def _likeness(robot: Robot) -> str:
-    """What the links of an arm of the catalogue are worth."""
+    """Note on the accuracy of the link shapes of a catalogue arm."""
     compared = [round(excess * 1000.0) for excess in robot.link_excess_m]
     text = f"the links of {robot.name} are approximations: "
     if compared:
@@ -303,9 +303,9 @@ def _event_rows(simulation: Simulation) -> list[tuple[str, RenderableType]]:
 
 
 def _persistents(changes: Sequence[PersistentChange]) -> Text:
-    """What the run left in persistents; of records and arrays the first part that changed.
+    """Persistents that the run changed; of records and arrays the first changed part.
 
-    Where several modules declare one, as tasks that share it do, it stands there once.
+    A persistent that several modules declare is listed once.
     """
     alike: dict[tuple[str, str], list[PersistentChange]] = {}
     for one in changes:
@@ -335,7 +335,7 @@ def _change(change: PersistentChange) -> str:
 
 @value_class(frozen=True, slots=True)
 class _Slowest:
-    """Lines that cost the most; where all columns do not fit, those that matter most."""
+    """The slowest lines, with the most important columns that fit."""
 
     title: str
     lines: Sequence[Share]

@@ -1,4 +1,4 @@
-"""What became of the assertions and the cycle budget of a run, as text and as JSON values."""
+"""Verdicts on the assertions and the cycle budget of a run, as text and as JSON values."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class AssertionVerdict:
 
     expression: str
     task: str
-    """Whose data it was about."""
+    """Task whose data the assertion names."""
     holds: bool | None
     """None where it was not judged."""
     values: tuple[tuple[str, str], ...] = ()
@@ -46,14 +46,14 @@ class AssertionVerdict:
 
 @value_class(frozen=True, slots=True)
 class BudgetVerdict:
-    """Whether the cycles of a run kept the time that the station file gives one."""
+    """Verdict on the cycle budget of the station file."""
 
     budget_s: float
     cycles: int
     model: str
     """Version of the motion model: times of another are not comparable."""
     cycle_s: float | None = None
-    """Mean of the cycles; None where the run does not tell it."""
+    """Mean cycle time; None if the run has no full cycle."""
     reason: str | None = None
     """Why it does not."""
 
@@ -91,7 +91,7 @@ class BudgetVerdict:
 
 @value_class(frozen=True, slots=True)
 class Verdicts:
-    """All that was asked of a run."""
+    """The verdicts on a run."""
 
     assertions: tuple[AssertionVerdict, ...] = ()
     budget: BudgetVerdict | None = None
@@ -102,7 +102,7 @@ class Verdicts:
         return any(one.holds is False for one in self.verdicts)
 
     def verdict_of(self, simulation: Simulation) -> Verdict:
-        """Verdict of a run with what was asked of it; a strict run fails on what is open."""
+        """Verdict of a run with its assertions; a strict run fails on open ones."""
         count = sum(one.holds is None for one in self.verdicts) if simulation.strict else 0
         still_open = (f"{count} of {len(self.verdicts)} assertions not evaluated",)
         return run_verdict(

@@ -1,1 +1,1 @@
-"""What kin, follow, frames and robots print."""
+"""Output of kin, follow, frames and robots."""

@@ -1,4 +1,4 @@
-"""What `rapidsim follow` finds as JSON values: mm, degrees, seconds of the trajectory.
+"""Results of `rapidsim follow` as JSON values: mm, degrees, seconds of the trajectory.
 
 Nothing in it depends on how long the computer took.
 """
@@ -18,7 +18,7 @@ from rapidsim.report.tables.follow_tables import Attempt, RequestedPoints
 
 
 def follow_json(requested: RequestedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
-    """Points, and the one trajectory or why there is none."""
+    """Points, and the trajectory, or the reason why it failed."""
     (attempt,) = attempts
     profile = None if requested.plan.kind is Way.JOINT_QUINTIC else requested.plan.profile.value
     said = {"path": requested.plan.kind.value, "profile": profile}
@@ -26,7 +26,7 @@ def follow_json(requested: RequestedPoints, attempts: Sequence[Attempt]) -> dict
 
 
 def starts_json(tried: Sequence[SeededSolve]) -> dict[str, object]:
-    """What numerical solvers needed, from cold and from warm starts; nothing without them."""
+    """Cost of numerical solvers from cold and warm starts; empty without `--starts`."""
     if not tried:
         return {}
     rows = [
@@ -44,7 +44,7 @@ def starts_json(tried: Sequence[SeededSolve]) -> dict[str, object]:
 
 
 def compared_json(requested: RequestedPoints, attempts: Sequence[Attempt]) -> dict[str, object]:
-    """Points, and every trajectory or why there is none."""
+    """Points, and each trajectory, or the reason why it failed."""
     profile = {"profile": requested.plan.profile.value}
     compared = [{"path": one.plan.kind.value, **_result(one.result)} for one in attempts]
     return {**_request_json(requested), **profile, "compared": compared}

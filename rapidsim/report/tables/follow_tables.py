@@ -1,4 +1,4 @@
-"""What `rapidsim follow` finds as tables for people."""
+"""Results of `rapidsim follow` as tables."""
 
 from __future__ import annotations
 
@@ -39,21 +39,21 @@ class RequestedPoints:
     plan: Plan
     world_from_base: Transform
     convention: Convention
-    """Of the Euler angles that are shown."""
+    """Convention of the Euler angles shown."""
 
     @property
     def positions_mm(self) -> Array:
-        """Where the points are in the world (k, 3)."""
+        """Positions of the points in the world (k, 3)."""
         return 1000.0 * self.world_from_base.apply(self.points.positions) + 0.0
 
     @property
     def quaternions(self) -> Array:
-        """How the tool is turned at them in the world (k, 4), also where a pitch was chosen."""
+        """Orientations of the tool in the world (k, 4), also those chosen by pitch."""
         return quaternion_from_matrix(self._turned) + 0.0
 
     @property
     def euler_deg(self) -> Array:
-        """The same as Euler angles (k, 3)."""
+        """The orientations as Euler angles (k, 3)."""
         return np.degrees(euler_from_rotation(self._turned, self.convention)) + 0.0
 
     @property
@@ -63,7 +63,7 @@ class RequestedPoints:
 
 @value_class(frozen=True, slots=True)
 class Attempt:
-    """One way through the points, and what it has cost."""
+    """One kind of path through the points, and its cost."""
 
     plan: Plan
     result: FollowedTrajectory | Refused
@@ -72,7 +72,7 @@ class Attempt:
 
     @property
     def possible(self) -> bool:
-        """Whether the arm can do it, as fast as asked."""
+        """Whether the arm can follow it at the requested speed."""
         return isinstance(self.result, FollowedTrajectory) and not over_speed(self.result)
 
 
@@ -111,7 +111,7 @@ def points_page(requested: RequestedPoints) -> RenderableType:
 
 
 def trajectory_page(attempt: Attempt) -> RenderableType:
-    """How long, how far off, how fast; or why not."""
+    """Duration, deviation and speed; or the reason of the failure."""
     result, plan = attempt.result, attempt.plan
     if isinstance(result, Refused):
         return refused_text(result)
@@ -139,7 +139,7 @@ def trajectory_page(attempt: Attempt) -> RenderableType:
 
 
 def compare_page(attempts: Sequence[Attempt]) -> RenderableType:
-    """A row a way: what it costs and how far it leaves the straight lines."""
+    """A row per kind of path: its cost, and its deviation from straight lines."""
     table = _table("path", "poses", "solver", "off the line", "way", "time", "axis")
     refused = []
     for attempt in attempts:
@@ -204,7 +204,7 @@ def starts_page(tried: Sequence[SeededSolve]) -> RenderableType:
 
 
 def turns_page(attitudes: Array) -> RenderableType | None:
-    """How evenly the tool turns between points, by slerp and with quaternions taken linearly."""
+    """Evenness of the rotation between points, by slerp and by linear quaternions."""
     if attitudes.shape[1] != 4:
         return None
     table = _table("turn", "angle", "slerp", "linear, at the ends", "in the middle")

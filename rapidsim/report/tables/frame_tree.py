@@ -20,14 +20,14 @@ ValueOf = Callable[[DataSymbol], object]
 
 @value_class(frozen=True, slots=True)
 class FrameNode:
-    """One frame with the frames that stand in it."""
+    """One frame with the frames inside it."""
 
     name: str
     kind: str
     """`world`, `base`, `flange`, `tool`, `user`, `object` or `target`."""
     parent_from_frame: Pose
     world_from_frame: Pose | None
-    """None where it depends on how the arm stands."""
+    """None if it depends on the posture of the arm."""
     children: tuple[FrameNode, ...] = ()
     note: str = ""
 
@@ -35,7 +35,7 @@ class FrameNode:
 def frame_tree(
     program: Program, value_of: ValueOf, robot_name: str, world_from_base: Pose = IDENTITY_POSE
 ) -> FrameNode:
-    """The frame tree of a program on a robot that stands somewhere in the world frame."""
+    """The frame tree of a program on a robot with a base frame in the world."""
     data = {
         symbol.name.lower(): symbol
         for symbol in program.symbol_of.values()

@@ -1,4 +1,4 @@
-"""What `rapidsim kin` finds as JSON values: mm, degrees, quaternions scalar first."""
+"""Results of `rapidsim kin` as JSON values: mm, degrees, quaternions scalar first."""
 
 from __future__ import annotations
 
@@ -17,23 +17,23 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 _DIGITS = 12
-"""Of joints [deg], so that 30 comes back as 30."""
+"""Decimals of joints [deg], so that 30 is printed as 30."""
 
 
 @value_class(frozen=True, slots=True)
 class SearchCost:
-    """What a search has cost."""
+    """Cost of a search."""
 
     starts: int
     iterations: int
     tolerance: float
-    """Way [m] and turn [rad] left at which it stops."""
+    """Residual distance [m] and angle [rad] at which it stops."""
     seconds: float
     """By the clock on the wall; nothing depends on it."""
 
 
 def forward_json(postures: Postures, convention: Convention) -> dict[str, object]:
-    """Where the TCP and the links are; in the world, where the base is placed in it."""
+    """Poses of the TCP and the links; in the world, if the base is placed in it."""
     robot, joints, stands = postures.robot, postures.rows[0].joints, postures.world_from_base
     tcp = postures.world_from_tcp
     links = stands @ robot.kinematics.link_frames(joints)

@@ -1,4 +1,4 @@
-"""What `rapidsim kin` finds as tables for people."""
+"""Results of `rapidsim kin` as tables."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def axis_tables_page(robot: Robot) -> RenderableType:
 
 
 def _added(offset: float) -> str:
-    """What is added to a joint, such as ` + 90`; nothing where that is 0."""
+    """Offset of a joint, such as ` + 90`; empty for 0."""
     if abs(offset) < _SMALL:
         return ""
     return f" {'-' if offset < 0.0 else '+'} {abs(offset):g}"
@@ -142,7 +142,7 @@ def inverse_page(
     solutions: PoseSolutions,
     searched: SearchCost | None,
 ) -> RenderableType:
-    """The pose asked for, one row a solution, and why there is none."""
+    """The requested pose, a row per solution, or the reason why it is unreachable."""
     parts: list[RenderableType] = [_title(robot), Text(), _matrix("TCP", target)]
     if solutions.reason is not None:
         parts.append(Text.assemble(("unreachable: ", "red"), solutions.reason))

@@ -1,4 +1,4 @@
-"""Answers of a controller beside those of a run here."""
+"""Answers of a controller next to the answers of a run here."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def protocol_table(theirs: Protocol, ours: Protocol, arm: str) -> Table:
 
     Args:
         theirs: The answers of the controller.
-        ours: Those of a run here.
+        ours: The answers of a run here.
         arm: The arm of that run.
     """
     table = Table(box=None, pad_edge=False)

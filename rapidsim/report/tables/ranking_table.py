@@ -1,4 +1,4 @@
-"""How well arms suit the targets of a program, as a table and as JSON."""
+"""Ranking of arms for the targets of a program, as a table and as JSON."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def ranking_table(targets: ProgramTargets, ranked: Sequence[RankedArm]) -> Rende
 def ranking_json(
     path: str, targets: ProgramTargets, ranked: Sequence[RankedArm]
 ) -> dict[str, object]:
-    """The same; all arms."""
+    """The ranking of all arms as JSON values."""
     return {
         "schema": 1,
         "program": path,

@@ -62,7 +62,7 @@ def catalogue_table(robots: Sequence[tuple[Robot, Sequence[str]]]) -> Renderable
 
 
 def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
-    """The arms that lend their axis speeds, each with those that use them; empty if none does."""
+    """The arms that lend their axis speeds, each with its borrowers; empty if none does."""
     users: dict[str, list[str]] = {}
     for robot in robots:
         if robot.axis_speeds_from is not None:
@@ -90,7 +90,7 @@ def workspace_page(workspace: Workspace | str) -> RenderableType:
 
 
 def workspace_json(workspace: Workspace | str) -> dict[str, object] | None:
-    """The same; null where there is none."""
+    """The workspace as JSON values; None if it could not be computed."""
     if isinstance(workspace, str):
         return None
     near, far, low, high = (1000.0 * value for value in workspace.extent)
@@ -167,7 +167,7 @@ def _reach(robot: Robot) -> str:
 
 
 def _speeds(robot: Robot) -> str:
-    """From the slowest axis that turns to the fastest; `robots NAME` tells what slides."""
+    """From the slowest revolute axis to the fastest; `robots NAME` lists the others."""
     known = [(joint.slides, degrees(speed)) for joint in robot.joints if (speed := joint.max_speed)]
     if len(known) < len(robot.joints):
         return _UNKNOWN
