@@ -1,4 +1,4 @@
-"""The one place where mistakes become messages and exit codes. Users never see a traceback."""
+"""Errors become messages and exit codes here only. Users never see a traceback."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
-"""What the system answers when standard output goes to a full disk, or one that fails."""
+"""Error numbers of writing standard output to a full or failing disk."""
 
 
 def run_commands(arguments: Sequence[str]) -> int:
@@ -57,7 +57,7 @@ def run_commands(arguments: Sequence[str]) -> int:
                 return complete(instruction)
             return _code_of(arguments)
     except BrokenPipeError:
-        # Whoever reads has seen enough.
+        # The reader has closed the pipe.
         _give_up_output()
         return ExitCode.USAGE
     except (KeyboardInterrupt, click.Abort) as broken_off:
@@ -93,7 +93,7 @@ def _code_of(arguments: Sequence[str]) -> int:
 
 
 def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
-    """Run a command and print one object, be it that of an error."""
+    """Run a command and print one object, also for an error."""
     ended: _Failure | int
     with output_to_stderr() as aside:
         try:
@@ -112,7 +112,7 @@ def _printing_an_object(arguments: Sequence[str], terminal: Terminal) -> int:
 
 
 def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
-    """Run a command; what is wrong is said on standard error."""
+    """Run a command; errors go to standard error."""
     try:
         with (
             gc_rarely(),
@@ -134,7 +134,7 @@ def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
     except BaseException as error:
         # What a run ends with is no `Exception`; should one of those come here, it is a defect too.
         if isinstance(error, OSError) and error.errno in _UNWRITABLE:
-            # Files have messages of their own; what is left is what was to be printed.
+            # Errors of files have other messages; this one is of standard output.
             _give_up_output()
             failure = _Failure(ExitCode.USAGE, f"the output cannot be written: {error.strerror}")
         else:
@@ -165,8 +165,8 @@ def _broken_off(word: str, exception: BaseException) -> str:
 
 @contextmanager
 def _terminable() -> Iterator[None]:
-    """Raise `Terminated` in here on SIGTERM, where it ends a process and nobody has put it off."""
-    # Windows ends a process without asking it; signals come to the main thread alone.
+    """Raise `Terminated` on SIGTERM within the context, unless SIGTERM has another handler."""
+    # Windows ends a process without a signal; only the main thread receives signals.
     is_asked = os.name == "posix" and threading.current_thread() is threading.main_thread()
     if not is_asked or signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
         yield
@@ -183,7 +183,7 @@ def _terminate(_number: int, _frame: FrameType | None) -> NoReturn:
 
 
 def _require_streams() -> None:
-    """Print into nothing where the caller has closed a stream: what was asked for still happens."""
+    """Discard output to a closed stream, so that the command still does its work."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             nothing = os.open(os.devnull, os.O_WRONLY)
@@ -205,7 +205,7 @@ def _echo_last(word: str) -> None:
 
 
 def _shortened(message: str) -> str:
-    """A message with the ends of long lines left out."""
+    """A message with long lines truncated."""
     lines = (
         line if len(line) <= _LONGEST else f"{line[:_LONGEST]}..." for line in message.split("\n")
     )
@@ -233,7 +233,7 @@ def _usage_error(error: click.ClickException) -> _Failure:
 
 
 def _defect_line(defect: DefectError) -> str:
-    """One line that says what failed, where, and how to report it."""
+    """One line with the failure, its place, and how to report it."""
     return (
         f"rapidsim {__version__} has a defect ({defect.what}, at {defect.place}); please "
         f"report this line with the program and the command, and with the output of the same "

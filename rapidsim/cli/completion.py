@@ -1,4 +1,4 @@
-"""Which words may follow, for shells that ask: what the metavar of a parameter says it takes."""
+"""Shell completion: the possible values of a parameter, by its metavar."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.cli.group import commands
 from rapidsim.shipped import shipped
 
 COMPLETE = "_RAPIDSIM_COMPLETE"
-"""What a shell sets to ask; see click's page on shell completion."""
+"""Environment variable by which a shell requests completions; see click's page."""
 
 _FILE = re.compile(r"\b(?:PATH|FILE|LOG|JOB|POINTS)\b|^[AB]$")
 _FOLDER = re.compile(r"\bDIR\b")
@@ -59,7 +59,7 @@ def _with_completion(param: click.Parameter, command: str) -> click.Parameter:
 
 
 class _MetavarType(click.types.StringParamType):
-    """A word whose metavar says what it may be."""
+    """A parameter with the completions of its metavar."""
 
     def __init__(self, metavar: str, is_robot: bool) -> None:
         self._metavar = metavar
@@ -69,7 +69,7 @@ class _MetavarType(click.types.StringParamType):
         self, ctx: click.Context, param: click.Parameter, incomplete: str
     ) -> list[CompletionItem]:
         found = []
-        # Before words: with this a shell forgets those that it was told already.
+        # Printed before the words: it clears the completions that a shell has.
         if _FILE.search(self._metavar):
             found.append(CompletionItem(incomplete, type="file"))
         if _FOLDER.search(self._metavar):

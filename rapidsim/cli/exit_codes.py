@@ -1,4 +1,4 @@
-"""What the exit codes mean; scripts rely on them."""
+"""Exit codes; scripts rely on them."""
 
 from __future__ import annotations
 
@@ -6,15 +6,15 @@ from enum import IntEnum
 
 
 class ExitCode(IntEnum):
-    """How a command ended."""
+    """Exit code of a command."""
 
     CLEAN = 0
     FINDINGS = 1
     """`check` found something, or the program of `run` stopped with an error."""
     USAGE = 2
-    """A wrong option, a missing file, no input; output that nobody takes."""
+    """A wrong option, a missing file, no input; output to a closed pipe."""
     LIMIT = 3
-    """A limit ended the run before the program, or the cycles asked for, came to their end."""
+    """A limit ended the run before the program or the requested cycles had ended."""
     FAILED = 4
     """The run ended, and an assertion or the cycle budget does not hold."""
     DEFECT = 70

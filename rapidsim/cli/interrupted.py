@@ -1,4 +1,4 @@
-"""Commands that are broken off from outside: they tidy up, and say how far they were."""
+"""Interrupted commands clean up and report their progress."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _AGAIN_S = 0.5
 
 
 class Terminated(BaseException):
-    """SIGTERM: like Ctrl-C, it unwinds, so that no half file is left."""
+    """SIGTERM: like Ctrl-C, it unwinds the stack, so that no partial file remains."""
 
 
 @contextmanager
@@ -41,7 +41,7 @@ class TimeOverError(Exception):
 
 
 class TimeOverInterrupt(KeyboardInterrupt):
-    """What interrupts the work when its time is over; repeated where a callback swallows it."""
+    """Interrupt the work when its time is over; repeated in case a callback swallows it."""
 
 
 @contextmanager
@@ -52,7 +52,7 @@ def limited_to(seconds: float | None) -> Iterator[None]:
         seconds: None for no limit.
 
     Raises:
-        TimeOverError: If it was interrupted; its argument says how far the work was.
+        TimeOverError: If it was interrupted; its argument is the progress.
     """
     if seconds is None:
         yield

@@ -17,7 +17,7 @@ _FORMAT = "json"
 
 
 def is_json_requested(arguments: Sequence[str]) -> bool:
-    """Whether a command line asks for JSON; read from its words, for it may be unusable."""
+    """Whether a command line requests JSON; read from its words, as it may be invalid."""
     wants = False
     for word, following in zip_longest(arguments, arguments[1:], fillvalue=""):
         name, equals, value = word.partition("=")
@@ -39,7 +39,7 @@ def print_object(value: dict[str, object]) -> None:
 
 
 class _Aside(io.StringIO):
-    """What is printed beside an object: it goes to standard error, and is kept."""
+    """Text printed in addition to an object: it goes to standard error and is collected."""
 
     def write(self, text: str) -> int:
         sys.stderr.write(text)

@@ -1,4 +1,4 @@
-"""The command that opens a recording, for the shell that is likely to be asked."""
+"""The command that opens a recording, quoted for the probable shell."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from enum import Enum
 from pathlib import Path
 
 _BARE = "._-/\\:"
-"""Characters beside letters and digits that need no quotes in a path on a Windows command line."""
+"""Characters, besides letters and digits, that need no quotes on a Windows command line."""
 
 
 class Shell(Enum):
@@ -23,7 +23,7 @@ class Shell(Enum):
 
 
 def open_command(recording: Path) -> str:
-    """What to type to see a recording."""
+    """The command line that opens a recording."""
     return command_line(_viewer(), recording, shell_of(os.name, os.environ))
 
 

@@ -1,4 +1,4 @@
-"""How output is to look: what the options, the environment and the terminal say together."""
+"""Appearance of the output, from options, environment and terminal."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _MOST_COLUMNS = 120
 _PIPED_COLUMNS = 80
 
 PLAIN_CHARACTERS = "rapidsim.plain"
-"""How a stream writes what its code page lacks: by a like sign, or else by its number."""
+"""Fallback for characters that a code page lacks: a similar sign, or the number."""
 _LIKE = {
     "\N{BOX DRAWINGS LIGHT HORIZONTAL}": "-",
     "\N{DEGREE SIGN}": " deg",
@@ -46,17 +46,17 @@ table_or_json = click.option(
 
 @dataclass(slots=True)
 class Terminal:
-    """What the options that every command has have set."""
+    """Settings by the options of every command."""
 
     quiet: bool = False
     verbose: bool = False
     no_color: bool = False
     report: dict[str, object] | None = None
-    """What is printed as JSON when the command has ended."""
+    """Object to be printed as JSON when the command has ended."""
 
     @property
     def coloured(self) -> bool:
-        """Whether standard output takes colours and nobody declined them."""
+        """Whether standard output supports colours and they are not disabled."""
         return (
             not self.no_color
             and not os.environ.get("NO_COLOR")
@@ -102,26 +102,26 @@ class Terminal:
         options = console.options
         if soft_wrap:
             options = options.update(no_wrap=True, overflow="ignore")
-        # Before rich adds colours, so that no others stand in it.
+        # Before rich adds colours, so that the text has no others.
         plain = [
             Segment(printable_lines(text), style, control)
             for text, style, control in console.render(renderable, options)
         ]
         with console.capture() as captured:
             console.print(Segments(plain), crop=False, soft_wrap=True)
-        # Not click's echo, which writes UTF-8 where the environment says ASCII.
+        # Not click's echo, which writes UTF-8 although the environment declares ASCII.
         sys.stdout.writelines(f"{line.rstrip()}\n" for line in captured.get().splitlines())
 
 
 def echo(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = False) -> None:
-    """Print; the one way, beside `Terminal.show`, in which text reaches a terminal.
+    """Print a text. All terminal output passes here or through `Terminal.show`.
 
     Names of files and texts of programs may hold what moves its cursor, changes its colours or its
     title, or turns the direction of writing. None of that is let through.
 
     Args:
         text: One line or more.
-        palette: The colours that may stand in it.
+        palette: The colours that the text may contain.
         nl: Whether its last line is ended.
         err: Whether it goes to standard error.
     """
@@ -134,8 +134,8 @@ def print_json(report: dict[str, object]) -> None:
 
 
 def terminal_options(command: Command) -> Command:
-    """Give a command the options that stand everywhere; the command itself never sees them."""
-    # Decorators stand on the help page from the last applied to the first.
+    """Add the options of every command; the command itself does not receive them."""
+    # The help page lists decorators from the last applied to the first.
     for option in (
         click.help_option("-h", "--help"),
         click.version_option(__version__, message="rapidsim %(version)s"),
@@ -155,7 +155,7 @@ def current_terminal() -> Terminal:
 
 
 def _setting(name: str) -> dict[str, Any]:
-    """A flag that is noted in the terminal wherever it stands on the command line."""
+    """A flag stored in the terminal, at any position of the command line."""
 
     def note(context: click.Context, _: click.Parameter, is_set: bool) -> None:
         terminal = context.find_object(Terminal)
@@ -166,7 +166,7 @@ def _setting(name: str) -> dict[str, Any]:
 
 
 def _plain(error: UnicodeError) -> tuple[str, int]:
-    """What to write in place of characters that a code page lacks, and where to go on."""
+    """Replacement of characters that a code page lacks, and the position after them."""
     assert isinstance(error, UnicodeEncodeError)
     lacking = error.object[error.start : error.end]
     return "".join(_LIKE.get(one) or _number_of(one) for one in lacking), error.end

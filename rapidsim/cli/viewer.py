@@ -1,4 +1,4 @@
-"""The rerun viewer, as a program of its own that shows a recording."""
+"""The rerun viewer, a separate program that shows a recording."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from pathlib import Path
 from rapidsim.files import InputError, unreadable
 
 _MAGIC = b"RRF"
-"""What a recording begins with."""
+"""First bytes of a recording."""
 _SETTLED_AFTER_S = 1.0
 """By then a viewer that finds no screen has ended."""
 
 
 def require_screen() -> None:
-    """Refuse to open a window where there is none.
+    """Raise an error if there is no screen for a window.
 
     Raises:
         InputError: On a machine without a screen.
@@ -56,7 +56,7 @@ def show(path: Path) -> int:
 
 def leave_open(path: Path) -> str | None:
     """Show a recording in a window that outlives this command; returns why none opened."""
-    # A file and no pipe: the viewer goes on writing when nobody is left to read.
+    # A file and no pipe: the viewer continues to write without a reader.
     with tempfile.TemporaryFile() as errors:
         viewer = subprocess.Popen(
             _command(path),
@@ -79,6 +79,6 @@ def leave_open(path: Path) -> str | None:
 
 
 def _command(path: Path) -> list[str]:
-    # The module and not the script: it is there whatever PATH says. Without -P Python would look
-    # for modules in the working directory first, which may be a checkout that nobody trusts.
+    # The module and not the script, which PATH may lack. Without -P, Python would search
+    # the working directory for modules first, which may be an untrusted checkout.
     return [sys.executable, "-P", "-m", "rerun", str(path)]

@@ -44,7 +44,7 @@ def calibrate(
     """Fit acceleration, smoothing and dwell to moves that a controller logged.
 
     LOG is a CSV file of times and joint angles in degrees (`time,j1,...,j6`), taken every 4 to 12
-    ms from standstill before the program starts until the arm stands still again. The program that
+    ms from rest before the program starts until the arm is at rest again. The program that
     ran is the module of the same name next to it. A good set: one long straight move at moderate
     speed, five or more short moves to stop points, and ten or more corners with small zones at full
     speed.

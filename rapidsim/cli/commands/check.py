@@ -48,7 +48,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class CheckOptions:
-    """What the command line says about a check."""
+    """Options of a check."""
 
     paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
     robot: str | None = option(
@@ -355,7 +355,7 @@ def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe:
 def _remarks(
     programs: Sequence[Sequence[str]], result: CheckResult, mended: Sequence[_FixedCheck]
 ) -> Iterator[str]:
-    """What a person wants to know besides the findings, one line each."""
+    """Remarks after the findings, one line each."""
     found = [diagnostic for one in mended for diagnostic in one.result.diagnostics]
     if fixed := sum(one.fixed for one in mended):
         yield f"Fixed {fixed}."

@@ -20,7 +20,7 @@ _FORMATS = ("text", "json", "markdown", "html")
 
 @value_class(frozen=True, slots=True)
 class DiffOptions:
-    """What the command line says about a comparison."""
+    """Options of a comparison."""
 
     paths: tuple[str, ...] = argument("[A B | --git REV [PATH]]", nargs=-1)
     revision: str | None = option(

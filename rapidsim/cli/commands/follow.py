@@ -52,7 +52,7 @@ SHORTEST_DT, LONGEST_DT = 0.0001, 0.05
 
 @value_class(frozen=True, slots=True)
 class FollowRequest:
-    """What the command line says about a path to follow."""
+    """Options of a path to follow."""
 
     points_file: str | None = argument("[POINTS.csv]", required=False)
     line: tuple[float, ...] | None = shared(line_option)
@@ -228,7 +228,7 @@ def follow(options: FollowRequest) -> int:
 
 
 def _comparisons(options: FollowRequest) -> list[str]:
-    """The options that ask for a comparison."""
+    """The options that request a comparison."""
     requested = {
         "--compare": options.compare,
         "--starts": options.starts,
@@ -243,7 +243,7 @@ def _require_consistent(options: FollowRequest, *, writes: bool) -> None:
     if (options.points_file is None) == (options.line is None):
         raise InputError("give points either in a file or by --line X,Y,Z,X,Y,Z")
     for step in options.dt:
-        # With longer steps a jump could not be told from a fast axis.
+        # With longer steps a jump could not be distinguished from a fast axis.
         if not SHORTEST_DT <= step <= LONGEST_DT:
             raise InputError(f"--dt {step:g}: it must be {SHORTEST_DT:g} to {LONGEST_DT:g} s")
     comparisons = _comparisons(options)

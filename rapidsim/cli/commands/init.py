@@ -71,8 +71,8 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
     SYS.cfg, EIO.cfg and MOC.cfg. If a folder has several mains, each becomes a task. The file is
     written next to the modules, or into the backup; an existing one is kept.
 
-    What a user may want to add stands in it as comments: stimuli for inputs that nothing sets,
-    bodies to look for collisions. The lines that runs want in .gitignore are shown.
+    It has comments with further entries: stimuli for inputs that nothing sets,
+    bodies for collision checks. Suggested lines for .gitignore are printed.
     """
     if robot is not None and not robot.lower().endswith(".urdf"):
         robot = open_robot(robot).name
@@ -105,7 +105,7 @@ def init(paths: tuple[str, ...], robot: str | None, service: str | None) -> int:
 
 
 def _counted(draft: StationTemplate) -> str:
-    """What stands in the file, in words."""
+    """Description of the file's contents."""
     counts = ((len(draft.tasks), "task"), (len(draft.signals), "signal"))
     words = [f"{count} {noun}{'s' * (count != 1)}" for count, noun in counts if count]
     return ", ".join(words) or "nothing beyond the backup or the defaults"

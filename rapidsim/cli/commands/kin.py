@@ -51,7 +51,7 @@ _joints_option = click.option(
 
 @value_class(frozen=True, slots=True)
 class SetupOptions:
-    """What the command line says about the arm, its tool and base, and the output."""
+    """Options of the arm, its tool and base, and the output."""
 
     robot: str = option(
         "--robot",
@@ -96,7 +96,7 @@ def kin(context: click.Context) -> int | None:
 
 @value_class(frozen=True, slots=True)
 class ForwardOptions:
-    """What the command line says about joints."""
+    """Options of joints."""
 
     joints: tuple[float, ...] = shared(_joints_option)
     tables: bool = option(
@@ -139,7 +139,7 @@ def fk(options: ForwardOptions, setup: SetupOptions) -> int:
 
 @value_class(frozen=True, slots=True)
 class InverseOptions:
-    """What the command line says about a pose to reach."""
+    """Options of a pose to reach."""
 
     position: tuple[float, ...] = option(
         "--position",
@@ -251,7 +251,7 @@ def ik(options: InverseOptions, setup: SetupOptions) -> int:
 
 @value_class(frozen=True, slots=True)
 class JacobianOptions:
-    """What the command line says about a posture and its motion."""
+    """Options of a posture and its motion."""
 
     joints: tuple[float, ...] = shared(_joints_option)
     twist: tuple[float, ...] | None = option(

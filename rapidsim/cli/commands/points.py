@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @value_class(frozen=True, slots=True)
 class PointsOptions:
-    """What the command line says about points to reach."""
+    """Options of points to reach."""
 
     shell: tuple[float, ...] | None = option(
         "--shell",

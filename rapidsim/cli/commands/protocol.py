@@ -1,4 +1,4 @@
-"""`rapidsim protocol`: questions to a controller, and its answers beside those of a run here."""
+"""`rapidsim protocol`: questions to a controller, and its answers compared with a run here."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class RobotsOptions:
-    """What the command line says about robots to show."""
+    """Options of robots to show."""
 
     name: str | None = argument(required=False)
     program: str | None = option(
@@ -117,7 +117,7 @@ def _show_robot(name: str, options: RobotsOptions) -> ExitCode:
 
 
 def _show_catalogue(output_format: str) -> None:
-    # How each is solved is said where one is used, not in a list of all.
+    # Notes on solvers are printed where an arm is used, not in the list.
     listed = [(load_robot(robot), aliases_of(robot)) for robot in robot_names()]
     if output_format == "json":
         report = [_as_json(robot, short) for robot, short in listed]

@@ -1,4 +1,4 @@
-"""`rapidsim run`: run a program on the virtual controller and say what happened."""
+"""`rapidsim run`: run a program on the virtual controller and report the result."""
 
 from __future__ import annotations
 
@@ -171,16 +171,16 @@ def run(
 
 
 def _ended(run: Simulation) -> str:
-    """What a run has done of which not all was written that is wanted."""
+    """The exit code of a run with an output file that could not be written."""
     moves = sum(len(robot.moves) for robot in run.robots)
     return f" after the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs were written"
 
 
 def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[], FinishedRun]:
-    """What lives a journal again.
+    """The run that replays a journal.
 
     Raises:
-        InputError: If it is none.
+        InputError: If the file is not a journal.
     """
     from rapidsim.server.loading import with_cell
     from rapidsim.server.replay import replay_journal, replayed
@@ -206,7 +206,7 @@ def _judge(
     finished: FinishedRun,
     make_figures: Callable[[], Figures],
 ) -> Verdicts:
-    """What became of the assertions and of the cycle budget."""
+    """Verdicts on the assertions and the cycle budget."""
     run, asked, budget_s = finished.simulation, job.request, job.station.check.cycle_budget_s
     known = asked_figures(run, make_figures(), run.diagnostics) if assertions else {}
     return Verdicts(

@@ -30,7 +30,7 @@ _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 
 @value_class(frozen=True, slots=True)
 class ServeOptions:
-    """What the command line says about a controller that stays on."""
+    """Options of a controller that stays on."""
 
     paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
     robot: str | None = option(
@@ -259,7 +259,7 @@ def _port(option: str, text: str) -> int | None:
 
 
 def _tls() -> SSLContext:
-    """The server's key; whoever wants no TLS needs no package for it."""
+    """The server's key; imported late, as only TLS needs the package."""
     from rapidsim.server.http.certificate import default_folder, tls_context
 
     return tls_context(default_folder())
@@ -285,7 +285,7 @@ def _users(texts: tuple[str, ...]) -> dict[str, str]:
 
 
 def _print_rejected(request: RunRequest, findings: tuple[Diagnostic, ...]) -> None:
-    """Print what checking found, as `rapidsim run` does; stdout is for who waits for a server."""
+    """Print the findings as `rapidsim run` does, but on stderr: clients read stdout."""
     from rapidsim.cli.tools.run_output import print_rejected
     from rapidsim.jobs.job import job
     from rapidsim.jobs.run_files import loaded

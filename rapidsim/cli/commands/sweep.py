@@ -28,7 +28,7 @@ def _shard(text: str) -> tuple[int, int]:
 
 @value_class(frozen=True, slots=True)
 class SweepOptions:
-    """What the command line says about a sweep."""
+    """Options of a sweep."""
 
     paths: tuple[str, ...] = argument("JOB.toml|PATH...", nargs=-1, required=True)
     varied: tuple[str, ...] = option(
@@ -109,7 +109,7 @@ def sweep(options: SweepOptions) -> int:
 def _request(
     paths: tuple[str, ...], robot: str | None, task: str | None, max_time: float
 ) -> RunRequest:
-    """What is asked: of the paths, one may be the station file."""
+    """The request; one of the paths may be the station file."""
     stations = [path for path in paths if path.lower().endswith(".toml")]
     programs = tuple(path for path in paths if path not in stations)
     if len(stations) > 1:

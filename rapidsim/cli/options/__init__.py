@@ -1,1 +1,1 @@
-"""What commands are given, read and refused."""
+"""Options of commands: declared, parsed and validated."""

@@ -1,4 +1,4 @@
-"""Who answers what a program asks its operator: a file, the person at the terminal, or nobody."""
+"""Sources of answers to operator dialogs: a file, the terminal, or none."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.report.findings.source_frame import printable_lines
 
 
 def answers_from(file: str | None) -> Answers | None:
-    """Answers from a file, else from the terminal; without a terminal nobody answers.
+    """Answers from a file, else from the terminal; none without a terminal.
 
     Raises:
         InputError: If the file cannot be read.

@@ -18,7 +18,7 @@ class Date(click.DateTime):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> datetime:
-        """Read it as ISO 8601 writes it; a time zone is nothing a controller's clock has."""
+        """Parse a date of ISO 8601; without a time zone, which a controller's clock lacks."""
         try:
             date = datetime.fromisoformat(str(value))
         except ValueError:

@@ -8,7 +8,7 @@
     @options_of(ViewOptions)
     def view(options: ViewOptions) -> int: ...
 
-The order of the fields is that of the help page. Defaults are click's: a field has none of its own.
+Fields are in the order of the help page. Defaults are click's: a field itself has none.
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ _DECORATOR = "decorator"
 
 
 def option(*names: str, **settings: Any) -> Any:
-    """Declare a field that is an option; the arguments are those of `click.option`."""
+    """Declare a field that is an option, with the arguments of `click.option`."""
     return _declared(lambda name: click.option(*names, name, **settings))
 
 
 def argument(metavar: str | None = None, **settings: Any) -> Any:
-    """Declare a field that is an argument; the settings are those of `click.argument`."""
+    """Declare a field that is an argument, with the settings of `click.argument`."""
     return _declared(lambda name: click.argument(name, metavar=metavar, **settings))
 
 
@@ -45,7 +45,7 @@ def shared(decorator: Callable[[Any], Any]) -> Any:
 
 
 def options_of(kind: type[Any], parameter: str = "options") -> Callable[[Command], Command]:
-    """Give a command the options of a value class, and a value of it as a parameter."""
+    """Add the options of a value class to a command, which receives a value of it."""
 
     def decorate(command: Command) -> Command:
         @functools.wraps(command)
@@ -58,10 +58,10 @@ def options_of(kind: type[Any], parameter: str = "options") -> Callable[[Command
 
 
 def attach(kind: type[Any]) -> Callable[[Command], Command]:
-    """Give a command the options of a value class, each as a parameter of its own."""
+    """Add the options of a value class to a command, each as a separate parameter."""
 
     def decorate(command: Command) -> Command:
-        # Decorators stand on the help page from the last applied to the first.
+        # The help page lists decorators from the last applied to the first.
         for declared in reversed(fields(kind)):
             command = declared.metadata[_DECORATOR](declared.name)(command)
         return command

@@ -37,7 +37,7 @@ strict_option = click.option(
 
 @value_class(frozen=True, slots=True)
 class ProgramOptions:
-    """What the command line says about the program of a run."""
+    """Options of the program of a run."""
 
     paths: tuple[str, ...] = argument("PATH...", nargs=-1, required=True)
     robot: str | None = option(
@@ -53,7 +53,7 @@ class ProgramOptions:
 
 @value_class(frozen=True, slots=True)
 class InputOptions:
-    """What the command line says about the inputs, limits and clock of a run."""
+    """Options of the inputs, limits and clock of a run."""
 
     io: str | None = option(
         "--io", metavar="FILE.toml", help="Signals and what happens to inputs; adds to the station."
@@ -106,7 +106,7 @@ class InputOptions:
 
 
 def program_options(command: Command) -> Command:
-    """Give a command options of the program; these and `input_options` become one `request`."""
+    """Add the options of a program to a command; with `input_options` they form a `request`."""
 
     @functools.wraps(command)
     def with_request(**values: Any) -> int:
@@ -117,7 +117,7 @@ def program_options(command: Command) -> Command:
 
 
 input_options = attach(InputOptions)
-"""Gives a command with `program_options` the inputs of a run, at another place of its help page."""
+"""Adds the input options to a command with `program_options`."""
 
 
 def _request(program: ProgramOptions, inputs: InputOptions) -> RunRequest:
@@ -145,11 +145,11 @@ def _request(program: ProgramOptions, inputs: InputOptions) -> RunRequest:
 
 
 def job_of(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
-    """The job that is asked for; what a backup says and is left out is said on stderr.
+    """Return the job of a request; print notes on skipped parts of a backup on stderr.
 
     Args:
         request: The request.
-        open_robot: Loads an arm; None says on stderr what is special about it.
+        open_robot: Loads an arm; None also prints notes on it on stderr.
     """
     found = job(request, open_robot=open_robot or functools.cache(_open_robot))
     echo_remarks(found.station)
@@ -157,7 +157,7 @@ def job_of(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
 
 
 def echo_remarks(station: Station) -> None:
-    """Say on stderr what a backup says of the cell and is left out."""
+    """Print notes on skipped parts of a backup on stderr."""
     for remark in station.remarks:
         echo(f"note: {remark}", err=True)
 
@@ -169,7 +169,7 @@ def _open_robot(name: str, scale: float | None) -> Robot:
 
 
 def open_quietly(name: str, scale: float | None) -> Robot:
-    """Load an arm; who does so says what is special about it, or another process does."""
+    """Load an arm without printing notes on it; the caller prints them."""
     from rapidsim.cli.options.robot_choice import robot_of
 
     return robot_of(name, scale)

@@ -23,7 +23,7 @@ class NumberOption(click.FloatRange):
 
 
 class _AnyNumber(click.types.FloatParamType):
-    """The same without a range, for which click has no words."""
+    """The error message without a range, which click does not have."""
 
     name = "number"
 
@@ -41,7 +41,7 @@ class _Processes(click.IntRange):
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
         """Read it; `auto` and 0 are one for each core."""
         if value in (0, "0", "auto"):
-            # Few commands are given one.
+            # Few commands use one.
             from rapidsim.jobs.processes import number_of_cores
 
             return number_of_cores()
@@ -57,7 +57,7 @@ def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
     """The type of an option that takes finite numbers with commas between.
 
     Args:
-        counts: How many there may be; any number of them if none is given.
+        counts: The permitted numbers of values; empty permits any.
     """
 
     def read(text: str) -> tuple[float, ...]:

@@ -19,12 +19,12 @@ from rapidsim.values import value_class
 
 TRACE_STEP_S = 0.012
 VALUES = "values of persistents"
-"""What was written into files of the program."""
+"""Values written into files of the program."""
 
 
 @value_class(frozen=True, slots=True)
 class OutputFileOptions:
-    """What the command line says about files to write, as it was typed."""
+    """Options of the files to write, as typed."""
 
     record: str | None = option(
         "--record", metavar="FILE.rrd", help="Where to write the recording; default <program>.rrd."
@@ -60,7 +60,7 @@ class OutputFileOptions:
 
 
 output_options = options_of(OutputFileOptions, "files")
-"""Gives a command the options of files to write; it receives them as `files`."""
+"""Adds the options of output files to a command, which receives them as `files`."""
 
 
 @value_class(frozen=True, slots=True)
@@ -138,7 +138,7 @@ def new_profile(name: str) -> Path:
 def write(
     simulation: Simulation, outputs: Outputs
 ) -> tuple[tuple[OutputFile, ...], InputError | None]:
-    """Write the files asked for; what can be written is, even if something else cannot.
+    """Write the requested files; a failure of one does not prevent the others.
 
     Args:
         simulation: The run.
@@ -162,9 +162,9 @@ def write(
 def _writers(
     simulation: Simulation, outputs: Outputs
 ) -> Iterator[tuple[str, Path, Callable[[], object]]]:
-    """What is written, where, and by what; it imports rerun and more, so only when asked for."""
+    """The requested files with their writers, whose imports (rerun) are slow."""
     if outputs.recording:
-        # rerun would repeat on stderr, in its own words, what our messages say.
+        # rerun would repeat our messages on stderr in other words.
         os.environ.setdefault("RUST_LOG", "off")
         from rapidsim.recording.layout.write import record
 

@@ -1,4 +1,4 @@
-"""Where a robot stands and how a tool is turned, as options; read late, for that imports NumPy."""
+"""Options for the base of a robot and the tool; parsed late, as this imports NumPy."""
 
 from __future__ import annotations
 
@@ -60,10 +60,10 @@ _STANDS = {
 
 
 def world_from_base(text: str) -> Transform:
-    """Where the robot stands.
+    """world_from_base of an option.
 
     Raises:
-        InputError: If the option says neither a place nor how it is mounted.
+        InputError: If the option is neither a pose nor a way of mounting.
     """
     if text.lower() in _STANDS:
         return pose((0.0, 0.0, 0.0), _STANDS[text.lower()], "--base")

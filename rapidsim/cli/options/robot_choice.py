@@ -9,7 +9,7 @@ from rapidsim.motion.robot.robot import Robot, load_robot
 
 
 def open_robot(name: str, scale: float | None = None) -> Robot:
-    """As `robot_of`; what is special about the robot is said on stderr."""
+    """Load an arm as `robot_of`, and print notes on it on stderr."""
     robot = robot_of(name, scale)
     for notice in robot.notices:
         echo(f"note: {notice}", err=True)

@@ -1,1 +1,1 @@
-"""Debugger, profiler, viewer, fixes: what commands do beside their job."""
+"""Debugger, profiler, viewer, fixes: additional services of commands."""

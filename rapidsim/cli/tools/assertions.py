@@ -1,4 +1,4 @@
-"""`rapidsim run --assert` and the cycle budget: what is asked before a run and judged after it."""
+"""`rapidsim run --assert` and the cycle budget: read before a run and judged after it."""
 
 from __future__ import annotations
 
@@ -38,10 +38,10 @@ _CUT = {
 
 @value_class(frozen=True, slots=True)
 class Assertion:
-    """An expression, and the task it is asked of."""
+    """An expression, and the task in which to evaluate it."""
 
     text: str
-    """As the user gave it."""
+    """The text as typed."""
     task: str
     question: ExpressionQuery
 
@@ -69,7 +69,7 @@ def read_assertions(
 def judge_assertions(
     assertions: Sequence[Assertion], run: FinishedRun, figures: Mapping[str, float]
 ) -> tuple[AssertionVerdict, ...]:
-    """Judge expressions after the run, in the order they were given."""
+    """Judge expressions after the run, in the order of the command line."""
     reason = _CUT.get(run.simulation.end)
     if reason is not None:
         return tuple(
@@ -91,7 +91,7 @@ def judge_assertions(
 def judge_budget(
     budget_s: float | None, run: FinishedRun, cycles: int, entry: str
 ) -> BudgetVerdict | None:
-    """Whether a cycle of main keeps its budget; None where the station file gives none."""
+    """Whether a cycle of main keeps its budget; None if the station file has no budget."""
     if budget_s is None:
         return None
     end, time_s = run.simulation.end, run.simulation.time_s
@@ -138,7 +138,7 @@ def _read(text: str, programs: Mapping[str, Program], io: CellIo, terminal: Term
 
 
 def _tasks(text: str, programs: Mapping[str, Program]) -> tuple[str, Mapping[str, Program]]:
-    """The expression without the task that stands before it, and the tasks to ask."""
+    """The expression without its task prefix, and the tasks in which to evaluate it."""
     match = _PREFIX.match(text)
     if match is None:
         return text, programs
@@ -160,7 +160,7 @@ def _show_place(finding: Diagnostic, terminal: Terminal) -> None:
 
 
 def _words(finding: Diagnostic) -> str:
-    """What is wrong, without the function that the checker was given around the expression."""
+    """The error, without the function that was wrapped around the expression."""
     violation = finding.violation
     if isinstance(violation, UnknownSignal):
         return f"neither the station nor the program has a signal `{violation.signal}`"
@@ -170,7 +170,7 @@ def _words(finding: Diagnostic) -> str:
 
 
 def _suggestion(finding: Diagnostic, program: Program, io: CellIo) -> str | None:
-    """How the expression could be mended."""
+    """Suggestion for the expression; None without one."""
     violation = finding.violation
     if isinstance(violation, UndefinedName) and violation.nearest is None:
         return f"it may name data and signals of the program, and {', '.join(ASKED_FIGURES)}"

@@ -1,4 +1,4 @@
-"""What a check prints: the findings in one of six formats."""
+"""Output of a check: the findings in one of six formats."""
 
 from __future__ import annotations
 

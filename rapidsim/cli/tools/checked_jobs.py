@@ -15,7 +15,7 @@ from rapidsim.jobs.result_store import ResultStore, cache_folder
 
 
 def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> list[CheckResult]:
-    """The results of jobs in their order; what is special about their arms is said on stderr.
+    """Return the results of jobs in order; print notes on their arms on stderr.
 
     Args:
         jobs: What is checked.
@@ -42,7 +42,7 @@ def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> li
 
 
 def _store() -> ResultStore | None:
-    """Where the results of this user are kept; None for one who has no home."""
+    """Folder of this user's cached results; None for a user without a home."""
     try:
         return ResultStore(cache_folder(os.environ))
     except RuntimeError:

@@ -50,7 +50,7 @@ def debugged(run: Callable[[], T], program: Program, breaks: Sequence[str]) -> T
         breaks: Places as `FILE:LINE`, or a line alone in a program of one file.
 
     Raises:
-        InputError: If nobody could type, or a place is none.
+        InputError: If there is no terminal, or a breakpoint is not a place.
         click.Abort: If the user quits.
     """
     if not (sys.stdin.isatty() and sys.stdout.isatty()):
@@ -114,7 +114,7 @@ class _Debugger(pdb.Pdb):
         return list(self._sources)
 
     def statement_line(self, file: str, line: int) -> int:
-        """The first line from a line on that holds a statement; 0 if there is none."""
+        """The first line with a statement, from a line on; 0 without one."""
         return min((one for one in self._lines[file] if one >= line), default=0)
 
     def run_to_breaks(self, run: Callable[[], T]) -> T:
@@ -134,7 +134,7 @@ class _Debugger(pdb.Pdb):
         finally:
             sys.settrace(None)
 
-    # What follows is asked by bdb while the program runs.
+    # Callbacks of bdb while the program runs.
 
     def canonic(self, filename: str) -> str:
         """Code of a program is named as the user named its file."""
@@ -155,19 +155,19 @@ class _Debugger(pdb.Pdb):
         """Stop where a statement begins."""
         self._know(module_of(frame))
         if self._failed == (frame, frame.f_lineno):
-            # Its line is seen again while the ERROR clause is looked for.
+            # Its line is traced again during the search for the ERROR clause.
             return
         self._failed = None
         if frame.f_lineno in self._lines.get(frame.f_code.co_filename, ()):
             super().user_line(frame)
 
     def user_return(self, frame: FrameType, return_value: Any) -> None:
-        """Leaving a routine: stop at the next statement, whoever called it."""
+        """Leaving a routine: stop at the next statement of any caller."""
         if frame is self.returnframe:
             self.set_step()
 
     def user_exception(self, frame: FrameType, exc_info: Any) -> None:
-        """Stop where an error is seen on its way, as long as the user goes step by step."""
+        """Stop where an error passes, as long as the user steps."""
         error = exc_info[1]
         if isinstance(error, ERRORS):
             self._know(module_of(frame))
@@ -197,11 +197,11 @@ class _Debugger(pdb.Pdb):
         text = self._sources[file].line(line).strip()
         return f"{file}:{line} in {place_of(frame)}{lprefix}{text}"
 
-    # What follows is asked by pdb's commands.
+    # Callbacks of pdb's commands.
 
     @property
     def _frame(self) -> FrameType:
-        """The routine that the user looks at."""
+        """The selected routine."""
         assert self.curframe is not None
         return self.curframe
 
@@ -248,7 +248,7 @@ class _Debugger(pdb.Pdb):
         echo(msg + end.removesuffix("\n"))
 
     def error(self, msg: str) -> None:
-        """Say what is wrong with a command; modules are not looked for in Python's places."""
+        """Report an error in a command; modules are not searched on Python's path."""
         super().error(msg.replace("from sys.path", "in the program"))
 
     def do_args(self, arg: str) -> None:

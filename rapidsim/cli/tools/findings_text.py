@@ -1,4 +1,4 @@
-"""How findings are shown to a person: frames in the terminal's colours and width."""
+"""Findings for a person: source frames in the terminal's colours and width."""
 
 from __future__ import annotations
 

@@ -23,20 +23,20 @@ class ChosenFixes:
     edits: dict[str, list[TextEdit]]
     """By file."""
     count: int
-    """How many findings they cure."""
+    """Number of findings that they fix."""
     skipped: int = 0
-    """How many would have left more errors than there are."""
+    """Number of fixes skipped, as they would lead to more errors."""
 
 
 @value_class(frozen=True, slots=True)
 class FixResult:
-    """What fixing leads to."""
+    """The result of fixing."""
 
     tasks: tuple[TaskFiles, ...]
     count: int
-    """How many findings were cured."""
+    """Number of fixed findings."""
     skipped: int
-    """How many fixes would have left more errors than there are."""
+    """Number of fixes skipped, as they would lead to more errors."""
 
     def edits_of(self, tasks: Sequence[TaskFiles]) -> dict[str, list[TextEdit]]:
         """The new text of each file that was another before."""
@@ -84,7 +84,7 @@ def apply_fixes(
     Args:
         tasks: Their files.
         findings: What was found in them.
-        find: Looks for it again.
+        find: Returns the findings of changed programs.
         unsafe: Whether fixes that change what the program does are taken too.
     """
     count, left_out = 0, 0
@@ -105,7 +105,7 @@ def harmless_fixes(
     """The fixes of findings that leave no more errors than there are.
 
     A fix is made for a text that is understood; in a broken one it may do harm. Then halves are
-    tried, and halves of those, until only what harms is left out.
+    tried, and halves of those, until only harmful ones are excluded.
     """
     wanted = [d for d in diagnostics if d.fix is not None and (d.fix.safe or unsafe)]
     chosen = choose_fixes(wanted, unsafe=unsafe)
@@ -127,7 +127,7 @@ def harmless_fixes(
 
 
 def _errors(tasks: Sequence[TaskFiles]) -> int:
-    """How many errors there are, whichever are shown; what the arm can do does not count."""
+    """Number of errors, whichever are shown, without those of reach."""
     # Most checks fix nothing, and some know what they would find.
     from rapidsim.jobs.check_files import check_tasks
 
@@ -153,7 +153,7 @@ def _edited(
 
 
 def difference(edits: dict[str, list[TextEdit]], tasks: Sequence[TaskFiles]) -> str:
-    """What the edits change, as a unified difference with LF at all line ends."""
+    """Changes of the edits as a unified difference with LF at all line ends."""
     parts: list[str] = []
     for task in tasks:
         for file in task.files:

@@ -51,7 +51,7 @@ _METRES = 10.0
 
 @value_class(frozen=True, slots=True)
 class FollowOptions:
-    """What the command line says, numbers in mm and degrees as written."""
+    """Options as typed, in mm and degrees."""
 
     robot: Robot
     tool: tuple[float, ...]
@@ -75,12 +75,12 @@ class PreparedPoints:
     attitudes: Array
     flange_from_tcp: Transform
     missing: int
-    """How many points are out of reach and not left out."""
+    """Number of points out of reach and not skipped."""
     start: Array | None
     first: Array | None
     dt: float
     remarks: tuple[str, ...]
-    """What was assumed, a line each."""
+    """Assumptions, a line each."""
 
     @property
     def all_reached(self) -> bool:
@@ -89,7 +89,7 @@ class PreparedPoints:
 
 
 def prepared(options: FollowOptions, points: Points) -> PreparedPoints:
-    """Complete points, and look at which the arm reaches.
+    """Complete points, and find out which the arm reaches.
 
     Raises:
         InputError: If options do not fit the arm.
@@ -144,7 +144,7 @@ def prepared(options: FollowOptions, points: Points) -> PreparedPoints:
 
 
 def attempt_all(task: PreparedPoints, plan: Plan, path_kinds: Sequence[Way]) -> tuple[Attempt, ...]:
-    """Solve the trajectory in some ways, and take the time that it costs."""
+    """Solve the trajectory for several kinds of path, and measure the time."""
     return tuple(attempt(task, replace(plan, kind=way)) for way in path_kinds)
 
 
@@ -158,7 +158,7 @@ def started(result: FollowedTrajectory | Refused) -> tuple[SeededSolve, ...]:
 
 
 def unused(task: PreparedPoints, plan: Plan) -> tuple[str, ...]:
-    """What was assumed or given in vain, a line each."""
+    """Assumptions and options without effect, a line each."""
     points, quintic = task.requested.points, plan.kind is Way.JOINT_QUINTIC
     remarks = list(task.remarks)
     furthest_mm = 1000.0 * float(np.abs(points.positions).max())
@@ -186,7 +186,7 @@ def written(
     plots: Path | None,
     requested: RequestedPoints,
 ) -> tuple[OutputFile, ...]:
-    """Write the files asked for, if there is a trajectory."""
+    """Write the requested files, if there is a trajectory."""
     if isinstance(result, Refused):
         return ()
     files = []
@@ -211,7 +211,7 @@ def written(
 def render_result(
     task: PreparedPoints, attempts: Sequence[Attempt], files: Sequence[OutputFile], *, compare: bool
 ) -> RenderableType:
-    """Everything a person is told."""
+    """The whole output for a person."""
     parts: list[RenderableType] = [points_page(task.requested), Text()]
     if not compare and len(attempts) > 1:
         return Group(*parts, scaling_page(attempts))

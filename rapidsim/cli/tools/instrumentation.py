@@ -1,4 +1,4 @@
-"""How a run is watched: not at all, at breakpoints, or by Python's profiler."""
+"""Instrumentation of a run: none, breakpoints, or Python's profiler."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ T = TypeVar("T")
 
 @value_class(frozen=True, slots=True)
 class Instrumentation:
-    """What of it is wanted; one at most."""
+    """The requested instrumentation; one at most."""
 
     breaks: tuple[str, ...]
     profile: Path | None
-    """Where the profile is written."""
+    """File for the profile."""
 
 
 def choose_instrumentation(breaks: Sequence[str], profile: str | None) -> Instrumentation:
-    """What the options say.
+    """The instrumentation of the options.
 
     Raises:
         InputError: If they want both, or the profile cannot be written there.
@@ -54,7 +54,7 @@ def run_instrumented(
         run: Runs it.
         loaded: What it is.
         watch: How it is watched.
-        terminal: Where it is said that it runs.
+        terminal: Receives the progress.
         meter: How far it is.
 
     Raises:

@@ -1,4 +1,4 @@
-"""What the commands of `rapidsim kin` do with a posture: show it, record it, draw it."""
+"""Steps of `rapidsim kin` on a posture: show, record, draw."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def outputs(record: str | None, plots: str | None, view: bool, default: str) -> 
     """The places to write to, refused before anything is computed.
 
     Raises:
-        InputError: If something cannot be written or there is no screen to look at it.
+        InputError: If a file cannot be written or there is no screen for the viewer.
     """
     if view:
         require("rerun", "--view")
@@ -47,10 +47,10 @@ def outputs(record: str | None, plots: str | None, view: bool, default: str) -> 
 
 
 def write(postures: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[OutputFile, ...]:
-    """Write what was asked for and open the viewer; unless `quiet` what was written is said."""
+    """Write the requested files, open the viewer, and list the files unless `quiet`."""
     files = []
     if asked.recording:
-        # rerun would repeat on stderr, in its own words, what our messages say.
+        # rerun would repeat our messages on stderr in other words.
         os.environ.setdefault("RUST_LOG", "off")
         from rapidsim.recording.layout.posture_recording import record_postures
 
@@ -70,7 +70,7 @@ def write(postures: Postures, asked: PostureOutputs, *, quiet: bool) -> tuple[Ou
 
 
 def solved_postures(solutions: PoseSolutions, turns: Array) -> tuple[Posture, ...]:
-    """The solutions of a pose to be looked at side by side: whole turns (n,) look alike."""
+    """The solutions of a pose to draw side by side; those a whole turn (n,) apart coincide."""
     postures = []
     for looks in distinct(np.array([solution.joints for solution in solutions.solutions]), turns):
         alike = [

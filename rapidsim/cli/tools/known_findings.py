@@ -1,4 +1,4 @@
-"""What a check judges by: a baseline of known findings."""
+"""Comparison of a check with a baseline of known findings."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class BaselineGroup:
 
 @value_class(frozen=True, slots=True)
 class NewFindings:
-    """What is left of the findings of a group."""
+    """The findings of a group that its baseline lacks."""
 
     result: CheckResult
     remarks: tuple[str, ...] = ()
@@ -47,11 +47,11 @@ def group_by_settings(
 
 
 def compare_with_baseline(group: BaselineGroup, *, update: bool, create: bool) -> NewFindings:
-    """What is new to the baseline of a group.
+    """Compare a group with its baseline.
 
     Args:
         group: The group.
-        update: Whether the baseline is written anew.
+        update: Whether the baseline is overwritten.
         create: Whether it is written if it does not exist.
     """
     file = group.baseline

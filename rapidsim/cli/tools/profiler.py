@@ -1,6 +1,6 @@
 """`rapidsim run --profile`: where the interpreter spends its time, by RAPID routine.
 
-This is time of the computer that simulates, measured by Python's profiler, and says nothing about
+This is the simulating computer's time, measured by Python's profiler, and independent of
 the robot. It differs from run to run; the run itself does not.
 """
 
@@ -26,18 +26,18 @@ T = TypeVar("T")
 SHOWN_ROUTINES = 10
 
 _Function: TypeAlias = tuple[str, int, str]
-"""File, line of the header, name: how Python's profiler tells functions apart."""
+"""File, line of the header, name: the key of a function in Python's profiler."""
 _Stats: TypeAlias = dict[_Function, tuple[Any, ...]]
 
 
 @value_class(frozen=True, slots=True)
 class RoutineCost:
-    """What one routine, or a clause of one, took of the computer's time."""
+    """Computer time of one routine or clause."""
 
     name: str
     file: str
     line: int
-    """Of its header."""
+    """Line of its header."""
     calls: int
     own_s: float
     """In its own lines: expressions, decisions, loops."""
@@ -47,10 +47,10 @@ class RoutineCost:
 
 @value_class(frozen=True, slots=True)
 class RunProfile:
-    """What was measured over a run."""
+    """Measurements of a run."""
 
     stats: _Stats
-    """As Python's `pstats` reads them, with routines as RAPID spells them."""
+    """Statistics for Python's `pstats`, with routines named as in RAPID."""
     routines: tuple[RoutineCost, ...]
     """The most expensive first."""
 
@@ -110,7 +110,7 @@ def costs_table(costs: Sequence[RoutineCost]) -> RenderableType:
 
 
 def _rapid_names(stats: _Stats, program: Program) -> Mapping[_Function, _Function]:
-    """The functions that are routines, or clauses of them, under the names RAPID gives them."""
+    """The functions of routines and clauses, by their names in RAPID."""
     headers = [
         (module.source.file, module.source.position(routine.start)[0], routine.name.text)
         for module in program.modules

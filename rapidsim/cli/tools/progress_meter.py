@@ -1,4 +1,4 @@
-"""How far a long run is, said on a terminal while it goes on: share, rate, time left."""
+"""Progress of a long run on a terminal: share, rate, remaining time."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ _LEAST_SHARE = 0.01
 """Below it a time left would be a guess."""
 _MINUTE_S = 60.0
 _A_BLOCK = 100
-"""Moves on the way of a robot that are worth a word."""
+"""Least number of moves for which progress is shown."""
 
 
 class Meter:
-    """What a status line shows; it asks the run whenever the line is drawn."""
+    """Content of a status line, read from the run when the line is drawn."""
 
     def __init__(self, written: int, now: Callable[[], float] = time.monotonic) -> None:
         """Begin to measure.
 
         Args:
-            written: How many move instructions stand in the programs.
+            written: The number of move instructions in the programs.
             now: A clock [s].
         """
         self._written, self._now, self._began = written, now, now()
@@ -42,7 +42,7 @@ class Meter:
         return Text(f"simulating: {_words(self._look(), self._written, seconds)}")
 
     def so_far(self) -> str:
-        """How far a run is that is broken off, in words to follow `interrupted`."""
+        """Progress of an interrupted run, as text after `interrupted`."""
         if self._look is None:
             return ""
         far = self._look()
@@ -54,9 +54,9 @@ class Meter:
 
 
 def _words(progress: Progress, written: int, seconds: float) -> str:
-    """Share and time left are known as long as no move has been repeated: then the text tells."""
+    """Share and remaining time follow from the text as long as no move has been repeated."""
     if progress.planned > max(_A_BLOCK, progress.moves):
-        # A block has no times before all of it is planned: nobody knows how far that is.
+        # A block has no times before it is planned as a whole.
         return f"planning {progress.planned:,} moves as one path, {_length(seconds)} so far"
     rate = f"{progress.moves:,} moves, {progress.moves / seconds:,.0f} a second"
     share = progress.places / written if written else 0.0

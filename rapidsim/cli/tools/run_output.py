@@ -1,4 +1,4 @@
-"""What a run prints: a rejected program, findings, the summary or JSON, and what was judged."""
+"""Output of a run: a rejected program, findings, the summary or JSON, and verdicts."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class RunDone:
 
     simulation: Simulation
     figures: Callable[[], Figures]
-    """Computed when they are first asked for."""
+    """Computed at first use."""
     judgement: Verdicts
     profile: RunProfile | None
 
@@ -72,7 +72,7 @@ def print_run(
     output_format: str,
     terminal: Terminal,
 ) -> None:
-    """Say what happened, which files tell more, and what became of what was asked."""
+    """Print the result, the written files, and the verdicts."""
     findings = done.simulation.diagnostics
     if output_format == "json":
         files = _json_files(written)
@@ -98,7 +98,7 @@ def _print_findings(findings: Sequence[Diagnostic], terminal: Terminal) -> None:
 
 
 def _print_judgement(judgement: Verdicts, output_format: str, terminal: Terminal) -> None:
-    """Say what became of the assertions and the budget; beside JSON only what is amiss."""
+    """Print the verdicts on assertions and budget; with JSON only failures."""
     is_table = output_format == "table"
     palette = terminal.palette
     for verdict in judgement.verdicts:
@@ -130,7 +130,7 @@ def _print_summary(
 
 @contextmanager
 def stage(subject: str, terminal: Terminal, meter: RenderableType | None = None) -> Iterator[None]:
-    """Say on a terminal what is under way, and how far; anywhere else say nothing."""
+    """Show the current stage and its progress on a terminal; nothing elsewhere."""
     if terminal.quiet or not sys.stderr.isatty():
         yield
         return

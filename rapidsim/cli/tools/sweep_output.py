@@ -1,4 +1,4 @@
-"""What a sweep says at its end."""
+"""Output of a sweep."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.jobs.sweep import Sweep
 
 
 def swept_text(sweep: Sweep, written: Sequence[Path]) -> str:
-    """How many variants work, the best of them, and where the table is."""
+    """Number of variants that work, the best of them, and the file of the table."""
     works, count = sweep.works, len(sweep.number)
     moves = "1 move" if sweep.moves == 1 else f"{sweep.moves} moves"
     lines = [f"{int(works.sum())} of {count} variants reach all of {moves} as programmed."]

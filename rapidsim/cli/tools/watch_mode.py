@@ -17,14 +17,14 @@ from rapidsim.station.station import find_station
 _LOOKS_S = 0.4
 _PROGRAM = ".pgf"
 _READ = {*MODULE_SUFFIXES, _PROGRAM, ".toml", ".cfg"}
-"""What of a folder can change what a command says."""
+"""Files of a folder that can change the output of a command."""
 
 Stamps = Mapping[str, tuple[int, int]]
 """Time of change [ns] and size of each file."""
 
 
 def watch_option(command: Callable[..., int]) -> Callable[..., int]:
-    """Give a command `--watch`; it must stand above the options that name files."""
+    """Add `--watch` to a command; the decorator goes above those of options that name files."""
 
     @functools.wraps(command)
     def watching(*, watch: bool, **options: object) -> int:
@@ -45,7 +45,7 @@ def watch_option(command: Callable[..., int]) -> Callable[..., int]:
             try:
                 command(**options)
             except InputError as error:
-                # An editor may be just writing the file: the next change mends it.
+                # An editor may be just writing the file: the next change completes it.
                 echo(f"error: {error.message}", err=True)
                 if error.help:
                     echo(f" help: {error.help}", err=True)
