@@ -140,8 +140,8 @@ def terminal_options(command: Command) -> Command:
         click.help_option("-h", "--help"),
         click.version_option(__version__, message="rapidsim %(version)s"),
         click.option("--no-color", **_setting("no_color"), help="No colours, like NO_COLOR."),
-        click.option("-v", "--verbose", **_setting("verbose"), help="Print more."),
-        click.option("-q", "--quiet", **_setting("quiet"), help="Print only what is wrong."),
+        click.option("-v", "--verbose", **_setting("verbose"), help="Verbose output."),
+        click.option("-q", "--quiet", **_setting("quiet"), help="Print only problems."),
     ):
         command = option(command)
     return command

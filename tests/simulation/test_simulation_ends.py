@@ -39,7 +39,7 @@ def test_a_program_that_stops_itself_says_where(statement: str, name: str) -> No
     found = it.only("R107")
     assert found.severity == "note"
     assert (
-        found.violation.message == f"`{name}` stopped the program here, and nobody starts it again"
+        found.violation.message == f"`{name}` stopped the program here, and nothing restarts it"
     )
     assert (found.routine, found.span and found.span.line) == ("inner", 17)
     assert calls(found) == [("called from main", 8)]

@@ -147,7 +147,7 @@ def _check_reached(
             unreached = takewhile(lambda one: graph.block_of[one] not in reached, body[position:])
             # A RETURN after an endless loop is a precaution.
             if not all(isinstance(one, tree.Return | tree.Empty) for one in unreached):
-                place = Related(context.module.span(last), "this never goes on to the next one")
+                place = Related(context.module.span(last), "control never continues past this")
                 context.report(UnreachableCode(), statement, place)
             last = None
 

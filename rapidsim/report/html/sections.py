@@ -149,7 +149,7 @@ def cycle_time(simulation: Simulation) -> str:
         )
         + '<h3>By line</h3><div class="scrolled">'
         + table(
-            ("line", "move or wait", ">times", ">path [mm]", ">off it [mm]", ">time [s]", ""),
+            ("line", "move or wait", ">times", ">path [mm]", ">path deviation [mm]", ">time [s]", ""),
             [
                 _share_row(
                     share, lines[0], _off_curve(share, deviations), named=True, several=several
@@ -190,7 +190,7 @@ def _slow_sections(simulation: Simulation) -> str:
     heads = ("lines", "held by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
              ">lost [s]", "")  # fmt: skip
     left = len(found) - len(rows)
-    more = f'<p class="aside">and {left} stretches that cost less time</p>' if left else ""
+    more = f'<p class="aside">{left} shorter stretches not shown</p>' if left else ""
     table_of_them = table(heads, rows, kind="times")
     return (
         "<h3>Where the programmed speed is not reached</h3>"
