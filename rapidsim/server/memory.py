@@ -16,7 +16,7 @@ def give_large_blocks_back() -> bool:
     """Make the C library return large blocks to the system as soon as they are freed.
 
     glibc does so only until the first one is freed; then it allocates blocks of that size from its
-    heap, which uploads and downloads of various sizes fragment.
+    heap, which files of various sizes fragment.
 
     Returns:
         Whether the C library has this setting; others do not need it.
