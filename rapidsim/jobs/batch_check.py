@@ -174,7 +174,7 @@ class _ObservedJob:
 def _runs_ended() -> int:
     """Number of runs of this process that the wall-clock limit ended."""
     if "rapidsim.controller.cell.watchdog" not in sys.modules:
-        # There was no run; an import for the check would import NumPy.
+        # There was no run; importing the watchdog would import NumPy.
         return 0
     from rapidsim.controller.cell.watchdog import Watchdog
 

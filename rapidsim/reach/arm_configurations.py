@@ -54,7 +54,7 @@ class EndSolutions:
     stored_works: Mask
     """Whether the arm meets the stored configuration."""
     on_stored_branch: Mask
-    """Whether a run continues: as above, or an axis on the stored branch is two quarters off."""
+    """Whether a run continues: configuration met, or an axis two quarters off on its branch."""
     match: Integers
     """Shape (k,): the `Match` of the joints; OTHER for moves to axis positions."""
     stored: Array

@@ -257,7 +257,7 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
 
 
 def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> RunOptions:
-    """Return options for a run with only an empty home folder, and without answers to questions."""
+    """Return options for a run with only an empty home folder; questions end as unanswered."""
     return replace(
         options,
         answers=None,
@@ -269,7 +269,7 @@ def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> Ru
 
 
 def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:
-    """Whether a run used a service outside of it that it lacked."""
+    """Whether a run lacked an external file, peer or service that it used."""
     nobody = any(isinstance(one.violation, _NOBODY_THERE) for one in run.diagnostics)
     return (run.lacked_files or nobody) and any(map(reads_external_state, programs))
 

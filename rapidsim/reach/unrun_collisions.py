@@ -1,6 +1,6 @@
 """Collisions of moves that no run of main made, but whose start and end are known.
 
-Each is executed separately, among the bodies at the end of the run of main. Parts of a move that a
+Each is executed separately, among the bodies as the run of main left them. Parts of a move that a
 corner path would cut off are not checked, nor are bodies that are carried at times.
 """
 

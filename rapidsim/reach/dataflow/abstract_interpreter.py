@@ -70,7 +70,7 @@ class AbstractInterpreter:
     moves: list[KnownMove] = field(default_factory=list)
     unknown: dict[MoveStatement, str] = field(default_factory=dict)
     unreached: dict[MoveStatement, str] = field(default_factory=dict)
-    """As `unknown`, for statements on no path of the program; used if no path reaches them.
+    """Reasons why moves on no path of the program are unknown; used if no path reaches them.
     """
     _index: dict[object, int] = field(default_factory=dict)
     _stack: list[AbstractFrame] = field(default_factory=list)

@@ -15,7 +15,7 @@ NO_WOBJ = "wobj0"
 
 
 class RunNotFollowedError(Exception):
-    """The moves of bulk statements differ from the text, so they must be examined one by one."""
+    """The moves of bulk statements are unknown or not as written: examine them one by one."""
 
 
 def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
