@@ -21,7 +21,7 @@ _SEVERITIES = tuple(Severity)
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
-    """Findings of a check, and its gaps."""
+    """Findings of a check, and the moves that were not checked."""
 
     files: tuple[str, ...]
     """Names of the files that were read."""
@@ -42,7 +42,7 @@ class CheckResult:
 
     @property
     def ok(self) -> bool:
-        """Whether no finding fails the check: the only place that decides its exit code."""
+        """Whether the check succeeds; no other code decides its exit code."""
         failing = _SEVERITIES[: _SEVERITIES.index(self.fail_on) + 1]
         if any(finding.severity in failing for finding in self.diagnostics):
             return False

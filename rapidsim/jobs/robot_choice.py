@@ -13,7 +13,7 @@ class RobotChoice:
 
     name: str
     reason: str | None
-    """Text for the summary; None if the user named the robot."""
+    """Reason for the summary; None if the user named the robot."""
     scale: float | None = None
     """Factor on the lengths of a URDF file; None for no scaling."""
 

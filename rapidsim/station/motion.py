@@ -119,7 +119,7 @@ def read_motion(
 
 
 def read_configuration_rule(reader: Reader, motion: Table) -> ConfigurationRule:
-    """Read `configuration`: which one meets a stored one, and the effect on a move without it."""
+    """Read `configuration`: the tolerance of a stored one, and the effect of a violation."""
     written = reader.text(motion, "motion", "configuration") or ConfigurationRule.COMPLIANT
     if written == _EXACT_BEFORE:
         return ConfigurationRule.EXACT

@@ -93,7 +93,7 @@ class StationRobot:
 def read_robots(
     reader: Reader, station: Table, defaults: Sequence[StationRobot] = ()
 ) -> tuple[StationRobot, ...]:
-    """Read [robot], or each [[robot]]; empty without both. Errors are collected in the reader.
+    """Read [robot] or each [[robot]]; empty if missing. Errors are collected in the reader.
 
     Args:
         reader: Reads the file.

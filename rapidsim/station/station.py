@@ -49,7 +49,7 @@ class Station:
     """Tasks in the order of the file; if empty there is one, with the first robot."""
     io: CellIo = field(default_factory=CellIo)
     robotware: RobotWare | None = None
-    """RobotWare version; None if unspecified, and features of all versions are known."""
+    """RobotWare version; None if unspecified, so that the features of all versions are known."""
     stubs: tuple[Path, ...] = ()
     """Modules in place of libraries that the program lacks; all tasks have them."""
     configured: Configured = field(default_factory=dict)
@@ -112,7 +112,7 @@ class Station:
 def find_station(paths: Iterable[str]) -> Path | None:
     """Return the station file next to the first path that exists, or in a folder above it.
 
-    A file in the folder of its modules (RAPID, PROGMOD, SYSMOD) is next to a folder, too.
+    A file in the module folder (RAPID, PROGMOD, SYSMOD) of a folder counts as next to it, too.
 
     Raises:
         InputError: If it is a link to another folder.
