@@ -1,8 +1,7 @@
 """`rapidsim sweep`: the same program with the robot at many positions, one variant for each.
 
 First the reach of all variants is checked together; then those that reach everything are run, each
-independently and, if requested, in several processes. The rows and their order are the same either
-way.
+independently and, if requested, in several processes. Neither affects the rows or their order.
 """
 
 from __future__ import annotations

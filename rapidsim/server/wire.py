@@ -142,13 +142,13 @@ class SocketWire:
     _mailboxes: dict[int, socket.socket] = field(default_factory=dict)
     """Sockets for datagrams, by the ports that programs use for them."""
     _calls: dict[int, Event] = field(default_factory=dict)
-    """Open calls of servers; an event is set once its program no longer waits."""
+    """Connection attempts without an answer; set once their programs no longer wait."""
     _answers: SimpleQueue[tuple[int, str, socket.socket]] = field(default_factory=SimpleQueue)
-    """Number, peer and stream of answered calls; a peer may be gone again by now."""
+    """Number, peer and stream of answered attempts; a peer may be gone again by now."""
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
     _wake_pipe: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
-    """Wake-up pipe, written to when a call has been answered."""
+    """Wake-up pipe, written to when an attempt has been answered."""
 
     def __post_init__(self) -> None:
         """Start without ports."""

@@ -9,7 +9,7 @@ from typing import Final
 from rapidsim.server.messages import ChangeEvent, Item
 
 MOST_WAITING: Final = 1000
-"""Largest number of changes for one reader; at least as many as it can subscribe to resources."""
+"""Largest number of changes for one reader: one for each resource that it can subscribe to."""
 
 
 @dataclass(slots=True, eq=False)

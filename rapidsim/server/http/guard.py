@@ -15,7 +15,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class Guard:
-    """Names of this server: numeric addresses, which cannot be rebound, and localhost."""
+    """Admits requests to localhost, the host, and numeric addresses, which cannot be rebound."""
 
     host: str
     """Host that the server listens on."""

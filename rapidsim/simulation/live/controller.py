@@ -48,7 +48,7 @@ _SCREEN_LINES = 100
 _REMEMBERED_S = 10.0
 """Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
 LEAST_RATIO = 1
-"""The speed ratio [%] used in place of 0 %: a robot at rest in mid-path is not modelled."""
+"""The speed ratio [%] used in place of 0 %, which is not modelled: the robot would not move."""
 
 
 def _ignore(entry: LogEntry | Event | Diagnostic) -> None:

@@ -62,5 +62,5 @@ class Collisions:
 
     @property
     def hollow_m(self) -> float:
-        """Largest depth by which a body may be deeper than the geometry that was checked."""
+        """Largest amount [m] by which a body may be deeper than the shape that was checked."""
         return max((body.shape.hollow_m for body in self.scene.bodies), default=0.0)
