@@ -147,7 +147,7 @@ def _archive_of_all(paths: Sequence[str]) -> Path | None:
 
 
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
-    """Return a line that names modules next to a single file, if it uses undeclared names."""
+    """Line that names modules next to a single file with undeclared names; else None."""
     beside = neighbours(paths[0]) if len(paths) == 1 else ()
     if not beside or not any(d.violation.code in _UNDECLARED for d in diagnostics):
         return None

@@ -148,7 +148,7 @@ class SocketWire:
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
     _wake_pipe: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
-    """Wake-up pipe, written to when an attempt has been answered."""
+    """Wake-up pipe, written to when an attempt is answered or a connection is lost."""
 
     def __post_init__(self) -> None:
         """Start without ports."""
