@@ -1,1 +1,1 @@
-"""Compares two programs, and their runs."""
+"""Comparison of two programs, and of their runs."""

@@ -1,4 +1,4 @@
-"""The configuration that a path brings: system parameters of a controller, and a station file."""
+"""Configuration at a path: system parameters of a controller, and a station file."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class CellConfiguration:
-    """What is configured around a program."""
+    """Configuration of the cell of a program."""
 
     parameters: Configured = field(default_factory=dict)
-    """None where there is no configuration of a controller."""
+    """System parameters; empty if there is no configuration of a controller."""
     products: tuple[str, ...] = ()
     """RobotWare and its options, as a backup lists them."""
     station: Table = field(default_factory=dict)
-    """The station file; empty where there is none."""
+    """Table of the station file; empty if there is no such file."""
 
     @property
     def is_empty(self) -> bool:
-        """Whether nothing is configured."""
+        """Whether there are neither parameters nor a station file."""
         return not self.parameters and not self.station
 
 
@@ -41,7 +41,7 @@ def is_configuration_file(path: str) -> bool:
 
 
 def cell_configuration(request: RunRequest) -> CellConfiguration:
-    """The configuration near the path of a request.
+    """Return the configuration near the path of a request.
 
     Raises:
         InputError: If a file cannot be read.

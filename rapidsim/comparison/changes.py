@@ -1,4 +1,4 @@
-"""The results of a comparison: changes of the program, of times, of outputs, of findings."""
+"""Results of a comparison: changes of the program, of times, of outputs, of findings."""
 
 from __future__ import annotations
 
@@ -23,32 +23,32 @@ class ComponentChange:
     """A component of a value that differs."""
 
     component: str
-    """Such as `trans.x`; the parameter of an argument; "" for a value as a whole."""
+    """Name, such as `trans.x`; the parameter of an argument; "" for a value as a whole."""
     old: Literal | None
-    """None where it is new."""
+    """None if the component is new."""
     new: Literal | None
-    """None where it is gone."""
+    """None if the component was removed."""
     unit: str = ""
 
 
 @value_class(frozen=True, slots=True)
 class ProgramChange:
-    """One change of the program, as a robot programmer sees it."""
+    """One change of the program, in the terms of a robot programmer."""
 
     kind: str
     """`target`, `tool`, `work object`, `speed`, `zone`, `signal`, `data`, `statement`, `routine`,
     `type` or `module`."""
     name: str
-    """Of the data or the routine; of an argument, as the program writes it now."""
+    """Name of the data or the routine; of an argument, its current text."""
     message: str
     routine: str | None = None
-    """Where it is used, if it is a statement."""
+    """Routine of a changed statement; None for other changes."""
     old: SourcePosition | None = None
-    """None where it is new."""
+    """None if the item is new."""
     new: SourcePosition | None = None
-    """None where it is gone."""
+    """None if the item was removed."""
     values: tuple[ComponentChange, ...] = ()
-    """The values before and after."""
+    """Values before and after."""
 
 
 @value_class(frozen=True, slots=True)
@@ -64,12 +64,12 @@ class ConfigurationChange:
     key: str
     """The attribute; "" for a whole instance."""
     old: str | None
-    """None where it is new."""
+    """None if the attribute is new."""
     new: str | None
-    """None where it is gone."""
+    """None if the attribute was removed."""
     unit: str = ""
     note: str = ""
-    """The distance between both, where the values do not show it."""
+    """Distance between both values, if the values do not show it."""
 
 
 @value_class(frozen=True, slots=True)
@@ -79,21 +79,21 @@ class TimeChange:
     task: str
     routine: str
     what: str
-    """The instruction and what it moves to or waits for; empty for a whole routine."""
+    """The instruction and its target or condition; empty for a whole routine."""
     before_s: float | None
-    """None where it was not run."""
+    """None if it was not executed before."""
     after_s: float | None
-    """None where it is not run."""
+    """None if it is no longer executed."""
 
     @property
     def delta_s(self) -> float:
-        """By how much its time grew."""
+        """Increase of its time."""
         return (self.after_s or 0.0) - (self.before_s or 0.0)
 
 
 @value_class(frozen=True, slots=True)
 class OutputChange:
-    """A change in when or how a signal is set."""
+    """A change of the times or values of a signal."""
 
     signal: str
     message: str
@@ -101,7 +101,7 @@ class OutputChange:
 
 @value_class(frozen=True, slots=True)
 class FindingChange:
-    """A finding that is new or gone."""
+    """A new or removed finding."""
 
     is_new: bool
     code: str
@@ -113,25 +113,25 @@ class FindingChange:
 
 @value_class(frozen=True, slots=True)
 class RunChange:
-    """The differences between two runs."""
+    """Differences between two runs."""
 
     before_s: float
     after_s: float
     ends: tuple[str, str]
-    """How they ended."""
+    """Ends of the runs."""
     routines: tuple[TimeChange, ...] = ()
     lines: tuple[TimeChange, ...] = ()
     outputs: tuple[OutputChange, ...] = ()
     motion_models: tuple[str, str] = ("", "")
-    """Versions of the motion model; "" where nothing names it."""
+    """Versions of the motion model; "" if unspecified."""
     robots: tuple[str, str] = ("", "")
-    """The arms."""
+    """Arms of the runs."""
     errors: tuple[str | None, str | None] = (None, None)
-    """What stopped them, where an error did."""
+    """Errors that stopped the runs; None for other ends."""
 
     @property
     def other_model(self) -> str:
-        """The note that times differ because the motion models do; "" otherwise."""
+        """Note that times differ because the motion models do; "" otherwise."""
         before, after = (model or "1" for model in self.motion_models)
         if before == after:
             return ""
@@ -139,7 +139,7 @@ class RunChange:
 
     @property
     def is_same(self) -> bool:
-        """Whether the runs are the same except for rounding."""
+        """Whether the runs are equal except for rounding."""
         return (
             not (self.routines or self.lines or self.outputs)
             and self.ends[0] == self.ends[1]
@@ -155,16 +155,16 @@ class Comparison:
     changes: tuple[ProgramChange, ...]
     findings: tuple[FindingChange, ...]
     run: RunChange | None
-    """None where one side does not run, or nobody asked."""
+    """Differences of the runs; None if a side has no run, or no run was requested."""
     no_run_reason: str | None = None
     paths: tuple[tuple[tuple[float, ...], ...], tuple[tuple[float, ...], ...]] = ((), ())
-    """The TCP of both sides over time [mm], for a picture; empty where nothing ran."""
+    """Paths of the TCP of both sides [mm], for a picture; empty if nothing was run."""
     configuration: tuple[ConfigurationChange, ...] = ()
     not_compared: tuple[str, ...] = ()
-    """What only one side has, in words."""
+    """Notes on parts that only one side has."""
 
     @property
     def is_same(self) -> bool:
-        """Whether nothing differs."""
+        """Whether there is no difference."""
         runs_alike = self.run is None or self.run.is_same
         return not (self.changes or self.findings or self.configuration) and runs_alike

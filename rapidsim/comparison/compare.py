@@ -1,4 +1,4 @@
-"""Compares two programs with their cells, or two saved runs."""
+"""Compare two programs with their cells, or two saved runs."""
 
 from __future__ import annotations
 
@@ -43,11 +43,11 @@ _MOST_POINTS = 4000
 
 @value_class(frozen=True, slots=True)
 class _Side:
-    """What is compared."""
+    """One side of a comparison."""
 
     name: str
     parts: Mapping[str, ProgramParts]
-    """By task; empty of a saved run."""
+    """Parts by task; empty for a saved run."""
     findings: tuple[Diagnostic, ...] = ()
     run: ProgramRun | None = None
     path: tuple[tuple[float, ...], ...] = ()
@@ -56,7 +56,7 @@ class _Side:
 
 
 Shown: TypeAlias = Callable[[str], str]
-"""The name of a file as it is shown."""
+"""Returns the displayed name of a file."""
 
 
 def compare(
@@ -67,17 +67,17 @@ def compare(
     answers: str | None = None,
     visible: Shown = str,
 ) -> Comparison:
-    """Compare what two paths refer to.
+    """Compare two programs, configurations or runs.
 
     Args:
-        old: Files, a folder, a backup, a configuration, or the JSON of a run.
-        new: Likewise.
+        old: Request for files, a folder, a backup, a configuration, or the JSON of a run.
+        new: Request for the other side.
         run: Whether to run the programs.
-        answers: A file of the operator's answers in both runs.
-        visible: The names of the files of `old`.
+        answers: File of the operator's answers in both runs.
+        visible: Returns the displayed names of the files of `old`.
 
     Raises:
-        InputError: If something is missing, unreadable, or not RAPID.
+        InputError: If an input is missing, unreadable, or not RAPID.
     """
     a, b = _side(old, run, answers, visible), _side(new, run, answers, str)
     if not run and bool(a.run) != bool(b.run):
@@ -104,7 +104,7 @@ def compare(
 
 
 def _not_compared(a: _Side, b: _Side) -> Iterator[str]:
-    """What only one side has."""
+    """Yield notes on parts that only one side has."""
     for one, other in ((a, b), (b, a)):
         if other.configuration.parameters and not one.configuration.parameters:
             yield f"configuration was not compared: {one.name} has none"
@@ -120,7 +120,7 @@ def _side(request: RunRequest, run: bool, answers: str | None, visible: Shown) -
     configuration = cell_configuration(request)
     if _has_no_program(path):
         if configuration.is_empty:
-            # It says what is missing.
+            # Raises an error about the missing file.
             job(request)
         return _Side(name, {}, configuration=configuration)
     found = job(request)
@@ -141,7 +141,7 @@ def _side(request: RunRequest, run: bool, answers: str | None, visible: Shown) -
 
 
 def _has_no_program(path: str) -> bool:
-    """Whether a path brings a configuration alone."""
+    """Whether a path contains only a configuration."""
     if path == "-" or is_configuration_file(path):
         return path != "-"
     folder = opened(path)
@@ -149,7 +149,7 @@ def _has_no_program(path: str) -> bool:
 
 
 def _ran(found_job: Job, answers: str | None) -> Simulation:
-    """Run without leaving anything behind."""
+    """Run without side effects."""
     with TemporaryDirectory(prefix="rapidsim-") as home:
         given = answers_of_file(answers) if answers else None
         asked = replace(found_job.request, home=home, answers=given)
@@ -189,7 +189,7 @@ def _path(simulation: Simulation) -> tuple[tuple[float, ...], ...]:
 def _finding_changes(
     old: Sequence[Diagnostic], new: Sequence[Diagnostic], visible: Shown
 ) -> tuple[FindingChange, ...]:
-    """Findings that are new or gone, wherever they stand."""
+    """Return new and removed findings, independent of their positions."""
     before, after = Counter(map(_key, old)), Counter(map(_key, new))
     changes = []
     for is_new, found, surplus in ((True, new, after - before), (False, old, before - after)):
@@ -204,5 +204,5 @@ def _finding_changes(
 
 
 def _key(finding: Diagnostic) -> tuple[str, str]:
-    # Not its routine: of what is told once, the first place may be another when routines move.
+    # Without the routine: a finding reported once may be in another one after a reordering.
     return finding.code, finding.message.lower()

@@ -1,4 +1,4 @@
-"""The components of a value that differ, each with both values and its unit."""
+"""Components of a value that differ, each with both values and its unit."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ _UNITS = {
 
 
 def changed_components(type_name: str, old: object, new: object) -> tuple[ComponentChange, ...]:
-    """The components that differ; the value as a whole where they are not known."""
+    """Return the components that differ; the value as a whole if its components are unknown."""
     return tuple(_changed("", _RECORDS.get(type_name), old, new))
 
 
@@ -64,5 +64,5 @@ def _changed(path: str, record: type | None, old: object, new: object) -> Iterat
 
 
 def _literal(value: object) -> Literal:
-    """A value that JSON can hold."""
+    """Return a value that JSON can represent."""
     return value if isinstance(value, bool | int | float | str) else repr(value)

@@ -1,7 +1,7 @@
 """Changes between two configurations: system parameters, options, station files.
 
 Instances of a type are matched by name, those without a name by their attributes. Their order, the
-layout of a file and the way a number is written are no changes.
+layout of a file and the notation of numbers are not changes.
 """
 
 from __future__ import annotations
@@ -30,19 +30,19 @@ _UNITS = (
     (re.compile(r"speed_absolute_max"), "rad/s", 1.0),
     (re.compile(r"filt(er)?(active|passive)"), "ms", 1.0),
 )
-"""Units of attributes, and what the numbers of a file are multiplied by."""
+"""Units of attributes, and factors on the numbers of a file."""
 _BOUNDS = re.compile(r"(upper|lower)_(joint|check_point)_bound.*")
 _MAPS = ("devicemap", "unitmap")
 _SLIDING = ("TRACK", "EXT_LIN", "FREE_LIN")
 _SAME_TURN_DEG = 1e-6
 _MOST_COMPARED = 1_000_000
-"""Pairs of instances without a common name beyond which they are new and gone."""
+"""Number of pairs of unnamed instances above which they count as new and removed."""
 
 
 def configuration_changes(
     old: CellConfiguration, new: CellConfiguration
 ) -> tuple[ConfigurationChange, ...]:
-    """All changes between what both sides have."""
+    """Return all changes between the parts that both sides have."""
     changes: list[ConfigurationChange] = []
     if old.parameters and new.parameters:
         changes += _parameter_changes(old.parameters, new.parameters)
@@ -62,12 +62,12 @@ def _parameter_changes(old: Configured, new: Configured) -> Iterator[Configurati
 
 @value_class(frozen=True, slots=True)
 class _Value:
-    """The value of an attribute."""
+    """Value of an attribute."""
 
     text: str
     unit: str
     key: object
-    """Equal for values that mean the same."""
+    """Equal for equivalent values."""
 
 
 @value_class(frozen=True, slots=True)
@@ -76,16 +76,16 @@ class _Instance:
     values: Mapping[str, _Value]
     """By folded attribute."""
     written: Mapping[str, str]
-    """The attributes as they are written, by folded attribute."""
+    """Attributes as they are written, by folded attribute."""
 
     @property
     def content(self) -> object:
-        """Equal for instances that mean the same, whatever the order of their attributes."""
+        """Equal for equivalent instances, in any order of attributes."""
         return frozenset((attribute, value.key) for attribute, value in self.values.items())
 
     @property
     def text(self) -> str:
-        """All attributes but the name."""
+        """All attributes except the name."""
         parts = (
             f"{self.written[key]} {value.text}{_unit(value.unit)}"
             for key, value in self.values.items()
@@ -135,7 +135,7 @@ def _value(key: str, text: str, *, slides: bool) -> _Value:
 
 
 def _sliding_arms(motion: Mapping[str, Sequence[_Attributes]]) -> set[str]:
-    """Folded names of the ARM instances of axes that slide."""
+    """Return the folded names of the ARM instances of prismatic axes."""
     types = {
         one.get("name")
         for one in motion.get("SINGLE_TYPE", ())
@@ -153,7 +153,7 @@ def _sliding_arms(motion: Mapping[str, Sequence[_Attributes]]) -> set[str]:
 def _type_changes(
     domain: str, kind: str, old: Sequence[_Instance], new: Sequence[_Instance]
 ) -> Iterator[ConfigurationChange]:
-    """Changes of the instances of one type."""
+    """Yield the changes of the instances of one type."""
     gone, come = _unequal(old, new), _unequal(new, old)
     pairs = list(_pairs(gone, come))
     for before, after in pairs:
@@ -170,7 +170,7 @@ def _type_changes(
 def _unequal(
     instances: Sequence[_Instance], other_instances: Sequence[_Instance]
 ) -> list[_Instance]:
-    """The instances without an equal one among others, each of which counts once."""
+    """Return the instances without an equal one among others, each of which matches only once."""
     waiting = Counter(one.content for one in other_instances)
     left: list[_Instance] = []
     for one in instances:
@@ -207,7 +207,7 @@ def _turn_deg(a: tuple[float, ...], b: tuple[float, ...]) -> float:
 def _pairs(
     removed: Sequence[_Instance], added: Sequence[_Instance]
 ) -> Iterator[tuple[_Instance, _Instance]]:
-    """Instances that are one, changed: of one name, or else those with most in common."""
+    """Yield pairs of an instance before and after: with equal names, else with most in common."""
     named: dict[str, list[_Instance]] = {}
     for one in reversed(added):
         if one.name is not None:
@@ -231,7 +231,7 @@ def _pairs(
 
 
 def _in_common(a: _Instance, b: _Instance) -> float:
-    """How much two instances of other names have in common; 0 for those that are not one."""
+    """Return the share that two instances of other names have in common; 0 if they do not match."""
     equal = sum(
         _means_same(value, b.values.get(key)) for key, value in a.values.items() if key != "name"
     )
@@ -267,14 +267,14 @@ def _attribute_changes(
 
 
 def _name(instance: _Instance) -> str:
-    """Its name, or what tells it from others."""
+    """Return the name, or values that distinguish the instance from others."""
     if instance.name is not None:
         return instance.name
     return " ".join(value.text for value in list(instance.values.values())[:2])
 
 
 def _product_changes(old: Sequence[str], new: Sequence[str]) -> Iterator[ConfigurationChange]:
-    """Changes of the RobotWare version, and options that are new or gone."""
+    """Yield changes of the RobotWare version, and new and removed options."""
     before, after = map(_products, (old, new))
     for key in dict.fromkeys((*before, *after)):
         a, b = before.get(key), after.get(key)
@@ -283,7 +283,7 @@ def _product_changes(old: Sequence[str], new: Sequence[str]) -> Iterator[Configu
 
 
 def _products(listed: Sequence[str]) -> Mapping[str, str]:
-    """The products by a name that stays when the version changes."""
+    """Return the products by a name without the version."""
     found: dict[str, str] = {}
     for one in listed:
         version = re.fullmatch(r"(RobotWare)[^\d]*(\d[\d.+]*)", one, re.IGNORECASE)

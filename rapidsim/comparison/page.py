@@ -1,4 +1,4 @@
-"""A comparison as one HTML file: what changed, with both paths overlaid."""
+"""A comparison as one HTML file: the changes, with both paths overlaid."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ polyline { fill: none; stroke-width: 1.6; vector-effect: non-scaling-stroke }
 
 
 def comparison_page(comparison: Comparison) -> str:
-    """The page as text; it works offline."""
+    """Return the page as text; it works offline."""
     old, new = map(escape, comparison.names)
     parts = map(_section, blocks(comparison))
     return (
@@ -60,7 +60,7 @@ def _section(block: ReportBlock) -> str:
 
 
 def _marked(line: str) -> str:
-    """A line in which RAPID stands between backticks."""
+    """Return a line as HTML, with code between backticks."""
     return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(line))
 
 
@@ -76,7 +76,7 @@ def _table(times: Sequence[TimeChange]) -> str:
 
 
 def _paths(comparison: Comparison) -> str:
-    """Two views of the TCP paths, to one scale."""
+    """Return two views of the TCP paths, to one scale."""
     points = [point for path in comparison.paths for point in path]
     if not points:
         return ""

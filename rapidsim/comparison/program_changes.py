@@ -1,7 +1,7 @@
 """Changes between two programs: data, routines and statements, matched by name.
 
-Layout, comments, the order of routines and moves between files are no changes. Something that has
-another name, but is otherwise the same, is renamed.
+Layout, comments, the order of routines and moves between files are not changes. An item that has
+another name, but is otherwise equal, is renamed.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _WORD = re.compile(r"\w+")
 
 
 def program_changes(old: ProgramParts, new: ProgramParts) -> tuple[ProgramChange, ...]:
-    """All changes: for each kind, what is new, then what is gone."""
+    """Return all changes: for each kind, new items, then removed ones."""
     renamed = _renamed(old, new)
     return (
         *_module_changes(old, new),
@@ -54,10 +54,10 @@ def program_changes(old: ProgramParts, new: ProgramParts) -> tuple[ProgramChange
 
 
 def _renamed(old: ProgramParts, new: ProgramParts) -> dict[str, str]:
-    """New folded names of routines and data by old ones."""
+    """Return the new folded names of routines and data by old ones."""
     found: dict[str, str] = {}
     for _ in range(2):
-        # A routine may differ by the name of data only, and the other way round.
+        # A routine may differ by the name of data only, and vice versa.
         for before, after in _pairs(old.routines, new.routines, lambda one: _body(one, found)):
             found[before] = after
         for before, after in _pairs(old.data, new.data, lambda one: _value(one, found)):
@@ -69,7 +69,7 @@ def _renamed(old: ProgramParts, new: ProgramParts) -> dict[str, str]:
 def _pairs(
     old: Mapping[str, T], new: Mapping[str, T], content: Callable[[T], str]
 ) -> Iterator[tuple[str, str]]:
-    """Names of what is gone and of what is new with the same content, where that is clear."""
+    """Yield pairs of names of removed and new items with equal content, if unambiguous."""
     gone = {key: content(one) for key, one in old.items() if key not in new}
     come = {key: content(one) for key, one in new.items() if key not in old}
     for before, text in gone.items():
@@ -90,7 +90,7 @@ def _value(data: Declaration, renamed: Mapping[str, str]) -> str:
 def _is_used_as(
     before: str, after: str, old: ProgramParts, new: ProgramParts, renamed: Mapping[str, str]
 ) -> bool:
-    """Whether a line that names the old data is there with the new name."""
+    """Whether a line that uses the old data exists with the new name."""
     named = {**renamed, before: after}
     lines = {
         folded(line.text, named)
@@ -176,7 +176,7 @@ def _frame_changes(
     old: ProgramParts,
     new: ProgramParts,
 ) -> str:
-    """In which frames data have changed, and by how much in the world."""
+    """Return the frames in which data have changed, with the change in the world."""
     values = before.value, after.value
     if kind_of(after.type) == "work object":
         return object_in_world(values)
@@ -189,7 +189,7 @@ def _frame_changes(
 
 
 def _objects_of(key: str, parts: ProgramParts) -> Sequence[str]:
-    """The work objects in which a target is approached, as the moves to it name them."""
+    """Return the work objects in which a target is approached, as in its moves."""
     name = key.rpartition("/")[2]
     frames: dict[str, None] = {}
     for routine in parts.routines.values():
@@ -268,7 +268,7 @@ def _indented(line: NormalisedLine, renamed: Mapping[str, str]) -> str:
 
 
 def _is_frame(line: NormalisedLine) -> bool:
-    """Whether a line only ends or parts what another begins."""
+    """Whether a line only ends or divides a block that another line begins."""
     return line.text.upper() in ("ENDIF", "ENDFOR", "ENDWHILE", "ENDTEST")
 
 
@@ -291,7 +291,7 @@ def _change(
 def _matching_lines(
     left: Sequence[NormalisedLine], right: Sequence[NormalisedLine]
 ) -> Iterator[tuple[NormalisedLine, NormalisedLine]]:
-    """Lines that are one statement, changed: of one word, or else of the same arguments."""
+    """Yield pairs of lines of one statement: with the same first word, else the same arguments."""
     waiting, left_over = list(right), []
     for line in left:
         twin = next((x for x in waiting if _same_kind(x, line, _first_word)), None)
@@ -343,7 +343,7 @@ def _statement_changes(
 
 
 def _between(a: tree.Call, b: tree.Call, name: str, old: ProgramParts, new: ProgramParts) -> str:
-    """How far two values of an argument are apart, where both are known."""
+    """Return the difference between two values of an argument, if both are known; else ""."""
     x, y = _values(a).get(name), _values(b).get(name)
     first, second = _static_value(x, old), _static_value(y, new)
     if first is None or second is None or first[0] != second[0]:
@@ -355,7 +355,7 @@ def _between(a: tree.Call, b: tree.Call, name: str, old: ProgramParts, new: Prog
 def _static_value(
     expression: tree.Expression | None, parts: ProgramParts
 ) -> tuple[str, object] | None:
-    """Type and value of an argument that is a name, or a target written out."""
+    """Return type and value of an argument that is a name, or a target written in place."""
     if isinstance(expression, tree.DataReference):
         found = _named(parts.data, expression.name.key)
         return None if found is None or found.value is None else (found.type, found.value)
@@ -366,7 +366,7 @@ def _static_value(
 
 
 def _arguments(call: tree.Call) -> dict[str, str]:
-    """The arguments of a call as text, by folded parameter name, or place where nobody knows."""
+    """Arguments of a call as text, by folded parameter name, or by position if unknown."""
     texts: dict[str, str] = {}
     for name, value in _values(call).items():
         texts[name] = "TRUE" if value is None else print_expression(value)

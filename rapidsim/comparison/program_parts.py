@@ -1,4 +1,4 @@
-"""A program taken apart for comparison: data, routines and types by name, without layout."""
+"""Parts of a program for comparison: data, routines and types by name, without layout."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class NormalisedLine:
 
     text: str
     folded: str
-    """Without what RAPID does not look at: case, blanks, the way a number is written."""
+    """Text without details that RAPID ignores: case, blanks, notation of numbers."""
     node: tree.Node
     at: SourcePosition
 
@@ -35,7 +35,7 @@ class Routine:
 
     name: str
     lines: tuple[NormalisedLine, ...]
-    """The header first."""
+    """Lines, beginning with the header."""
     at: SourcePosition
 
 
@@ -49,13 +49,13 @@ class Declaration:
     text: str
     folded: str
     value: object
-    """Numbers, strings, bools, tuples of them; None where it takes more than literals."""
+    """Numbers, strings, bools, tuples of them; None if the value is not a literal."""
     at: SourcePosition
 
 
 @value_class(slots=True)
 class ProgramParts:
-    """The parts of a program by folded name, prefixed with the module if LOCAL."""
+    """Parts of a program by folded name, prefixed with the module if LOCAL."""
 
     data: dict[str, Declaration] = field(default_factory=dict)
     routines: dict[str, Routine] = field(default_factory=dict)
@@ -65,7 +65,7 @@ class ProgramParts:
 
 
 def parts_of(modules: Sequence[tree.Module]) -> ProgramParts:
-    """Take apart the modules of a task."""
+    """Return the parts of the modules of a task."""
     parts = ProgramParts()
     for module in modules:
         at = _at(module, module)
@@ -90,10 +90,10 @@ def parts_of(modules: Sequence[tree.Module]) -> ProgramParts:
 
 
 def folded(text: str, renamed: Mapping[str, str] | None = None) -> str:
-    """A text without what RAPID ignores, and with current names.
+    """Return a text without details that RAPID ignores, and with current names.
 
     Args:
-        text: RAPID.
+        text: RAPID source text.
         renamed: New folded names by old ones.
     """
     tokens = [token[0] for token in _TOKEN.finditer(text) if not token[0].isspace()]
@@ -118,7 +118,7 @@ def _is_word(character: str) -> bool:
 
 
 def _plain(text: str) -> str:
-    """A text without comments; no string stands in what it is asked for."""
+    """Return a text without comments; the texts of its callers contain no strings."""
     return re.sub(r"![^\n]*", "", text)
 
 
@@ -158,7 +158,7 @@ def _indent(text: str) -> str:
 def _with_nodes(
     lines: Sequence[str], of: tree.Node, inner: Sequence[tree.Statement], module: tree.Module
 ) -> Iterator[tuple[str, tree.Node]]:
-    """Lines of a node with their nodes; those of the statements inside stand indented in them."""
+    """Yield lines of a node with their nodes; statements inside the node are indented."""
     waiting = list(inner)
     at = 0
     while at < len(lines):

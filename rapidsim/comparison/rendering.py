@@ -20,7 +20,7 @@ from rapidsim.values import value_class
 
 _MOST_LINES = 20
 _SHOWN_S = 0.001
-"""Smaller changes of a time are counted; JSON has them all."""
+"""Smaller changes of a time are only counted; JSON lists them all."""
 SAME = "No difference."
 _OF_THE_ARM = ("model", "urdf", "use_robot_type")
 """Keys of a configuration that name the arm."""
@@ -29,7 +29,7 @@ _CODE_SPAN = re.compile(r"(`[^`]*`)")
 
 @value_class(frozen=True, slots=True)
 class ReportBlock:
-    """The report about one subject; times come before lines."""
+    """Report on one subject; times precede lines."""
 
     title: str
     lines: tuple[str, ...] = ()
@@ -37,7 +37,7 @@ class ReportBlock:
 
 
 def as_text(comparison: Comparison) -> str:
-    """One block of lines per subject."""
+    """Return the report as text, with one block of lines per subject."""
     told = []
     for block in blocks(comparison):
         lines = (*map(_time_line, block.times), *block.lines)
@@ -46,7 +46,7 @@ def as_text(comparison: Comparison) -> str:
 
 
 def as_markdown(comparison: Comparison) -> str:
-    """Headings and lists, times as tables."""
+    """Return the report as headings and lists, with times as tables."""
     lines = [f"### {comparison.names[0]} → {comparison.names[1]}", ""]
     for block in blocks(comparison):
         if not block.lines and not block.times:
@@ -63,7 +63,7 @@ def as_markdown(comparison: Comparison) -> str:
 
 
 def as_json(comparison: Comparison) -> dict[str, object]:
-    """Everything except the paths."""
+    """Return the report as JSON: everything except the paths."""
     run = comparison.run
     return {
         "schema": 1,
@@ -91,14 +91,14 @@ def as_json(comparison: Comparison) -> dict[str, object]:
 
 
 def _change_line(change: ProgramChange) -> str:
-    """One change of the program in a line."""
+    """Return one change of the program as a line."""
     where = f" in {change.routine}" if change.routine else ""
     named = "" if change.routine else f" `{change.name}`"
     return f"{change.kind}{named}{where}: {change.message}{_places(change.old, change.new)}"
 
 
 def _configuration_line(change: ConfigurationChange) -> str:
-    """One change of the configuration in a line."""
+    """Return one change of the configuration as a line."""
     kind = "" if change.type == "table" else f"{change.type} "
     key = f", {change.key}" if change.key else ""
     unit = f" {change.unit}" if change.unit else ""
@@ -116,7 +116,7 @@ def _configuration_line(change: ConfigurationChange) -> str:
 
 
 def time_cells(change: TimeChange) -> tuple[str, str, str, str]:
-    """A change of time as cells: what, before, after, by how much."""
+    """Return a change of time as cells: item, before, after, difference."""
     before = "not run" if change.before_s is None else f"{change.before_s:.3f} s"
     after = "not run" if change.after_s is None else f"{change.after_s:.3f} s"
     what = f"{change.routine}: {change.what}" if change.what else change.routine
@@ -129,14 +129,14 @@ def _time_line(change: TimeChange) -> str:
 
 
 def _finding_line(finding: FindingChange) -> str:
-    """A finding that is new or gone in a line."""
+    """Return a new or removed finding as a line."""
     sign = "new " if finding.is_new else "gone"
     at = f" ({_place(finding.at)})" if finding.at else ""
     return f"{sign} {finding.severity}[{finding.code}] {finding.message}{at}"
 
 
 def blocks(comparison: Comparison) -> Iterator[ReportBlock]:
-    """The report, one block per subject."""
+    """Yield the report, one block per subject."""
     if comparison.is_same:
         yield ReportBlock(SAME)
     run = comparison.run
@@ -186,7 +186,7 @@ def _time_blocks(run: RunChange) -> Iterator[ReportBlock]:
 def _worth_telling(
     changes: Sequence[TimeChange], most: int
 ) -> tuple[tuple[TimeChange, ...], tuple[str, ...]]:
-    """Steps that are new or gone and times that differ visibly, and how many are left out."""
+    """Return steps that are new, gone or visibly changed, and a line on the omitted ones."""
     told = tuple(
         one
         for one in changes
@@ -214,7 +214,7 @@ def _place(at: SourcePosition) -> str:
 
 
 def _escaped(line: str) -> str:
-    """Text in which only code spans mean something to Markdown."""
+    """Return a text in which only code spans have a meaning in Markdown."""
     parts = _CODE_SPAN.split(line)
     # Text and code spans alternate.
     parts[::2] = (one.replace("*", "\\*").replace("<", "&lt;") for one in parts[::2])
@@ -222,5 +222,5 @@ def _escaped(line: str) -> str:
 
 
 def _table_cell(text: str) -> str:
-    # A table is cut at each `|`, in code spans too.
+    # A table is split at each `|`, in code spans too.
     return _escaped(text).replace("|", "\\|")

@@ -1,7 +1,7 @@
-"""A program as it was in a git revision: its files, unpacked into a temporary folder.
+"""A program in a git revision: its files, unpacked into a temporary folder.
 
 The repository is not trusted. Objects are read as they are stored, by two commands that run no
-hooks, filters or other programs and use no network; links and submodules are left out.
+hooks, filters or other programs and use no network; links and submodules are skipped.
 """
 
 from __future__ import annotations
@@ -45,19 +45,19 @@ _ENVIRONMENT = {
 
 @value_class(frozen=True, slots=True)
 class Revision:
-    """A path as it was in a revision."""
+    """A path in a revision."""
 
     path: str
-    """Where it is now, in the temporary folder."""
+    """Path in the temporary folder."""
     folder: Path
-    """That folder."""
+    """The temporary folder."""
     name: str
-    """The revision."""
+    """Name of the revision."""
     station: str | None
-    """A station file above the repository, which both sides have; None if there is none."""
+    """Station file above the repository, which both sides use; None if there is no such file."""
 
     def display_path(self, path: str) -> str:
-        """A path in the temporary folder as git writes it: `REV:path`; others unchanged."""
+        """Return a path in the temporary folder in git's notation, `REV:path`; others unchanged."""
         for folder in (str(self.folder), os.path.realpath(self.folder)):
             if path == folder:
                 return f"{self.name}:."
@@ -66,7 +66,7 @@ class Revision:
         return path
 
     def in_words(self, message: str) -> str:
-        """A message with paths as they are shown."""
+        """Return a message with paths as they are shown."""
         for folder in (str(self.folder), os.path.realpath(self.folder)):
             message = message.replace(folder + os.sep, f"{self.name}:")
         return message
@@ -77,20 +77,19 @@ class _Entry:
     path: PurePosixPath
     object: str
     size: int
-    """`_ABSENT` where git does not have the object."""
+    """`_ABSENT` if git does not have the object."""
 
 
 @contextmanager
 def checked_out(revision: str, path: str) -> Iterator[Revision]:
-    """The path as it was in a revision, until the end of the context.
+    """Yield the path in a revision, which exists until the end of the context.
 
     Args:
-        revision: As git names it: a commit, branch, tag, `HEAD~3`.
-        path: In the working tree.
+        revision: Name in git: a commit, branch, tag, `HEAD~3`.
+        path: Path in the working tree.
 
     Raises:
-        InputError: If git is missing, the path is in no repository, or the revision does not have
-            it.
+        InputError: If git is missing, the path is in no repository, or the revision lacks it.
     """
     place = Path(os.path.realpath(named_file(path)))
     if not place.exists():
@@ -113,7 +112,7 @@ def checked_out(revision: str, path: str) -> Iterator[Revision]:
     with TemporaryDirectory(prefix="rapidsim-") as temporary:
         folder = Path(temporary)
         _write(top, path, entries, folder)
-        # The search for a station file ends here, and not in folders that others write to.
+        # The search for a station file ends here, not in folders that others can write to.
         (folder / FILE_NAME).touch()
         named = str(folder.joinpath(*below.parts))
         suffix = path[len(str(named_file(path))) :] if str(named_file(path)) != path else ""
@@ -121,7 +120,7 @@ def checked_out(revision: str, path: str) -> Iterator[Revision]:
 
 
 def _needed(entries: list[_Entry], below: PurePosixPath, *, is_folder: bool) -> list[_Entry]:
-    """The files of a folder with its settings, or of the one above it with its station file."""
+    """Return the files of a folder and its settings, or of the folder above with a station file."""
     folder = below if is_folder else below.parent
     above = (folder, *folder.parents)
     stations = [entry.path.parent for entry in entries if entry.path.name == FILE_NAME]
@@ -135,7 +134,7 @@ def _needed(entries: list[_Entry], below: PurePosixPath, *, is_folder: bool) -> 
 
 
 def _listed(top: Path, path: str, commit: str) -> Iterator[_Entry]:
-    """The regular files of a commit."""
+    """Yield the regular files of a commit."""
     listed = _git(top, path, "ls-tree", "-r", "-l", "-z", "--full-tree", commit)
     for line in listed.split(b"\0"):
         facts, _, name = line.partition(b"\t")
@@ -172,10 +171,10 @@ def _text(folder: Path, path: str, *arguments: str) -> str:
 
 
 def _git(folder: Path, path: str, *arguments: str, stdin: bytes = b"") -> bytes:
-    """What a command of git prints.
+    """Return the output of a git command.
 
     Raises:
-        InputError: If there is no git, or it fails.
+        InputError: If git is missing, or the command fails.
     """
     kept = {key: value for key, value in os.environ.items() if not key.startswith("GIT_")}
     try:

@@ -1,4 +1,4 @@
-"""The differences between two runs."""
+"""Differences between two runs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.simulation.results.simulation import End
 from rapidsim.values import value_class
 
 _ROUNDING_S = 1e-6
-"""Runs of one program on two machines agree within less."""
+"""Tolerance [s]: runs of one program on two machines agree better than this."""
 _SHOWN_S = 0.0005
 _SHOWN_MM = 0.05
 
@@ -44,7 +44,7 @@ def run_changes(old: ProgramRun, new: ProgramRun) -> RunChange:
 
 
 def _error(run: RunRecord) -> str | None:
-    """The error that stopped a run; of several the last."""
+    """Return the error that stopped a run; the last of several; None if no error stopped it."""
     if run.end is not End.ERROR:
         return None
     errors = [one for one in run.findings if one[0] == Severity.ERROR.value]
@@ -68,7 +68,7 @@ def _by_routine(steps: Sequence[RunStep]) -> dict[tuple[str, ...], float]:
 
 
 def _line_changes(a: Sequence[RunStep], b: Sequence[RunStep]) -> Iterator[TimeChange]:
-    """Steps that take another time, were not run, or are not; those of one kind added up."""
+    """Yield steps with another time, or executed in one run only; equal steps are added up."""
     sums: dict[tuple[str, str, str], tuple[float | None, float | None]] = {}
     matcher = SequenceMatcher(None, [x.key for x in a], [y.key for y in b], autojunk=False)
     pairs: list[tuple[RunStep | None, RunStep | None]] = []

@@ -1,6 +1,6 @@
-"""The parts of a run that are compared, read from the object of `rapidsim run --format json`.
+"""Parts of a run that are compared, read from the object of `rapidsim run --format json`.
 
-The object may come from a file: every value is checked here, and nowhere else.
+The object may come from a file: this module, and no other, checks every value.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ class RunStep:
     task: str
     routine: str
     text: str
-    """The instruction, and what it moves to or waits for."""
+    """The instruction, and its target or condition."""
     start_s: float
     end_s: float
 
     @property
     def seconds(self) -> float:
-        """Its duration."""
+        """Duration [s]."""
         return self.end_s - self.start_s
 
     @property
     def key(self) -> tuple[str, str, str]:
-        """Its name, in the form in which RAPID compares names."""
+        """Name of the step, in the form in which RAPID compares names."""
         return self.task.lower(), self.routine.lower(), self.text.lower()
 
 
@@ -46,7 +46,7 @@ class SignalChange:
 
 @value_class(frozen=True, slots=True)
 class RunRecord:
-    """A run, as far as it is compared."""
+    """The compared parts of a run."""
 
     time_s: float
     end: End
@@ -61,16 +61,16 @@ class RunRecord:
 
 
 _OUTSIDE = "cell"
-"""The task of events that no program causes."""
+"""Task of events that no program causes."""
 _NEEDED = object()
 
 
 def read_run_record(report: object, name: str) -> RunRecord:
-    """The record of a run.
+    """Return the record of a run.
 
     Args:
         report: The object.
-        name: Of its file, for messages.
+        name: Name of its file, for messages.
 
     Raises:
         InputError: If it is not the object of a run.
@@ -84,11 +84,11 @@ def read_run_record(report: object, name: str) -> RunRecord:
 
 
 class _WrongValueError(ValueError):
-    """A value that the object of a run does not have; the message says which."""
+    """A value that is invalid in the object of a run; the message describes it."""
 
 
 class _Object:
-    """Reads the values of a JSON object."""
+    """Typed access to the values of a JSON object."""
 
     def __init__(self, value: object, path: str) -> None:
         if not isinstance(value, Mapping):
@@ -97,14 +97,14 @@ class _Object:
         self._path = path
 
     def text(self, key: str, default: object = _NEEDED) -> str:
-        """A string."""
+        """Return a string."""
         value = self._value(key, default)
         if not isinstance(value, str):
             raise _WrongValueError(f"{self._at(key)} is not text")
         return value
 
     def number(self, key: str) -> float:
-        """A finite number."""
+        """Return a finite number."""
         value = self._value(key, _NEEDED)
         if not isinstance(value, int | float):
             raise _WrongValueError(f"{self._at(key)} is not a number")
@@ -117,14 +117,14 @@ class _Object:
         return number
 
     def objects(self, key: str, default: object = _NEEDED) -> list[_Object]:
-        """A list of objects."""
+        """Return a list of objects."""
         values = self._value(key, default)
         if not isinstance(values, list | tuple):
             raise _WrongValueError(f"{self._at(key)} is not a list")
         return [_Object(one, f"{self._at(key)}[{n}]") for n, one in enumerate(values)]
 
     def child(self, key: str) -> _Object:
-        """An object; empty where it is missing or null."""
+        """Return an object; empty if it is missing or null."""
         return _Object(self._value(key, None) or {}, self._at(key))
 
     def _value(self, key: str, default: object) -> object:

@@ -12,7 +12,7 @@ from rapidsim.comparison.changes import ConfigurationChange
 from rapidsim.station.toml_reader import Table
 
 _NAMES = ("name", "set", "to", "object", "unit", "when", "at")
-"""Keys that tell tables of a list from each other, the first that all have."""
+"""Keys that identify the tables of a list; the first that all tables have is used."""
 _UNITS = {
     "position": "mm",
     "size": "mm",
@@ -33,7 +33,7 @@ _UNITS = {
 
 
 def station_changes(old: Table, new: Table) -> Iterator[ConfigurationChange]:
-    """Changes of all tables."""
+    """Yield the changes of all tables."""
     before, after = dict(_flat("", old)), dict(_flat("", new))
     for path in dict.fromkeys((*before, *after)):
         a, b = before.get(path), after.get(path)
@@ -45,7 +45,7 @@ def station_changes(old: Table, new: Table) -> Iterator[ConfigurationChange]:
 
 
 def _flat(path: str, value: object) -> Iterator[tuple[str, str]]:
-    """The values by their paths, as text."""
+    """Yield the values by their paths, as text."""
     if isinstance(value, Mapping):
         for key, one in value.items():
             yield from _flat(f"{path}.{key}" if path else str(key), one)
@@ -57,7 +57,7 @@ def _flat(path: str, value: object) -> Iterator[tuple[str, str]]:
 
 
 def _named(tables: Sequence[Table]) -> Iterator[tuple[str, Table]]:
-    """Tables of a list, each with what tells it from the others."""
+    """Yield the tables of a list, each with a distinct name."""
     counts: dict[str, int] = {}
     key = next((one for one in _NAMES if all(one in table for table in tables)), None)
     for table in sorted(tables, key=_text):
@@ -67,7 +67,7 @@ def _named(tables: Sequence[Table]) -> Iterator[tuple[str, Table]]:
 
 
 def _text(value: object) -> str:
-    """A value; numbers that are equal have one text."""
+    """Return a value as text; equal numbers have one text."""
     match value:
         case bool():
             return "true" if value else "false"

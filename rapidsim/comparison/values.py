@@ -1,4 +1,4 @@
-"""How two values differ, in the terms of their type: mm, degrees, mm/s.
+"""Differences between two values, in the units of their type: mm, degrees, mm/s.
 
 Each component that differs is named with both values and its unit.
 """
@@ -25,12 +25,12 @@ _SPEEDS = (("v_tcp", "mm/s"), ("v_ori", "deg/s"), ("v_leax", "mm/s"), ("v_reax",
 
 
 def kind_of(type_name: str) -> str:
-    """What data of a type are called in a comparison."""
+    """Return the kind of data of a type, as comparisons name it."""
     return _KINDS.get(type_name, "data")
 
 
 def difference(type_name: str, old: object, new: object) -> str | None:
-    """How a value has changed; None if that is not clear from literals."""
+    """Describe the change of a value; None if literals do not determine it."""
     if old is None or new is None:
         return None
     try:
@@ -54,12 +54,12 @@ def difference(type_name: str, old: object, new: object) -> str | None:
             case _:
                 return f"{to_rapid(old)} -> {to_rapid(new)}"
     except (ValueError, TypeError, IndexError):
-        # A literal that is not of the type: the check says so.
+        # A literal of another type: the check reports it.
         return f"{to_rapid(old)} -> {to_rapid(new)}"
 
 
 def to_rapid(value: object) -> str:
-    """A literal as RAPID writes it, truncated if long."""
+    """Return a literal in RAPID's notation, truncated if long."""
     match value:
         case bool():
             text = "TRUE" if value else "FALSE"
@@ -113,7 +113,7 @@ def _turned(old: Sequence[float], new: Sequence[float], subject: str = "") -> li
 
 def _axes(old: object, new: object) -> list[str]:
     pairs = list(zip(_row(old)[0], _row(new)[0], strict=True))
-    # Axis 3 of a SCARA, which has no axes 5 and 6, slides; which arm it is, the text does not say.
+    # Axis 3 of a SCARA, which has no axes 5 and 6, is prismatic; the text does not name the arm.
     units = {3: "deg or mm"} if pairs[4:] == [(0.0, 0.0)] * 2 else {}
     told = [
         f"axis {n} by {b - a:+.3f} {units.get(n, 'deg')}: {to_rapid(a)} -> {to_rapid(b)}"

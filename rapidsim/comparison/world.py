@@ -1,4 +1,4 @@
-"""Where targets and work objects are in the world, before and after a change."""
+"""Positions of targets and work objects in the world, before and after a change."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _SHOWN_MM = 5e-4
 
 
 def target_in_world(targets: tuple[object, object], objects: tuple[object, object]) -> str:
-    """How a target has moved in the world, in words; "" where that says nothing new.
+    """Describe the motion of a target in the world; "" if it adds no information.
 
     Args:
-        targets: Its values, as literals.
-        objects: Those of its work object.
+        targets: Values of the target, as literals.
+        objects: Values of its work object.
     """
     try:
         frames = [_world_from_object(_row(one)) for one in objects]
@@ -30,12 +30,12 @@ def target_in_world(targets: tuple[object, object], objects: tuple[object, objec
             return ""
         return _moved([f.apply(np.array(p)) for f, p in zip(frames, places, strict=True) if f])
     except (ValueError, TypeError, IndexError):
-        # A literal that is not of the type: the check says so.
+        # A literal of another type: the check reports it.
         return ""
 
 
 def object_in_world(objects: tuple[object, object]) -> str:
-    """How a work object has moved in the world, in words; "" where its user frame shows it."""
+    """Describe the motion of a work object in the world; "" if its user frame shows it."""
     try:
         rows = [_row(one) for one in objects]
         frames = [_world_from_object(one) for one in rows]
@@ -66,7 +66,7 @@ def _mm(value: float) -> str:
 
 
 def _world_from_object(wobj: Sequence[Any]) -> Transform | None:
-    """None where a robot holds it, or a unit moves it."""
+    """Return the pose of a work object; None if a robot holds it, or a unit moves it."""
     held, fixed, _, user, frame = wobj
     if held is not False or fixed is not True:
         return None

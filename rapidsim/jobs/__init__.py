@@ -1,1 +1,1 @@
-"""From what a user names to what is checked or run: shared by API and command line."""
+"""Conversion of a user's request to a check or a run, common to API and command line."""

@@ -1,4 +1,4 @@
-"""An operator's answers, given before the run."""
+"""Operator's answers that are defined before the run."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
 
 
 def answers_in_order(lines: Iterable[str]) -> Answers:
-    """Answers in the order of the questions; after the last one, questions go unanswered."""
+    """Return answers in the order of the questions; after the last one, there are no answers."""
     waiting = iter(tuple(lines))
     return lambda _: next(waiting, None)
 
 
 def answers_of_file(file: str) -> Answers:
-    """Answers from a file, one per line; empty lines and lines that begin with `#` are skipped.
+    """Read answers from a file, one per line; empty lines and lines starting with `#` are skipped.
 
     Raises:
         InputError: If the file cannot be read.

@@ -27,7 +27,7 @@ def api_request(
     robot: Robot | str | None,
     options: RunOptions | None,
 ) -> RunRequest:
-    """The request made by a call of `rapidsim.check` or `rapidsim.simulate`."""
+    """Return the request of a call of `rapidsim.check` or `rapidsim.simulate`."""
     asked = RunRequest(paths=tuple(fspath(path) for path in paths), robot=robot, cell=options)
     if options is None:
         return asked
@@ -48,7 +48,7 @@ def api_request(
 
 
 def with_api_options(station: Station, options: RunOptions) -> Station:
-    """A station, with the non-default settings of the options in place of its own."""
+    """Return a station with the non-default settings of the options in place of its own."""
     is_named = options.task != DEFAULT_TASK and not station.tasks
     return replace(
         station,
@@ -63,7 +63,7 @@ def with_api_options(station: Station, options: RunOptions) -> Station:
 
 
 def _robots(robots: tuple[StationRobot, ...], options: RunOptions) -> tuple[StationRobot, ...]:
-    """The first robot starts and stands where options say so."""
+    """Return the robots, with start and base of the first one replaced by those of the options."""
     from rapidsim.station.robot import StationRobot
 
     start, place = options.start_joints_deg, options.world_from_base

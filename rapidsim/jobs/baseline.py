@@ -19,7 +19,7 @@ _SCHEMA = 1
 _OF_TIME = "DR"
 """Families of rules that depend on a run or its time."""
 _FIRST_MODEL = "1"
-"""The motion model of those that name none."""
+"""Motion model of baselines that name none."""
 Key = tuple[str, str, str]
 """Code, routine, statement."""
 
@@ -29,12 +29,12 @@ class Baseline:
     """Known findings."""
 
     counts: Counter[Key]
-    """How many there are of each."""
+    """Number of findings of each key."""
     motion_model: str
-    """The version that they were found with."""
+    """Version of the motion model with which they were found."""
 
     def outdated(self, motion_model: str, findings: Iterable[Diagnostic]) -> str:
-        """The warning that it was made with another version, if that may matter; "" otherwise."""
+        """Warning that the baseline was made with another version, if that may matter; else ""."""
         codes = {code for code, _, _ in self.counts} | {one.violation.code for one in findings}
         if motion_model == self.motion_model or not any(code[0] in _OF_TIME for code in codes):
             return ""
@@ -45,14 +45,14 @@ class Baseline:
 
 
 def finding_key(diagnostic: Diagnostic) -> Key:
-    """The identity of a finding; differences in whitespace do not matter."""
+    """Return the identity of a finding; differences in whitespace do not matter."""
     span = diagnostic.span
     text = "" if span is None else " ".join(span.source.line(span.line).split())
     return diagnostic.violation.code, diagnostic.routine or "", text
 
 
 def baseline_text(diagnostics: Iterable[Diagnostic], motion_model: str) -> str:
-    """A baseline of findings, as JSON that gives readable diffs."""
+    """Return a baseline of findings, as JSON with readable diffs."""
     counts = Counter(finding_key(diagnostic) for diagnostic in diagnostics)
     rows = [
         {"code": code, "routine": routine, "statement": statement, "count": count}

@@ -1,4 +1,4 @@
-"""Several programs checked: in several processes, and not again while nothing changes."""
+"""Check several programs, in several processes, with cached results of unchanged ones."""
 
 from __future__ import annotations
 
@@ -24,21 +24,21 @@ if TYPE_CHECKING:
 
 @value_class(frozen=True, slots=True, eq=False)
 class JobCheck:
-    """What came of a job."""
+    """Result of the check of a job."""
 
     result: CheckResult
-    """Without trees."""
+    """Result without syntax trees."""
     notices: tuple[str, ...]
-    """What is special about the arms that were used."""
+    """Notices about the arms that were used."""
 
 
 def check_jobs(jobs: Sequence[Job], kept: ResultCache, processes: int = 1) -> Iterator[JobCheck]:
-    """Check jobs, each on its own, and give what came of them in their order, one by one.
+    """Check jobs independently and yield their results in order.
 
     Args:
-        jobs: What is checked.
-        kept: Results of earlier checks.
-        processes: How many jobs at a time; of a single one, how many of its tasks.
+        jobs: The jobs to check.
+        kept: Cache of earlier results.
+        processes: Number of jobs at a time; of a single job, number of its tasks.
     """
     known = [kept.of_job(job) for job in jobs]
     left = [job for job, found in zip(jobs, known, strict=True) if found is None]
@@ -55,9 +55,9 @@ def check_jobs(jobs: Sequence[Job], kept: ResultCache, processes: int = 1) -> It
 
 
 def merge_results(results: Sequence[CheckResult]) -> CheckResult:
-    """Several results as one; what several found at the same place is there once.
+    """Merge results; a finding that several have at the same place appears once.
 
-    The settings of the first decide what fails it.
+    The settings of the first result decide what fails the check.
     """
     if len(results) == 1:
         return results[0]
@@ -94,13 +94,13 @@ def _checked(job: Job, stored: StoredFindings) -> JobCheck:
 
 
 def _only(job: Job, kept: ResultCache, processes: int) -> Record:
-    """The record of a job; some of its tasks may be known, others are looked at side by side."""
+    """Return the record of a job; tasks without a cached record are checked in parallel."""
     if len(job.tasks) < 2:
         return _job_record(job)
     if not job.is_arm_named:
         from rapidsim.jobs.check_files import with_best_arm_of_files
 
-        # What is found of one task depends on the arm, and that on the targets of all.
+        # Findings of one task depend on the arm, and the arm on the targets of all tasks.
         job = with_best_arm_of_files(job)
     known = {task.name: record for task in job.tasks if (record := kept.of_task(job, task))}
     left = [task for task in job.tasks if task.name not in known]
@@ -147,7 +147,7 @@ def _task_record(job: Job, task: TaskFiles) -> Record:
 
 
 class _ObservedJob:
-    """A job that is looked at: what its arms have to say, and whether its runs had enough time."""
+    """A job during its check, with the notices of its arms, and whether the clock ended a run."""
 
     def __init__(self, job: Job) -> None:
         self.job = replace(job, open_robot=self._open)
@@ -161,7 +161,7 @@ class _ObservedJob:
         return robot
 
     def record(self, result: CheckResult | ReachReport, count: int = 0) -> Record:
-        """The record of what was found; of notices those from a number on."""
+        """Return the record of a result, with the notices from an index on."""
         notices = tuple(dict.fromkeys(self.notices[count:]))
         lasts = _runs_ended() == self._runs_ended
         arm = result.arm if isinstance(result, CheckResult) else None
@@ -172,9 +172,9 @@ class _ObservedJob:
 
 
 def _runs_ended() -> int:
-    """How many runs of this process were ended by the clock."""
+    """Number of runs of this process that the wall-clock limit ended."""
     if "rapidsim.controller.cell.watchdog" not in sys.modules:
-        # There was no run. To look for one would import NumPy.
+        # There was no run; importing the watchdog would import NumPy.
         return 0
     from rapidsim.controller.cell.watchdog import Watchdog
 

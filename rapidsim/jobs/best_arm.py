@@ -1,4 +1,4 @@
-"""The arm of a job that no user, station or backup names: the one that suits its targets best."""
+"""Choice of the arm that suits the targets best, for a job without a named arm."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ _STATIONS = (".rsstn", ".rspag", ".pgf")
 
 
 def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
-    """The job with the arm that suits the targets of its programs, if none is named.
+    """Return the job with the arm that suits the targets of its programs, if none is named.
 
-    The default arm stays where it makes all targets as they are stored and no text names another.
+    The default arm is kept if it reaches all targets as stored and no text names another arm.
 
     Raises:
         RunNotFollowedError: See `walk_program`.
@@ -49,7 +49,7 @@ def with_best_arm(job: Job, programs: Sequence[Program]) -> Job:
 
 
 def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
-    """The targets of a job's programs, in the base of its first robot."""
+    """Return the targets of a job's programs, in the base of its first robot."""
     from rapidsim.frames.transform import Transform
     from rapidsim.reach.arm_ranking import program_targets
 
@@ -59,16 +59,16 @@ def job_targets(job: Job, programs: Sequence[Program]) -> ProgramTargets:
 
 
 def texts_of(job: Job) -> tuple[str, ...]:
-    """The texts that may name the arm: of files, and the type in a backup."""
+    """Return the texts that may name the arm: those of files, and the type in a backup."""
     types = (named for robot in job.station.robots if (named := robot.unknown or robot.name))
     return (*types, *(file.text for file in job.files))
 
 
 def names_of(job: Job) -> tuple[str, ...]:
-    """The names that may name the arm: of files, folders, tasks and stations.
+    """Return the names that may name the arm: those of files, folders, tasks and stations.
 
-    Folders are those from three above the path down to the files.
-    A file of RobotStudio next to the path, or in the folder above, is a station.
+    The folders are those from three levels above the path down to the files.
+    A RobotStudio file next to the path, or in the folder above, is a station.
     """
     names: dict[str, None] = {}
     for path in job.request.paths:
@@ -85,7 +85,7 @@ def names_of(job: Job) -> tuple[str, ...]:
 
 
 def _entries(folder: Path) -> Sequence[Path]:
-    """The entries of a folder; empty if it cannot be read."""
+    """Return the entries of a folder; empty if it cannot be read."""
     try:
         return sorted(folder.iterdir())
     except OSError:

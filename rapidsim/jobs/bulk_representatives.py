@@ -1,4 +1,4 @@
-"""Whether the statements kept for runs of alike moves may represent all of them."""
+"""Check that the statements kept of bulk statements may represent all of them."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ _BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME
 def findings_of_all(
     files: Sequence[tree.File], findings: Sequence[Diagnostic], cell: CellNames
 ) -> tuple[Diagnostic, ...] | None:
-    """The findings of a task, with those of the statements that its runs leave out of the tree.
+    """Return the findings of a task, including those of the bulk statements that its trees omit.
 
-    A statement that represents others has alike ones on both sides. A finding that does not apply
-    to it, because of what it is or what is next to it, applies to none of those it represents. An
-    undeclared name in it is undeclared in each of these. For any other finding about it, each
-    statement must be examined.
+    A statement that represents others has statements of its shape on both sides. A finding that
+    does not apply to it, because of its text or its neighbours, applies to none of those it
+    represents. An undeclared name in it is undeclared in each of these. For any other finding about
+    it, each statement must be examined.
 
     Args:
         files: The files of the task.
         findings: The findings about the statements of the tree, in order.
-        cell: What the configuration declares besides the modules.
+        cell: Names that the configuration declares in addition to the modules.
 
     Returns:
         The findings in order; None if the statements of the tree may not represent the others.
@@ -57,12 +57,12 @@ def findings_of_all(
 
 
 def _may_be_meant(names: Iterable[str], findings: Sequence[Diagnostic]) -> bool:
-    """Whether one of the names may be meant by a wrong name of the findings."""
+    """Whether an unknown name in the findings may be a misspelling of one of the names."""
     suggestions = [one.violation for one in findings if "nearest" in one.violation.facts]
     kinds = UndefinedName | UnseenName
     unknown = {one.undefined for one in suggestions if isinstance(one, kinds)}
     is_other = any(not isinstance(one, kinds) for one in suggestions)
-    # Of so many, not all are compared.
+    # With so many names, not all are compared.
     return (
         is_other
         or len(unknown) >= MOST_COMPARED
@@ -71,19 +71,19 @@ def _may_be_meant(names: Iterable[str], findings: Sequence[Diagnostic]) -> bool:
 
 
 def _declared(module: tree.Module) -> frozenset[str]:
-    """The names that runs of a module declare."""
+    """Names that bulk statements of a module declare."""
     return frozenset(name for run in module.runs for name in run.names)
 
 
 def _searches_by_name(files: Sequence[tree.File]) -> bool:
-    """Whether an instruction finds data by names that are made while the program runs."""
+    """Whether an instruction finds data by names that are built at run time."""
     nodes = descendants(*(module for file in files for module in file.modules))
     calls = (node for node in nodes if isinstance(node, tree.Call | tree.FunctionCall))
     return any(_BY_NAME & does(installed_symbol(call.name.key)) for call in calls)
 
 
 def _has_uniform_axes(module: tree.Module) -> bool:
-    """Whether all targets of a module say of external axes what those say that a run declares."""
+    """Whether all targets of a module have the external axes of the bulk targets."""
     axes = next(run.numbers_of_like[-6:].tolist() for run in module.runs if run.names)
     inside = (node for node in descendants(module) if isinstance(node, tree.Data))
     return all(declares_axes_alike_targets(node, axes) for node in inside)

@@ -1,4 +1,4 @@
-"""`rapidsim.check`: finds the errors in the files of a job without running it."""
+"""`rapidsim.check`: find the errors in the files of a job without running it."""
 
 from __future__ import annotations
 
@@ -44,16 +44,15 @@ if TYPE_CHECKING:
 CheckTogether: TypeAlias = Callable[
     [Sequence[tuple[TaskFiles, LoadedProgram]]], tuple[Diagnostic, ...] | None
 ]
-"""Gives the errors of a run of all tasks, or None where that tells nothing."""
+"""Returns the errors of a run of all tasks; None if such a run is inconclusive."""
 TaskMoves: TypeAlias = Callable[[TaskFiles, LoadedProgram, Callable[[], ReachReport]], ReachReport]
-"""Gives the report on the moves of a task, which is loaded: what it is given makes it, but it may
-be known."""
+"""Returns the report on the moves of a loaded task: from its function argument, or from a cache."""
 
 
 def made_now(
     _task: TaskFiles, _loaded: LoadedProgram, make: Callable[[], ReachReport]
 ) -> ReachReport:
-    """The report on the moves of a task, of which nothing is known."""
+    """Return a new report on the moves of a task."""
     return make()
 
 
@@ -64,11 +63,11 @@ def check(
     options: RunOptions | None = None,
     run: bool = True,
 ) -> CheckResult:
-    """Check the modules, program files or folders named, as `rapidsim check` does.
+    """Check modules, program files or folders, as `rapidsim check` does.
 
     Args:
-        paths: What to check; together it forms one task, unless a backup or the station file
-            assigns the modules to tasks. The station file is the one nearby.
+        paths: Paths to check; together they form one task, unless a backup or the station file
+            assigns the modules to tasks. The nearest station file is used.
         robot: An arm, or its name in the catalogue; None takes that of the station or
             backup; if neither names one, the default arm, or the arm that suits the targets best.
         options: Settings that override the station file, and how main is run for moves that only a
@@ -118,20 +117,20 @@ def check_job(job: Job, moves_of: TaskMoves = made_now) -> CheckResult:
 
 
 def with_best_arm_of_files(job: Job) -> Job:
-    """The job with the arm that suits its targets best, if none is named."""
+    """Return the job with the arm that suits its targets best, if none is named."""
     rules = detectors_of(_selection(job).includes)
     return _with_arm(job, [_loaded(task, rules, job.cell) for task in job.tasks], rules)[0]
 
 
 def programs_of(job: Job) -> list[Program]:
-    """The programs of a job's tasks, without the statements that have errors."""
+    """Return the programs of a job's tasks, without the statements that have errors."""
     return _programs(job, [load_task(task, job.cell, ()) for task in job.tasks])
 
 
 def _with_arm(
     job: Job, loaded: Sequence[LoadedProgram], rules: Sequence[Find]
 ) -> tuple[Job, tuple[LoadedProgram, ...]]:
-    """The job with its arm, and its tasks as they were loaded to choose it."""
+    """Return the job with its arm, and its tasks as they were loaded for this choice."""
     has_moves = any(written_moves(one.files) for one in loaded)
     if job.is_arm_named or not job.request.reach or not has_moves:
         return job, tuple(loaded)
@@ -146,14 +145,14 @@ def _with_arm(
 
 
 def _programs(job: Job, loaded: Iterable[LoadedProgram]) -> list[Program]:
-    """The programs of tasks; of one with errors, what is left without the erroneous statements."""
+    """Return the programs of tasks; erroneous statements are removed."""
     parts = (one.program or error_free_subset(one, job.cell) for one in loaded)
     found = (part.program if isinstance(part, ErrorFreeSubset) else part for part in parts)
     return [program for program in found if program is not None]
 
 
 def moves_of_task(job: Job, task: TaskFiles) -> ReachReport:
-    """The report on the moves of one task of a job, as `check_job` makes it."""
+    """Return the report on the moves of one task of a job, as in `check_job`."""
     rules = detectors_of(_selection(job).includes)
     has_budget = job.station.check.cycle_budget_s is not None
     loaded = _loaded(task, rules, job.cell)
@@ -184,17 +183,17 @@ def check_tasks(
     moves_of: TaskMoves = made_now,
     loaded: Sequence[LoadedProgram] | None = None,
 ) -> CheckResult:
-    """Check tasks that have been read, each on its own, and then all of them.
+    """Check tasks that have been read, each independently, and then all together.
 
     Args:
-        tasks: Their files.
-        rules: What to look for beyond what keeps a program from running; None takes the defaults.
+        tasks: Tasks with their files.
+        rules: Rules in addition to the errors that prevent a run; None for the defaults.
         moves: Checks the moves; None leaves them unchecked.
         even_without_moves: Whether `moves` also checks programs without moves, for instance their
             cycle time.
-        cell: What the configuration declares besides the modules.
+        cell: Names that the configuration declares in addition to the modules.
         check_cell: Runs all tasks together; None runs none.
-        moves_of: Whether reports on the moves of tasks are known.
+        moves_of: Returns the report on the moves of a task, perhaps from a cache.
         loaded: The tasks as loaded with these rules; None loads them.
     """
     wanted, tasks = detectors_of() if rules is None else rules, tuple(tasks)
@@ -224,7 +223,7 @@ def check_tasks(
 
 
 def _without_repeats(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
-    """Findings without the warnings of interrupts at which the run has stopped."""
+    """Yield the findings, without warnings of interrupts at which the run has stopped."""
     stopped = {
         (finding.span.file, finding.span.line)
         for finding in findings
@@ -239,16 +238,16 @@ def _without_repeats(findings: Sequence[Diagnostic]) -> Iterator[Diagnostic]:
 
 
 def _as_all_tasks(alone: Iterable[Diagnostic], of_all: Iterable[Diagnostic]) -> list[Diagnostic]:
-    """The findings of tasks without those of runs of one alone; a run of all tasks is surer."""
+    """Replace findings of runs of single tasks by those of the more reliable run of all tasks."""
     kept = [one for one in alone if not is_of_runs(one)]
     told = {(one.code, one.order) for one in kept}
     return [*kept, *(one for one in of_all if (one.code, one.order) not in told)]
 
 
 def _loaded(task: TaskFiles, rules: Sequence[Find], cell: CellNames) -> LoadedProgram:
-    """Load a task; long runs of moves as runs, as far as nothing is to be said of their statements.
+    """Load a task, with long sequences of moves in bulk if their statements have no findings.
 
-    Only rules that are looked for by default are written to be content with these.
+    Only rules that are on by default support bulk statements.
     """
     if frozenset(rules) <= frozenset(detectors_of()):
         loaded = load_task(task, cell, rules, runs_of=MOST_MOVES)
@@ -268,7 +267,7 @@ def _checked(
     cell: CellNames,
     moves_of: TaskMoves,
 ) -> tuple[LoadedProgram, ReachReport]:
-    """One task, and what is found of its moves."""
+    """Return one task, and the report on its moves."""
     name = task.name or DEFAULT_TASK
 
     def report(loaded: LoadedProgram) -> ReachReport:
@@ -288,7 +287,7 @@ def _may_end_badly(program: Program) -> bool:
 
 
 def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
-    """What tasks declare differently and share."""
+    """Return the findings on persistents that tasks share but declare differently."""
     programs = [one.program for one in tasks if one.program is not None]
     if len(programs) < 2:
         return ()
@@ -312,7 +311,7 @@ def _moves_checked(
     if written and moves is not None and loaded.program is None:
         part = error_free_subset(loaded, cell)
     if part is not None and moves is not None:
-        # The moves that are known without a run, for the program cannot run.
+        # The moves that are known statically, for the program cannot run.
         report = moves(part.program, task, runs=False)
         if isinstance(report, ReachReport):
             replaced = {(one.file, one.start) for one in part.replaced}

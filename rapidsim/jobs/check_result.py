@@ -1,4 +1,4 @@
-"""What a check found. Here no analysis is imported: an earlier check may have found it."""
+"""Result of a check. Imports no analysis, as the result may come from a cache."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from rapidsim.values import value_class
 
 _FAMILIES_OF_MOVES = "DKM"
 _SEVERITIES = tuple(Severity)
-"""The worst first."""
+"""Severities, the worst first."""
 
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class CheckResult:
-    """The findings, and what was not checked."""
+    """Findings of a check, and the moves that were not checked."""
 
     files: tuple[str, ...]
-    """The files that were read."""
+    """Names of the files that were read."""
     diagnostics: tuple[Diagnostic, ...]
-    """Findings in order of file and place, but for those that a baseline knows."""
+    """Findings in order of file and position, without those known to a baseline."""
     trees: tuple[tree.File, ...]
     """The files as they were parsed, with their comments."""
     coverage: Coverage = field(default_factory=Coverage)
-    """How many moves were checked for reach, limits and path, and why others were not."""
+    """Number of moves checked for reach, limits and path, and reasons why others were not."""
     known: tuple[Diagnostic, ...] = ()
     """Findings that a baseline knows."""
     arm: RobotChoice | None = None
@@ -42,7 +42,7 @@ class CheckResult:
 
     @property
     def ok(self) -> bool:
-        """Whether nothing fails the check: the one place that decides its exit code."""
+        """Whether the check succeeds; no other code decides its exit code."""
         failing = _SEVERITIES[: _SEVERITIES.index(self.fail_on) + 1]
         if any(finding.severity in failing for finding in self.diagnostics):
             return False
@@ -50,7 +50,7 @@ class CheckResult:
 
     @property
     def qualifications(self) -> tuple[str, ...]:
-        """What was not checked or is not simulated, in short phrases."""
+        """Short phrases on parts that were not checked or are not simulated."""
         return tuple(self._qualify())
 
     def _qualify(self) -> Iterator[str]:
@@ -68,7 +68,7 @@ class CheckResult:
         return all(d.severity is not Severity.ERROR for d in (*self.diagnostics, *self.known))
 
     def against(self, known: Counter[Key]) -> CheckResult:
-        """The same result with the findings of a baseline marked as known."""
+        """Return the result with the findings of a baseline marked as known."""
         new, old = split_by_baseline(self.diagnostics, known)
         return replace(self, diagnostics=new, known=old)
 
@@ -79,7 +79,7 @@ class CheckResult:
         return f"<check: {verdict}, files: {len(self.files)}, diagnostics: {count}>"
 
     def looked_for(self, selector: str) -> bool:
-        """Whether everything that a selector covers was checked.
+        """Whether all rules that a selector covers were checked.
 
         Args:
             selector: A code, the prefix of a code, or the name of a rule. Rules about moves count

@@ -1,4 +1,4 @@
-"""From source files to a checked program: parse every file, then check them together."""
+"""Load source files into a checked program: parse every file, then check them together."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class LoadedProgram:
-    """One task's files, their findings, and the program if it can run."""
+    """Files of one task, their findings, and the program if it can run."""
 
     files: tuple[tree.File, ...]
     program: Program | None
-    """None where there is an error among the findings."""
+    """None if there is an error among the findings."""
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -44,9 +44,9 @@ def load(
 
     Args:
         files: The task's files.
-        rules: What to look for beyond what keeps a program from running.
-        cell: What the configuration declares besides the modules.
-        unseen: Modules of the task that cannot be read here.
+        rules: Rules in addition to the errors that prevent a run.
+        cell: Names that the configuration declares in addition to the modules.
+        unseen: Modules of the task that cannot be read.
         refers_late: Whether its controller allows unresolved references.
         runs_of: See `parse`.
         keeps_data: See `parse`.
@@ -75,7 +75,7 @@ def load_task(
     runs_of: int | None = None,
     keeps_data: bool = False,
 ) -> LoadedProgram:
-    """Parse and check a task, with what is known of its modules; see `load`."""
+    """Parse and check a task, with the known facts about its modules; see `load`."""
     return load(
         task.files,
         rules,
@@ -90,9 +90,9 @@ def load_task(
 def _without_guesses(
     findings: Sequence[Diagnostic], of_syntax: Sequence[Diagnostic], files: Sequence[tree.File]
 ) -> Iterator[Diagnostic]:
-    """The findings but for unreachable code where the end of a block is missing.
+    """Yield the findings, without unreachable code in routines with an unclosed block.
 
-    Its repair puts the end where it must be at the latest, so the statements behind a RETURN seem
+    The repair inserts the end at the last possible position, so the statements after a RETURN seem
     to be in the block.
     """
     unclosed = [one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock)]
@@ -105,7 +105,7 @@ def _without_guesses(
     }
 
     def routine_around(span: Span | None) -> tuple[str, int] | None:
-        """File and number of the last routine that begins before a place."""
+        """Return file and number of the last routine that begins before a position."""
         return None if span is None else (span.file, bisect_right(starts[span.file], span.start))
 
     broken = {routine_around(span) for span in unclosed}

@@ -1,7 +1,7 @@
 """Several controllers as one cell, such as those of a packed station.
 
 Tasks of one cell share persistents and signals by name; those of several controllers do not. So
-controllers form a cell only if no name would mean data, a signal or a unit of two of them.
+controllers form a cell only if no name refers to data, signals or units of two of them.
 """
 
 from __future__ import annotations
@@ -55,13 +55,13 @@ class _Controller:
 
 
 def joined_station(backups: Sequence[tuple[str, Backup, Station]]) -> Station | None:
-    """The station of several controllers; None if a backup does not name its tasks.
+    """Return the station of several controllers; None if a backup does not name its tasks.
 
     Args:
-        backups: Of each controller the path, the backup and what that says.
+        backups: Path, backup and its station for each controller.
 
     Raises:
-        InputError: If they are no cell, because a name would mean two things.
+        InputError: If they are no cell, because a name has two meanings.
     """
     paths = [path for path, *_ in backups]
     if any(len(backup.tasks) != len(station.tasks) for _, backup, station in backups):
@@ -80,7 +80,7 @@ def joined_station(backups: Sequence[tuple[str, Backup, Station]]) -> Station | 
 
 
 def _refuse_packed(paths: Sequence[str], reason: str) -> None:
-    """Refuse the controllers of one packed station.
+    """Reject the controllers of one packed station.
 
     Raises:
         InputError: If all paths are in one archive.
@@ -104,7 +104,7 @@ def _controller(path: str, backup: Backup, station: Station) -> _Controller:
 
 
 def _clashes(one: _Controller, other: _Controller) -> Iterator[str]:
-    """Reasons why two controllers are no cell."""
+    """Yield reasons why two controllers are no cell."""
     both = f"{one.name} and {other.name} both"
     tasks = ({task.name.lower(): task.name for task in each.station.tasks} for each in (one, other))
     ours, theirs = tasks
@@ -128,7 +128,7 @@ def _named(names: Sequence[str]) -> str:
 
 
 def _joined(controllers: Sequence[_Controller]) -> Station:
-    """One station of all, in their order; of equal names that no program uses the first counts."""
+    """Join stations in order; of equal names that no program uses the first counts."""
     first, *others = (one.station for one in controllers)
     robots: list[StationRobot] = []
     tasks: list[StationTask] = []
@@ -162,9 +162,9 @@ def _joined(controllers: Sequence[_Controller]) -> Station:
 
 
 def _robots_of(station: Station, *, is_first: bool) -> Iterable[StationRobot]:
-    """The robots of a controller with their external axes; one for each task that moves.
+    """Return the robots of a controller with their external axes, one for each task that moves.
 
-    A station keeps the external axes of its first robot itself.
+    A station stores the external axes of its first robot separately.
     """
     named = [
         replace(robot, external=station.external_axes) if number == 0 and not is_first else robot
@@ -175,7 +175,7 @@ def _robots_of(station: Station, *, is_first: bool) -> Iterable[StationRobot]:
 
 
 def _relabelled(robot: StationRobot, labels: set[str]) -> StationRobot:
-    """A robot without its label if another robot has it."""
+    """Return a robot, without its label if another robot has it."""
     if robot.label is None:
         return robot
     if robot.label.lower() in labels:

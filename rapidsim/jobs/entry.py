@@ -1,4 +1,4 @@
-"""The procedure that each task of a job begins with."""
+"""Entry procedures of the tasks of a job."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ _NAMED_PROCEDURES = 8
 
 
 def require_entry(program: Program, name: str) -> None:
-    """Require a procedure that can be started on its own.
+    """Check that a program has an entry procedure that can be started without arguments.
 
     Raises:
-        InputError: If the program has none of that name, or it takes arguments.
+        InputError: If there is no such procedure, or it requires arguments.
     """
     startable = [
         routine.name

@@ -1,7 +1,7 @@
 """A program without its erroneous statements, so that the moves of the rest can be checked.
 
-Each is replaced by a call of an unknown routine: after it, all data may have changed. If an error
-is not within a simple statement, or that statement writes local data, nothing can be checked.
+Each is replaced by a call of an unknown routine, after which all data may have changed. If an error
+is not within a simple statement, or that statement uses local data, nothing is checked.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class ErrorFreeSubset:
-    """The rest of a program."""
+    """A program without its erroneous statements."""
 
     program: Program
     replaced: tuple[Span, ...]
-    """The statements that were taken out of it."""
+    """Spans of the removed statements."""
 
 
 def error_free_subset(loaded: LoadedProgram, cell: CellNames) -> ErrorFreeSubset | None:
-    """The program with its erroneous statements replaced; None if errors remain."""
+    """Return the program with its erroneous statements replaced; None if errors remain."""
     errors = [one for one in loaded.diagnostics if one.severity is Severity.ERROR]
     simple = {file.source: _SimpleStatements(file) for file in loaded.files} if errors else {}
     faulty: dict[int, tree.Statement] = {}
@@ -50,10 +50,10 @@ def error_free_subset(loaded: LoadedProgram, cell: CellNames) -> ErrorFreeSubset
 
 
 class _SimpleStatements:
-    """The assignments and calls of a file, by place."""
+    """Assignments and calls of a file, by position."""
 
     def __init__(self, file: tree.File) -> None:
-        """Collect them in order, each with its routine."""
+        """Collect the statements in order, each with its routine."""
         routines = [routine for module in file.modules for routine in module.routines]
         found = [
             (statement, routine)
@@ -70,10 +70,10 @@ class _SimpleStatements:
         }
 
     def around(self, span: Span) -> tuple[tree.Statement, tree.Node] | None:
-        """The statement that a span begins in, and its place.
+        """Return the statement at the start of a span, and its position.
 
-        Of a row of a run, the statement that represents it. None if a statement of the routine
-        alone writes its data.
+        For a row of bulk statements, the statement is the one that represents the row. None if
+        there is no such statement, or it uses data of its routine.
         """
         position = bisect_right(self._starts, span.start) - 1
         if position < 0:
@@ -101,12 +101,12 @@ class _SimpleStatements:
 
 
 def _own_names(routine: tree.RoutineNode) -> frozenset[str]:
-    """The folded names of the data and parameters of a routine."""
+    """Return the folded names of the data and parameters of a routine."""
     declared = (tree.Data, tree.ParameterDeclaration)
     return frozenset(node.name.key for node in descendants(routine) if isinstance(node, declared))
 
 
 def _unknown_call(statement: tree.Statement) -> tree.LateCall:
-    """A call of what only a run would know, in the place of a statement."""
+    """Return a call of a routine known only at run time, in place of a statement."""
     start, end = statement.start, statement.end
     return tree.LateCall(start, end, tree.StringLiteral(start, end, ""), ())

@@ -1,7 +1,7 @@
-"""Findings and coverage as lists and texts that JSON can hold, and back; the same to the last bit.
+"""Lossless conversion of findings and coverage to JSON values, and back.
 
-They pass so from one process to another, and from one check to the next. Texts of files do not go
-along: who reads a record has the files.
+Records are passed between processes, and stored between checks. They do not include the texts of
+files: the reader of a record has the files.
 """
 
 from __future__ import annotations
@@ -16,34 +16,34 @@ from rapidsim.reach.checked_moves import Coverage, UncheckedMove
 from rapidsim.values import value_class
 
 Record = list[Any]
-"""What JSON can hold."""
+"""Values that JSON can represent."""
 _PACKAGE = __name__.partition(".")[0]
 
 
 class NoRecordError(Exception):
-    """What is read is no record of this version."""
+    """A value that is not a record of this version."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class StoredFindings:
-    """What a record holds."""
+    """Content of a record."""
 
     diagnostics: tuple[Diagnostic, ...]
     coverage: Coverage
     notices: tuple[str, ...]
-    """What is special about the arms that were used."""
+    """Notices about the arms that were used."""
     lasts: bool
-    """Whether another check finds the same; not where a run had no more time on the clock."""
+    """Whether another check finds the same; False if the wall-clock limit ended a run."""
     arm: RobotChoice | None = None
-    """The arm on which moves were checked; None of one task."""
+    """Arm on which moves were checked; None for one task."""
 
 
 def record_of(stored: StoredFindings, sources: Iterable[Source]) -> Record:
-    """What was found as a record.
+    """Convert findings to a record.
 
     Args:
-        stored: It.
-        sources: Texts that need not be in it; others are.
+        stored: The findings.
+        sources: Texts that the record may omit; others are included.
     """
     places = _Places({one.file: one.text for one in sources})
     coverage = stored.coverage
@@ -59,10 +59,10 @@ def record_of(stored: StoredFindings, sources: Iterable[Source]) -> Record:
 
 
 def read_findings(record: object, sources: Iterable[Source]) -> StoredFindings:
-    """What a record holds, with these sources at its places.
+    """Convert a record to findings, with positions in the sources.
 
     Raises:
-        NoRecordError: If it is none, or was made of other files.
+        NoRecordError: If it is not a record, or was made of other files.
     """
     try:
         return _found_in(record, {one.file: one for one in sources})
@@ -92,11 +92,11 @@ def _found_in(record: Any, known: Mapping[str, Source]) -> StoredFindings:
 
 
 class _Places:
-    """Spans as numbers: which text, first and last character."""
+    """Spans as numbers: index of the text, first and last character."""
 
     def __init__(self, places: Mapping[str, str]) -> None:
         self.texts: list[tuple[str, str | None]] = []
-        """Name and text; None where `known` has it."""
+        """Name and text; None if `places` contains the text."""
         self._known = places
         self._numbers: dict[tuple[str, str | None], int] = {}
 
@@ -111,7 +111,7 @@ class _Places:
 
 
 class _Spans:
-    """Spans again, all of a file in the same source."""
+    """Numbers as spans, with one source object per file."""
 
     def __init__(self, sources: Sequence[Source]) -> None:
         self._sources = sources
@@ -167,14 +167,14 @@ def _own_module(name: str) -> object:
 
 
 def _fact_record(fact: Any) -> Any:
-    """A fact: a text, a number, or several of them; others of its kind as an object."""
+    """Convert a fact: a text, a number, or several of them; a violation becomes an object."""
     if isinstance(fact, Violation):
         return {"violation": _violation_record(fact)}
     if isinstance(fact, tuple):
         return [_fact_record(one) for one in fact]
     if fact is None or isinstance(fact, str | bool | int | float):
         return fact
-    # NumPy's numbers are no subclasses of Python's, but for the one that all compute with.
+    # NumPy's numbers are no subclasses of Python's, except float64.
     return fact.item()
 
 

@@ -1,7 +1,7 @@
-"""Fingerprints of what a result follows from: equal ones mean equal results.
+"""Fingerprints of the inputs of a result: equal ones mean equal results.
 
-A fingerprint covers a value down to its last number. What cannot be covered has none: whoever asks
-for one is told so, and does without.
+A fingerprint covers a value to its last digit. Values that cannot be hashed raise
+`NoFingerprintError`; callers then skip the cache.
 """
 
 from __future__ import annotations
@@ -21,32 +21,32 @@ from typing import Protocol
 from rapidsim.shipped import shipped
 
 _SIZE = 20
-"""[bytes]"""
+"""Size of a digest [bytes]."""
 _SHIPPED = ("grammars", "robots")
 _METADATA = (".dist-info", ".egg-info")
 
 
 class NoFingerprintError(Exception):
-    """A value that nothing but itself tells from others, such as a function."""
+    """A value without a fingerprint, such as a function."""
 
 
 class Stamps(Protocol):
-    """Keeps the fingerprint of the content of files, by that of their names, sizes and times."""
+    """Store of fingerprints of files' contents, by the fingerprint of names, sizes and times."""
 
     def text(self, key: str) -> str | None:
-        """What is kept; None if nothing is."""
+        """Return the text stored under a key; None if there is no such text."""
         ...
 
     def keep_text(self, key: str, text: str) -> None:
-        """Keep it."""
+        """Store a text under a key."""
         ...
 
 
 def fingerprint(*values: object) -> str:
-    """The fingerprint of values.
+    """Return the fingerprint of values.
 
     Raises:
-        NoFingerprintError: If one has none.
+        NoFingerprintError: If a value has no fingerprint.
     """
     digest = blake2b(digest_size=_SIZE)
     for value in values:
@@ -57,7 +57,7 @@ def fingerprint(*values: object) -> str:
 
 
 def _parts(value: object) -> Iterator[bytes]:
-    """The value as bytes, each kind and each length said, so that no two values have the same."""
+    """Yield the value as bytes with its types and lengths, so that distinct values differ."""
     kind = type(value)
     yield f"{kind.__module__}.{kind.__qualname__}".encode()
     match value:
@@ -95,10 +95,10 @@ def _parts(value: object) -> Iterator[bytes]:
 
 @cache
 def of_installation(stamps: Stamps | None = None) -> str:
-    """The fingerprint of what computes: rapidsim with all it ships, Python, the packages beside it.
+    """Return the fingerprint of rapidsim with its shipped files, Python, and installed packages.
 
     Args:
-        stamps: Where the content of files is known already, they are not read again.
+        stamps: Fingerprints of known file contents, which are not read again.
     """
     files = [entry for folder in _folders() for entry in _files(os.fspath(folder))]
     stamp = fingerprint("\n".join(map(_stamp, files)))
@@ -115,7 +115,7 @@ def _folders() -> tuple[Path, ...]:
 
 
 def _files(folder: str) -> Iterator[os.DirEntry[str]]:
-    """All files below a folder but compiled ones, in a fixed order."""
+    """Yield all files below a folder except compiled ones, in a fixed order."""
     with os.scandir(folder) as entries:
         for entry in sorted(entries, key=lambda entry: entry.name):
             if entry.is_dir():
@@ -131,7 +131,7 @@ def _stamp(file: os.DirEntry[str]) -> str:
 
 
 def _packages() -> list[str]:
-    """Names and versions of the packages that Python finds."""
+    """Return names and versions of the packages that Python finds."""
     places = [place for place in map(Path, dict.fromkeys(sys.path)) if place.is_dir()]
     return sorted(one.name for place in places for one in place.iterdir() if _is_metadata(one))
 

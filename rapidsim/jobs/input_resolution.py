@@ -1,6 +1,6 @@
-"""The station and the robot of a job, and what determined them.
+"""Station and robot of a job, and the source of each choice.
 
-A station is looked for here and nowhere else.
+No other module searches for a station.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
 
 
 def choose_station(paths: Sequence[str], file: str | None) -> Station:
-    """The given station file, else the one next to the program or above it, else the defaults.
+    """Return the station: the requested file, the nearest file above the program, or defaults.
 
-    What the file does not say comes from a backup, key by key.
+    Keys that the file lacks come from a backup.
     """
     backup = configured_station(paths)
     found = Path(file) if file is not None else find_station(paths)
@@ -33,8 +33,8 @@ def choose_station(paths: Sequence[str], file: str | None) -> Station:
 
 
 def configured_station(paths: Sequence[str]) -> Station:
-    """The station of a backup, or of configuration files beside modules; else the defaults."""
-    # Most of what is named has no configuration, and does not pay for importing NumPy here.
+    """Return the station of a backup or of configuration files next to modules; else defaults."""
+    # Most paths have no configuration, and an import of NumPy would not pay.
     backups = backups_among(paths)
     if backups:
         from rapidsim.station.backup.backup import backup_station
@@ -58,7 +58,7 @@ def configured_station(paths: Sequence[str]) -> Station:
 def choose_robot(
     robot: Robot | str | None, station: Station, scale: float | None = None
 ) -> RobotChoice:
-    """The given robot, else that of the station file or the backup, else the default."""
+    """Return the requested robot, else that of the station file or backup, else the default."""
     if robot is not None:
         return RobotChoice(robot if isinstance(robot, str) else robot.name, None, scale)
     if station.robot is not None:

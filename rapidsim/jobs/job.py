@@ -1,7 +1,7 @@
-"""From a user's request to a job: files, station, tasks, robot, and what determined each.
+"""Convert a user's request to a job: files, station, tasks, robot, and the source of each.
 
-Every command and the Python API go this way. A robot is loaded on demand, so that programs without
-moves import no NumPy.
+All commands and the Python API use this module. A robot is loaded on demand, so that programs
+without moves import no NumPy.
 """
 
 from __future__ import annotations
@@ -30,25 +30,25 @@ if TYPE_CHECKING:
     from rapidsim.station.robot import StationRobot
 
 OpenRobot = Callable[[str, float | None], "Robot"]
-"""Makes an arm of its name and of the scale of a URDF file."""
+"""Loads an arm by its name and the scale of a URDF file."""
 
 
 @value_class(frozen=True, slots=True)
 class Job:
-    """What to check or run."""
+    """Inputs of a check or a run."""
 
     request: RunRequest
     station: Station
-    """With the signals and settings of check that hold for this job."""
+    """Station with the effective signals and settings of check."""
     tasks: tuple[TaskFiles, ...]
-    """Each with its name."""
+    """Tasks with their names."""
     robot: RobotChoice
-    """The arm of the first robot."""
+    """Arm of the first robot."""
     open_robot: OpenRobot
 
     @property
     def files(self) -> tuple[SourceFile, ...]:
-        """The files of all tasks."""
+        """Files of all tasks."""
         return tuple(file for task in self.tasks for file in task.files)
 
     @property
@@ -58,15 +58,15 @@ class Job:
 
     @property
     def is_arm_guessed(self) -> bool:
-        """Whether an arm stands in for one that nothing names or the catalogue lacks."""
+        """Whether an arm replaces one that is not named or that the catalogue lacks."""
         lacking = any(robot.unknown for robot in self.station.robots)
         return not self.is_arm_named or (lacking and self.request.robot is None)
 
     @property
     def unknown_arm(self) -> StationRobot | None:
-        """The first robot without an arm that may stand in for it; None if there is no such robot.
+        """First robot whose arm is unknown and has no substitute; None if there is no such robot.
 
-        Another arm is run only if the user names it.
+        Such a robot runs only on an arm that the user names.
         """
         if self.request.robot is not None:
             return None
@@ -74,10 +74,10 @@ class Job:
         return next((one for one in robots if one.unknown and not one.can_be_guessed), None)
 
     def require_arms(self) -> None:
-        """Refuse robots without an arm that may stand in for theirs.
+        """Reject robots whose arm is unknown and has no substitute.
 
         Raises:
-            InputError: If there is one.
+            InputError: If there is such a robot.
         """
         lacking = self.unknown_arm
         if lacking is not None:
@@ -89,12 +89,12 @@ class Job:
 
     @property
     def is_strict(self) -> bool:
-        """Whether what is unknown, not simulated or not checked fails too."""
+        """Whether unknown, unsimulated and unchecked parts fail, too."""
         return self.request.strict or self.station.check.strict
 
     @property
     def cell(self) -> CellNames:
-        """The names that the station declares for programs."""
+        """Names that the station declares for programs."""
         real = {os.path.realpath(stub) for stub in self.station.stubs}
         stubs = (file.name for file in self.files if os.path.realpath(file.name) in real)
         return replace(
@@ -105,21 +105,21 @@ class Job:
 
     @property
     def tables(self) -> tuple[Path, ...]:
-        """The files that define what happens to inputs."""
+        """Files that define changes of inputs."""
         io = () if self.request.io is None else (Path(self.request.io),)
         return (*(() if self.station.file is None else (self.station.file,)), *io)
 
     def entry(self, task: str) -> str:
-        """The procedure that a task begins with: the one requested, else that of the station."""
+        """Return the entry procedure of a task: that of the request, else that of the station."""
         own = self.station.entry(task) if self.request.entry == DEFAULT_ENTRY else None
         return own or self.request.entry
 
     @property
     def only_task(self) -> TaskFiles:
-        """The one task there is.
+        """The only task.
 
         Raises:
-            InputError: If there are several.
+            InputError: If there are several tasks.
         """
         if len(self.tasks) > 1:
             names = ", ".join(one.name or self.station.task for one in self.tasks)
@@ -130,7 +130,7 @@ class Job:
         """Load the arm of the first robot.
 
         Raises:
-            InputError: If it is unknown; `RobotError` where `open_robot` says so.
+            InputError: If it is unknown; `RobotError` if `open_robot` raises it.
         """
         if self.unknown_arm is not None and self.unknown_arm is self.station.robots[0]:
             self.require_arms()
@@ -154,7 +154,7 @@ def job(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
     Raises:
         InputError: If something is missing, unreadable, not RAPID, or contradicts itself.
     """
-    # Each controller of a packed station is a path of its own.
+    # Each controller of a packed station is a separate path.
     paths = tuple(program for path in request.paths for program in single_programs(path))
     request = replace(request, paths=paths)
     station = choose_station(request.paths, request.station)
@@ -182,7 +182,7 @@ def job(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
 
 
 def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
-    """What is said of files that are not read."""
+    """Yield notices about skipped files."""
     for task in tasks:
         if task.unseen:
             names = ", ".join(task.unseen)
@@ -193,7 +193,7 @@ def _remarks(tasks: Iterable[TaskFiles]) -> Iterator[str]:
 
 
 def _of_another_arm(request: RunRequest, station: Station, open_robot: OpenRobot) -> Iterator[str]:
-    """What is said of shapes and bounds of the station's arm where another one is asked for."""
+    """Yield a note if the station's shapes and joint limits do not apply to the requested arm."""
     first = next(iter(station.robots), None)
     if first is None or not first.is_special or not isinstance(request.robot, str):
         return
@@ -203,7 +203,7 @@ def _of_another_arm(request: RunRequest, station: Station, open_robot: OpenRobot
 
 
 def _of_lacking_arms(station: Station) -> Iterator[str]:
-    """Notices about robots other than the first whose arm the catalogue lacks."""
+    """Yield notices about robots other than the first whose arm the catalogue lacks."""
     for robot in station.robots[1:]:
         if robot.unknown and robot.can_be_guessed:
             yield (
@@ -213,17 +213,17 @@ def _of_lacking_arms(station: Station) -> Iterator[str]:
 
 
 def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
-    """Whether an arm that the user names is the one that the station gives shapes or bounds."""
+    """Whether a requested arm is the one for which the station defines shapes or joint limits."""
     if not robot.is_special:
         return False
     if robot.name is None:
-        # An arm that stands in for the one of a backup.
+        # An arm that replaces the arm of a backup.
         return robot.unknown is not None
     return open_robot(robot.name, robot.scale).name == arm.name
 
 
 def read_again(job: Job) -> Job:
-    """The job with its files read again."""
+    """Return the job with its files read again."""
     return replace(job, tasks=chosen_tasks(job.request.paths, job.station, job.request.task))
 
 

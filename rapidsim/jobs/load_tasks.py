@@ -1,4 +1,4 @@
-"""From the files of several tasks to their programs, and the conflicts between them."""
+"""Load the programs of several tasks from their files, and find conflicts between them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class SharedPersistentTypes(Violation, code="N208"):
 
 
 MOST_STATEMENTS = 1000
-"""More alike moves than these are executed as runs; for fewer it is not worth looking for them."""
+"""Number of moves of one shape above which they are executed in bulk; fewer do not pay."""
 
 
 @value_class(frozen=True, slots=True)
@@ -38,16 +38,16 @@ class LoadedTask:
     name: str
     program: Program
     moves: int
-    """How many move instructions it has."""
+    """Number of move instructions."""
 
     @property
     def has_moves(self) -> bool:
-        """Whether it moves a robot."""
+        """Whether the task moves a robot."""
         return self.moves > 0
 
     @property
     def written(self) -> frozenset[str]:
-        """Folded names of the persistents that it may write."""
+        """Folded names of the persistents that the program may write."""
         effects = ProgramEffects(self.program)
         persistents = filter(may_be_shared, module_data(self.program))
         return frozenset(one.name.lower() for one in persistents if effects.is_written(one))
@@ -55,10 +55,10 @@ class LoadedTask:
 
 @value_class(frozen=True, slots=True)
 class LoadedTasks:
-    """The tasks of a cell, and the findings in their files."""
+    """Tasks of a cell, and the findings in their files."""
 
     tasks: tuple[LoadedTask, ...]
-    """Empty where there is an error among the findings."""
+    """Empty if there is an error among the findings."""
     diagnostics: tuple[Diagnostic, ...]
 
 
@@ -68,9 +68,9 @@ def load_tasks(
     """Parse and check the modules of tasks; errors in them are findings, never raised.
 
     Args:
-        tasks: Their files.
-        cell: What the configuration declares besides the modules.
-        in_runs: Keep long runs of alike moves as columns; they are executed as one statement.
+        tasks: Tasks with their files.
+        cell: Names that the configuration declares in addition to the modules.
+        in_runs: Keep long sequences of moves of one shape as columns, executed as one statement.
     """
     loaded = [_in_runs(task, cell) if in_runs else load_task(task, cell) for task in tasks]
     programs = [one.program for one in loaded if one.program is not None]
@@ -86,7 +86,7 @@ def load_tasks(
 
 
 def _in_runs(task: TaskFiles, cell: CellNames) -> LoadedProgram:
-    """A task with long runs of moves as columns, if nothing is to be said of the moves."""
+    """Load a task with long sequences of moves as columns, if the moves have no findings."""
     loaded = load_task(task, cell, runs_of=MOST_STATEMENTS, keeps_data=True)
     modules = [module for file in loaded.files for module in file.modules]
     runs = [run for module in modules for run in module.runs]
@@ -101,22 +101,22 @@ def _in_runs(task: TaskFiles, cell: CellNames) -> LoadedProgram:
 def _can_execute(
     program: Program | None, modules: Sequence[tree.Module], runs: Iterable[tree.BulkStatements]
 ) -> bool:
-    """Whether the program of the modules executes their runs; one with errors executes nothing."""
+    """Whether a program executes its modules' bulk statements; True if errors prevent a run."""
     if program is None:
         return True
-    # A program that runs in part is another than was read.
+    # A program without some of its statements is not the program that was read.
     is_whole = list(map(id, program.modules)) == list(map(id, modules))
     return is_whole and all(_is_move(run, program) for run in runs)
 
 
 def _is_move(run: tree.BulkStatements, program: Program) -> bool:
-    """Whether the statements of a run are moves, which a routine of the program might hide."""
+    """Whether bulk statements are moves, whose name a routine of the program might hide."""
     symbol = program.symbol_of.get(run.like)
     return isinstance(symbol, LibrarySymbol) and Trait.MOVE in symbol.routine.traits
 
 
 def shared_findings(programs: Sequence[Program]) -> tuple[Diagnostic, ...]:
-    """Findings for persistents that tasks would share if they agreed on their type."""
+    """Return findings on persistents that tasks would share if they agreed on the type."""
     return tuple(
         Diagnostic(
             SharedPersistentTypes(one.symbol.name, one.symbol.type.name, one.first.type.name),

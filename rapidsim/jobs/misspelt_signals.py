@@ -24,14 +24,14 @@ class MisspeltSignal(Violation, code="I804"):
 
     @property
     def help(self) -> str:
-        """The most similar signal, or how to declare one."""
+        """Suggestion of the most similar signal, or of a declaration."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
         return "declare it in [signals] if the name is intended"
 
 
 def misspelt_in(job: Job, findings: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Misspelt signal names in the files of a job; none if only one of its tasks is checked."""
+    """Return misspelt signal names in a job's files; empty if only one of its tasks is checked."""
     if job.request.task is not None or not job.tables:
         return ()
     return tuple(find_misspelt(job.station.io, job.files, job.tables, findings))
@@ -43,17 +43,17 @@ def find_misspelt(
     tables: Sequence[Path],
     findings: Iterable[Diagnostic],
 ) -> Iterator[Diagnostic]:
-    """Signals in connections or stimuli that no declaration, program or other table mentions.
+    """Yield signals in connections or stimuli that no declaration, program or other table mentions.
 
     Args:
-        io: Signals and what drives them.
+        io: Signals, connections and stimuli.
         files: All programs of the cell.
-        tables: The files with these tables; a backup's have been checked by its controller.
+        tables: Files with these tables; a backup's have been checked by its controller.
         findings: The findings of the programs, for the undeclared signals that they use.
     """
     used = frozenset[str]().union(*(words_of(file.text) for file in files))
     if any(Trait.LOAD in does(installed_symbol(name)) for name in used):
-        # Modules that come while the program runs may use more.
+        # Modules loaded at run time may use more.
         return
     declared = [signal.name for signal in io.signals]
     known = used | {name.lower() for name in declared}
@@ -72,7 +72,7 @@ def find_misspelt(
 
 
 def _place(name: str, tables: Sequence[Path]) -> Span | None:
-    """Where a name occurs first in the files."""
+    """First occurrence of a name in the files; None if there is no occurrence."""
     for file in tables:
         text = input_text(file)
         match = re.search(rf"\b{re.escape(name)}\b", text)

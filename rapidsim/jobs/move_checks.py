@@ -1,4 +1,4 @@
-"""The arm with which a check examines the moves of a task, and the options for running main."""
+"""Arm with which a check examines the moves of a task, and the options for running main."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from rapidsim.reach.checked_moves import ReachReport
 
 
 class CheckMoves(Protocol):
-    """Checks the moves of a program."""
+    """Check of the moves of a program."""
 
     def __call__(self, program: Program, task: str, *, runs: bool) -> ReachReport | str:
-        """Check them on the robot of a task, given by its name, or say why not.
+        """Check the moves on the robot of a task, or return the reason why not.
 
         Args:
-            program: Without errors.
-            task: By name.
+            program: A program without errors.
+            task: Name of the task.
             runs: Whether main may be run.
         """
         ...
 
 
 def choose_move_check(job: Job) -> CheckMoves | None:
-    """The check of moves on the arms of a job; None if not requested.
+    """Return the check of moves on the arms of a job; None if not requested.
 
     An arm is loaded for the first program with moves, but immediately if the user named it, so that
     an unknown name is an error.
@@ -79,7 +79,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             cycle_budget_s=budget_s,
             by_default=is_guess,
         )
-        # What a run of main has found stands at the instruction.
+        # Findings of a run of main refer to the instruction.
         pointed = attribute_to_targets(report.diagnostics, (program,))
         found = of_unnamed_arm(pointed) if is_guess else pointed
         return replace(report, diagnostics=found)
@@ -88,7 +88,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
 
 
 def of_unnamed_arm(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """The findings when it is not known whether the program is for the arm.
+    """Mark findings as assumed, for a program that may be meant for another arm.
 
     Errors that end a run do not depend on the arm.
     """

@@ -1,4 +1,4 @@
-"""The errors that end a run of all tasks of a cell, as reported by a check."""
+"""Errors that end a run of all tasks of a cell, as reported by a check."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def multitask_errors(
     """Run all tasks as `rapidsim run` does, for a short time; None if that is inconclusive.
 
     Args:
-        job: What is checked.
+        job: The job to check.
         tasks: Its tasks as read and loaded.
     """
     named = [
@@ -35,7 +35,7 @@ def multitask_errors(
     few_moves = sum(one.moves for one in named) <= MOST_MOVES_FOR_ERRORS
     if len(named) < len(tasks) or not few_moves:
         return None
-    # A check of one task needs no run of several.
+    # A check of one task does not run several tasks, so these imports are deferred.
     from rapidsim.jobs.run_options import run_options
     from rapidsim.jobs.target_attribution import attribute_to_targets
     from rapidsim.jobs.task_setups import task_setups

@@ -1,4 +1,4 @@
-"""The same work for many things, in several processes: results come in the order of the things."""
+"""Parallel map over several processes, with results in the order of the items."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _Result = TypeVar("_Result")
 
 
 class DefectError(Exception):
-    """A defect of rapidsim as one process tells it another: what failed, and where."""
+    """A defect of rapidsim as one process reports it to another: description and position."""
 
     def __init__(self, subject: str, place: str, report: str) -> None:
-        """Take it in a line, its file and line, and its traceback."""
+        """Store a one-line description, file and line, and the traceback."""
         super().__init__(subject, place, report)
         self.what = subject
         self.place = place
@@ -33,7 +33,7 @@ class DefectError(Exception):
 
 
 def number_of_cores() -> int:
-    """How many processes can work at the same time."""
+    """Return the number of processes that can run at the same time."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -47,17 +47,17 @@ def in_processes(
     begin: Callable[[], object] | None = None,
     at_once: int = 1,
 ) -> Iterator[_Result]:
-    """The result for each thing, in their order; what ends one process ends all.
+    """Yield the result for each item, in order; an error in one process ends all.
 
     Args:
         work: A function of a module, as other processes find it by name.
-        things: What it is given.
-        processes: At most so many; with one the work is done in this process.
+        things: Arguments of the function, one per result.
+        processes: Largest number of processes; with one the work is done in this process.
         begin: Called once in each process, before the work.
-        at_once: How many things a process takes at a time.
+        at_once: Number of items that a process receives at a time.
 
     Raises:
-        InputError: As `work` does.
+        InputError: If `work` raises it.
         DefectError: If a process failed.
     """
     processes = min(processes, -(-len(things) // at_once))
@@ -80,7 +80,7 @@ def in_processes(
         what = "a process ended without an answer: killed, or out of memory"
         raise DefectError(what, "?", what) from None
     except BaseException:
-        # Whatever the others are doing is of no use.
+        # Discard the other workers' results.
         for process in frozenset(active_children()) - others:
             process.terminate()
         raise
@@ -88,10 +88,10 @@ def in_processes(
         pool.shutdown(cancel_futures=True)
 
 
-# Ctrl-C reaches all processes of a terminal; the first one tells it, and ends the others.
+# Ctrl-C reaches all processes of a terminal; the parent reports it, and ends the others.
 @contextmanager
 def _started_deaf() -> Iterator[None]:
-    """Start processes that are deaf to Ctrl-C from their first instant, where the system can."""
+    """Start processes that ignore Ctrl-C from their first instant, if the system supports it."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
@@ -110,16 +110,16 @@ def _begin(begin: Callable[[], object] | None) -> None:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Answer(Generic[_Result]):
-    """What came of the work: a value, or what it raised."""
+    """Outcome of the work: a value, or the error that it raised."""
 
     value: _Result | None
     error: InputError | DefectError | None = None
 
     def result(self) -> _Result:
-        """The value.
+        """Return the value.
 
         Raises:
-            InputError: If the work raised it; `DefectError` where it raised anything else.
+            InputError: If the work raised it; `DefectError` if it raised any other error.
         """
         if self.error is not None:
             raise self.error
@@ -134,12 +134,12 @@ def _answer(work: Callable[[_Thing], _Result], thing: _Thing) -> _Answer[_Result
     except (KeyboardInterrupt, SystemExit):
         raise
     except BaseException as error:
-        # What a run ends with is no `Exception`; should one of those come here, it is a defect too.
+        # Exceptions that end a run are no `Exception`; one that arrives here is a defect, too.
         return _Answer(None, defect_of(error))
 
 
 def defect_of(error: BaseException) -> DefectError:
-    """What is told of an exception, which may come from another process."""
+    """Convert an exception, perhaps of another process, to a `DefectError`."""
     if isinstance(error, DefectError):
         return error
     frames = traceback.extract_tb(error.__traceback__)

@@ -1,8 +1,8 @@
-"""Answers of a controller to `questions/Questions.mod`, and those of a run here.
+"""Answers of a controller to `questions/Questions.mod`, and those of a simulated run.
 
 The answers file has a line for each, `number;answer`, of which the last counts, and lines for the
 controller: version of the questions, RobotWare, arm, whether it is a real one, in automatic mode,
-and at which speed. Nothing else is kept of it, so that it can be sent to anybody.
+and its speed. It contains nothing else, so that it can be published.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ _MOVING = frozenset({18, 19, 20})
 _VERSION = "2"
 _FULL_SPEED = "100"
 _SAME_ARM = 0.1
-"""How far reach and payload of a type may be from those of the catalogue: 0.6 m stands for 0.58."""
+"""Largest relative deviation of a type's reach and payload from the catalogue: 0.6 m for 0.58."""
 _NAMES = {number: name for name, number in NUMBERS.items()}
 _NUMBER = re.compile(r"ERRNO (\d+)")
 _LONGEST = 80
@@ -58,21 +58,21 @@ _LONGEST = 80
 
 @value_class(frozen=True, slots=True)
 class Protocol:
-    """What one controller answered."""
+    """Answers of one controller."""
 
     robotware: str
     robot: str
     answers: Mapping[int, str]
-    """By number; a question that was not answered is missing."""
+    """Answers by number; without questions that were not answered."""
     real: str = "?"
     """`TRUE` for a real controller, `FALSE` for a virtual one."""
     automatic: str = "?"
     """`TRUE` in automatic mode; in manual mode moves are slower."""
     speed: str = "?"
-    """The speed that the operator has set [%]."""
+    """Speed that the operator has set [%]."""
 
     def why_not_timed(self, number: int) -> str | None:
-        """Why the time that a question took says nothing; None if it does."""
+        """Reason why the time of a question is not comparable; None if it is comparable."""
         if number not in _MOVING:
             return None
         if self.automatic == "FALSE":
@@ -80,7 +80,7 @@ class Protocol:
         return None if self.speed in (_FULL_SPEED, "?") else f"at {self.speed} % speed"
 
     def as_json(self) -> dict[str, object]:
-        """The object to send."""
+        """Return the object to send."""
         answers = {str(number): self.answers[number] for number in sorted(self.answers)}
         return {
             "schema": 1,
@@ -95,7 +95,7 @@ class Protocol:
 
 
 def questions() -> str:
-    """The text of the program."""
+    """Return the text of the program."""
     return (shipped("questions") / MODULE).read_text(encoding="utf-8")
 
 
@@ -103,7 +103,7 @@ def read_protocol(file: Path) -> Protocol:
     """Read the answers that the program has written.
 
     Raises:
-        InputError: If the file is missing, or is not one of answers.
+        InputError: If the file is missing, or does not contain answers.
     """
     lines = input_bytes(file).decode("latin-1").splitlines()
     fields: dict[str, str] = {}
@@ -124,7 +124,7 @@ def read_protocol(file: Path) -> Protocol:
 
 
 def arm_of(protocol: Protocol) -> str | None:
-    """The arm of the catalogue that answered; None if its type tells none for certain."""
+    """Return the catalogue's name of the arm that answered; None if its type is not conclusive."""
     # Without answers to compare no arm is ranked.
     from rapidsim.motion.robot.catalogue import robot_names
     from rapidsim.reach.arm_ranking import hints_of
@@ -140,7 +140,7 @@ def arm_of(protocol: Protocol) -> str | None:
 
 
 def run_protocol(robot: str) -> Protocol:
-    """What a run answers.
+    """Return the answers of a simulated run.
 
     Args:
         robot: The arm, by its name in the catalogue.

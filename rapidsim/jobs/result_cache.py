@@ -1,4 +1,4 @@
-"""Results of earlier checks, by the fingerprint of all that they follow from."""
+"""Cache of results of earlier checks, by the fingerprint of all their inputs."""
 
 from __future__ import annotations
 
@@ -18,30 +18,30 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class ResultCache:
-    """What came of jobs, and of the moves of tasks; nothing without a store."""
+    """Cache of results of jobs, and of the moves of tasks; always empty without a store."""
 
     store: ResultStore | None = None
 
     def of_job(self, job: Job) -> StoredFindings | None:
-        """What is known of a job."""
+        """Return the cached result of a job; None if there is no such result."""
         record = self._record(self._key(job, None))
         return None if record is None else _read_stored(record, job)
 
     def keep_job(self, job: Job, record: Record) -> StoredFindings:
-        """Keep the record of a job, and give what is in it."""
+        """Store the record of a job, and return its content."""
         return self._keep(self._key(job, None), record, job)
 
     def of_task(self, job: Job, task: TaskFiles) -> Record | None:
-        """The record of the moves of one task of a job."""
+        """Return the cached record of the moves of one task of a job; None if there is none yet."""
         record = self._record(self._key(job, task))
         return None if record is None or _read_stored(record, job) is None else record
 
     def keep_task(self, job: Job, task: TaskFiles, record: Record) -> None:
-        """Keep the record of the moves of one task."""
+        """Store the record of the moves of one task."""
         self._keep(self._key(job, task), record, job)
 
     def tidy(self) -> None:
-        """Remove what was not used for longest, if there is too much."""
+        """Remove the least recently used records, if the store is too large."""
         if self.store is not None:
             self.store.tidy()
 
@@ -56,10 +56,10 @@ class ResultCache:
         return found
 
     def _key(self, job: Job, task: TaskFiles | None) -> str | None:
-        """The fingerprint of all that a result follows from; None where it is always made anew.
+        """Return the fingerprint of all inputs of a result; None if the result must not be cached.
 
-        That is so on an arm, or with shapes of its links, from files of the user's own: these are
-        read in the course of a check.
+        Arms and shapes of links in the user's own files are not cached: they are read only during
+        the check.
         """
         if self.store is None:
             return None
@@ -78,7 +78,7 @@ class ResultCache:
 
 
 def sources_of(job: Job) -> tuple[Source, ...]:
-    """The texts of a job's files."""
+    """Return the texts of a job's files."""
     return tuple(Source(file.name, file.text) for file in job.files)
 
 

@@ -1,8 +1,8 @@
-"""Where results of earlier checks are kept: a folder of the user's own, safe to delete.
+"""Store of results of earlier checks: a folder of the user, safe to delete.
 
-It is not in the folder that is checked: findings that a repository brought along would be believed.
-An entry appears whole or not at all; one that cannot be read is none, and a folder that cannot be
-written keeps nothing. What was not used for longest goes first when there is too much.
+It is not in the folder that is checked: otherwise findings that a repository contains would be
+trusted. An entry is written completely or not at all; an unreadable one counts as missing, and a
+read-only folder stores nothing. The least recently used entries are removed first.
 """
 
 from __future__ import annotations
@@ -19,13 +19,13 @@ from rapidsim.values import value_class
 FOLDER_VARIABLE = "RAPIDSIM_CACHE_DIR"
 MOST_BYTES = 200_000_000
 _KEPT_SHARE = 0.8
-"""Of these as much is kept when there is too much."""
+"""Share of `MOST_BYTES` that remains after a clean-up."""
 _SUFFIX = ".json"
 _PART = ".part"
 
 
 def cache_folder(environment: Mapping[str, str], platform: str = sys.platform) -> Path:
-    """The folder that the environment names, else where the system keeps what can be made anew."""
+    """Return the folder that the environment names, else the system's folder for caches."""
     if named := environment.get(FOLDER_VARIABLE):
         return Path(named)
     if platform == "win32":
@@ -38,23 +38,23 @@ def cache_folder(environment: Mapping[str, str], platform: str = sys.platform) -
 
 @value_class(frozen=True, slots=True)
 class ResultStore:
-    """Texts by their keys, in the files of a folder."""
+    """Store of texts by key, in the files of a folder."""
 
     folder: Path
 
     def text(self, key: str) -> str | None:
-        """The text kept under a key; None if there is none."""
+        """Return the text stored under a key; None if there is no such text."""
         file = self._file(key)
         try:
             text = file.read_text(encoding="utf-8")
-            # Used now, so that others go first.
+            # Mark as used, so that other entries are removed first.
             os.utime(file)
         except (OSError, ValueError):
             return None
         return text
 
     def keep_text(self, key: str, text: str) -> None:
-        """Keep a text, if the folder can be written."""
+        """Store a text, if the folder can be written."""
         file = self._file(key)
         part = file.with_name(f"{key}.{os.getpid()}{_PART}")
         with suppress(OSError):
@@ -66,7 +66,7 @@ class ResultStore:
                 part.unlink(missing_ok=True)
 
     def value(self, key: str) -> object | None:
-        """The value kept under a key; None if there is none."""
+        """Return the value stored under a key; None if there is no such value."""
         text = self.text(key)
         try:
             return None if text is None else json.loads(text)
@@ -74,11 +74,11 @@ class ResultStore:
             return None
 
     def keep(self, key: str, value: object) -> None:
-        """Keep what JSON can say."""
+        """Store a value that JSON can represent."""
         self.keep_text(key, json.dumps(value, separators=(",", ":")))
 
     def tidy(self, most_bytes: int = MOST_BYTES) -> None:
-        """Remove what was not used for longest, if there is too much."""
+        """Remove the least recently used entries, if the store is too large."""
         with suppress(OSError):
             found = []
             with os.scandir(self.folder) as entries:

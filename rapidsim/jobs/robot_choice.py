@@ -1,4 +1,4 @@
-"""A robot, and what determined it."""
+"""Choice of a robot, with its reason."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ DEFAULT_ROBOT = "irb1600-6-1.2"
 
 @value_class(frozen=True, slots=True)
 class RobotChoice:
-    """A robot, and what determined it."""
+    """A robot, and the reason of its choice."""
 
     name: str
     reason: str | None
-    """For the summary; None where the user named the robot."""
+    """Reason for the summary; None if the user named the robot."""
     scale: float | None = None
-    """What the lengths of a URDF file are multiplied by; None leaves them."""
+    """Factor on the lengths of a URDF file; None for no scaling."""
 
     @property
     def text(self) -> str:
-        """The arm as named in a summary."""
+        """Name of the arm in a summary."""
         return self.name if self.reason is None else f"{self.name} ({self.reason})"

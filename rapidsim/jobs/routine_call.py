@@ -1,4 +1,4 @@
-"""Calls one routine of a program with values from outside, and returns its results.
+"""Call one routine of a program with values from Python, and return its results.
 
 The call is an internal module added to the program: data for the arguments and the result, and a
 procedure that makes the call. So the usual checks, conversions and execution apply.
@@ -33,14 +33,14 @@ _OUT = (ParameterMode.INOUT, ParameterMode.VAR, ParameterMode.PERS)
 
 
 class CallError(Exception):
-    """A called routine did not finish; the message says why."""
+    """A called routine did not finish; the message states the reason."""
 
     def __init__(self, message: str, diagnostics: tuple[Diagnostic, ...], run: Simulation) -> None:
-        """Carry what happened."""
+        """Store the message, the findings and the run."""
         super().__init__(message, diagnostics, run)
         self.message = message
         self.diagnostics = diagnostics
-        """With the routines that were running as related places, innermost first."""
+        """Findings, with the active routines as related places, innermost first."""
         self.run = run
 
     def __str__(self) -> str:
@@ -53,15 +53,15 @@ class Returned:
     """The result of a routine."""
 
     result: Value | None
-    """None where it is not a function."""
+    """None if the routine is not a function."""
     outputs: tuple[Value, ...]
-    """Of the parameters by reference (INOUT, VAR, PERS), in their order."""
+    """Values of the parameters by reference (INOUT, VAR, PERS), in their order."""
     is_function: bool
 
 
 @value_class(frozen=True, slots=True)
 class _Argument:
-    """One argument as text: its declaration, and how it stands in the call."""
+    """One argument as text: its declaration, and its text in the call."""
 
     name: str
     declaration: str
@@ -75,15 +75,15 @@ def call_routine(
     """Run one routine as `main` would run: with fresh data and the robot at its start.
 
     Args:
-        job: The job whose program declares it.
+        job: The job whose program declares the routine.
         name: The routine's name, in any case; the first task that has it is used.
-        arguments: The required ones in order.
-        optional: The optional ones by name; True for a switch.
+        arguments: The required arguments in order.
+        optional: The optional arguments by name; True for a switch.
 
     Raises:
         InputError: If there is no such routine, or an argument does not fit.
         ProgramRejectedError: If the program has errors.
-        CallError: If it stops with an error, or at a limit.
+        CallError: If the routine stops with an error, or at a limit.
     """
     ready = loaded(job)
     if not ready.tasks:
@@ -124,7 +124,7 @@ def _find(tasks: Sequence[LoadedTask], name: str) -> tuple[LoadedTask, RoutineSy
 
 
 def _routines(program: Program) -> Iterator[RoutineSymbol]:
-    """Functions and procedures of all modules, global or local."""
+    """Yield functions and procedures of all modules, global or local."""
     for module in program.modules:
         for node in module.routines:
             symbol = program.symbol_of.get(node)
@@ -179,7 +179,7 @@ def _argument(
 
 
 def _to_rapid(value: object, of: Type, subject: str) -> Value:
-    """A value from outside as RAPID holds it.
+    """Convert a Python value to RAPID's representation.
 
     Raises:
         InputError: If it does not fit the type.

@@ -1,4 +1,4 @@
-"""Findings about statements of the tree, repeated for the statements of runs they represent."""
+"""Findings about statements of the tree, repeated for the bulk statements that they represent."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _OF_EACH_USE = (UndefinedName, UnseenName, UnresolvedReference, AssumedData)
 def repeat_findings(
     files: Sequence[tree.File], findings: Sequence[Diagnostic]
 ) -> tuple[Diagnostic, ...] | None:
-    """The findings about all statements, in order; None if one cannot be repeated.
+    """Return the findings about all statements, in order; None if one cannot be repeated.
 
     Args:
         files: The files of a task.
@@ -48,16 +48,16 @@ def repeat_findings(
 
 
 class _Runs:
-    """The runs of a file, by place."""
+    """Bulk statements of a file, by position."""
 
     def __init__(self, file: tree.File) -> None:
-        """Sort them."""
+        """Sort the bulk statements by position."""
         runs = [run for module in file.modules for run in module.runs]
         self._runs = sorted(runs, key=lambda run: run.start)
         self._starts = [run.like.start for run in self._runs]
 
     def around(self, span: Span) -> tree.BulkStatements | None:
-        """The run that a span begins or ends in, the statement that represents it included."""
+        """Return the bulk statements, or their representative, at either end of a span."""
         for offset in (span.start, max(span.start, span.end - 1)):
             position = bisect_right(self._starts, offset) - 1
             if position >= 0 and offset < self._runs[position].end:
@@ -75,7 +75,7 @@ def _spans(finding: Diagnostic) -> Iterator[Span]:
 
 
 def _are_beyond_target(spans: Iterable[Span], run: tree.BulkStatements) -> bool:
-    """Whether spans lie in the statement that represents a run, after the target."""
+    """Whether spans are in the representative of bulk statements, after the target."""
     like = run.like
     if not isinstance(like, tree.Call):
         return False
@@ -84,7 +84,7 @@ def _are_beyond_target(spans: Iterable[Span], run: tree.BulkStatements) -> bool:
 
 
 def _moved(finding: Diagnostic, row: tree.BulkRow) -> Diagnostic:
-    """A finding about the statement in the tree, about a row that it represents."""
+    """Return a finding about the statement in the tree, moved to a row that it represents."""
 
     def moved(span: Span) -> Span:
         return Span(span.source, row.moved(span.start), row.moved(span.end))

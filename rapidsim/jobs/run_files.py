@@ -1,4 +1,4 @@
-"""`rapidsim.simulate`: loads the programs of a job, prepares its run, runs it."""
+"""`rapidsim.simulate`: load the programs of a job, prepare its run, run it."""
 
 from __future__ import annotations
 
@@ -37,21 +37,21 @@ from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import value_class
 
 _UNATTENDED = {"CI", "PYTEST_CURRENT_TEST"}
-"""Variables of the environment that say that nobody looks at the home folder."""
+"""Environment variables of unattended runs, in which no person checks the home folder."""
 
 
 class ProgramRejectedError(Exception):
     """The program has errors and cannot run."""
 
     def __init__(self, diagnostics: tuple[Diagnostic, ...]) -> None:
-        """Carry what was found; the message is the first error, or the last warning."""
+        """Store the findings; the message is the first error, or the last warning."""
         errors = (one for one in diagnostics if one.severity is Severity.ERROR)
-        # A module that is missing is a warning in a check, and yet a run needs it.
+        # A missing module is a warning in a check, although a run needs it.
         super().__init__(next(errors, diagnostics[-1]).violation.message)
         self.diagnostics = diagnostics
 
     def __reduce__(self) -> tuple[type[ProgramRejectedError], tuple[tuple[Diagnostic, ...]]]:
-        """It is made of what was found, not of its message."""
+        """Reconstruct the error from its findings, not from its message."""
         return ProgramRejectedError, (self.diagnostics,)
 
 
@@ -63,11 +63,11 @@ def simulate(
     max_time: float | None = None,
     options: RunOptions | None = None,
 ) -> Simulation:
-    """Run the modules, program files or folders named, as `rapidsim run` does.
+    """Run modules, program files or folders, as `rapidsim run` does.
 
     Args:
-        paths: What to run; together it forms one task, unless a backup or the station file assigns
-            the modules to tasks. The station file is the one nearby.
+        paths: Paths to run; together they form one task, unless a backup or the station file
+            assigns the modules to tasks. The nearest station file is used.
         robot: An arm, or its name in the catalogue; None takes that of the station or
             backup; if neither names one, the default arm, or the arm that suits the targets best.
         io: A file of signals and stimuli; adds to the station and the options.
@@ -80,7 +80,7 @@ def simulate(
         runtime error is a result, too.
 
     Raises:
-        InputError: If something is missing, unreadable, or not RAPID.
+        InputError: If an input is missing, unreadable, or not RAPID.
         ProgramRejectedError: If checking finds an error.
         RobotError: If the catalogue has no such robot.
     """
@@ -97,29 +97,29 @@ class LoadedJob:
     job: Job
     robot: Robot
     tasks: tuple[LoadedTask, ...]
-    """Empty where there is an error among the findings."""
+    """Empty if there is an error among the findings."""
     diagnostics: tuple[Diagnostic, ...]
 
     @property
     def programs(self) -> Mapping[str, Program]:
-        """The programs of the tasks, by name."""
+        """Programs of the tasks, by name."""
         return {task.name: task.program for task in self.tasks}
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class PreparedRun:
-    """A run with everything it needs."""
+    """A run with all of its inputs."""
 
     setups: tuple[TaskSetup, ...]
     options: RunOptions
     diagnostics: tuple[Diagnostic, ...]
-    """What checking found."""
+    """Findings of the check."""
     title: str
-    """What the run is called."""
+    """Title of the run."""
     strict: bool = False
     """Whether any qualification of the verdict fails the run."""
     is_arm_guessed: bool = False
-    """Whether an arm is a guess; then what it does not reach is a warning."""
+    """Whether an arm is a guess; then targets out of its reach are warnings."""
 
 
 def run_job(job: Job) -> FinishedRun:
@@ -127,16 +127,16 @@ def run_job(job: Job) -> FinishedRun:
 
     Raises:
         ProgramRejectedError: If checking finds an error.
-        InputError: If something that the run needs is missing.
+        InputError: If an input of the run is missing.
     """
     return executed(prepared(loaded(job, in_runs=True)))
 
 
 def _is_followed() -> bool:
-    """Whether a debugger or a meter of coverage follows the lines that Python executes."""
+    """Whether a debugger or a coverage tool traces the lines that Python executes."""
     if sys.gettrace() is not None:
         return True
-    # Python 3.12 has another way, with six places for those who follow.
+    # Python 3.12 also has `sys.monitoring`, with six slots for tools.
     monitoring = getattr(sys, "monitoring", None)
     return monitoring is not None and any(map(monitoring.get_tool, range(6)))
 
@@ -146,12 +146,12 @@ def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
 
     Args:
         job: The job.
-        in_runs: Execute long runs of alike moves as one loop, unless a tracer follows the execution
-            of Python: it would not see each move on its own line.
+        in_runs: Execute long sequences of moves of one shape as one loop, unless a tracer observes
+            Python: it would not see each move on its own line.
     """
     job.require_arms()
     if job.is_arm_named:
-        # An unknown name is an error before any of the program.
+        # An unknown name is reported before any error of the program.
         job.arm()
     found = load_tasks(job.tasks, job.cell, in_runs=in_runs and not _is_followed())
     try:
@@ -166,11 +166,11 @@ def loaded(job: Job, *, in_runs: bool = False) -> LoadedJob:
 
 
 def prepared(loaded: LoadedJob) -> PreparedRun:
-    """Give each task its robot and its start, and the run its inputs.
+    """Assign each task its robot and its start, and the run its inputs.
 
     Raises:
         ProgramRejectedError: If there is an error among the findings.
-        InputError: If something that the run needs is missing.
+        InputError: If an input of the run is missing.
     """
     if not loaded.tasks:
         raise ProgramRejectedError(loaded.diagnostics)
@@ -193,7 +193,7 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
 def executed(
     prepared: PreparedRun, watch: Callable[[Callable[[], Progress]], None] | None = None
 ) -> FinishedRun:
-    """Run what is prepared; the files it wrote are named as the user would name them here.
+    """Run a prepared run; the written files have names relative to the working directory.
 
     Args:
         prepared: The run.
@@ -211,7 +211,7 @@ def executed(
 
 
 def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
-    """A run with the findings of its check, under the names that the user knows."""
+    """Return a run with the findings of its check, and with names that the user knows."""
     run = finished.simulation
     written = (replace(one, path=str(relative_to_cwd(Path(one.path)))) for one in run.home_files)
     programs = [setup.program for setup in prepared.setups]
@@ -231,20 +231,20 @@ def as_named(prepared: PreparedRun, finished: FinishedRun) -> FinishedRun:
 
 
 def _fresh(folder: Path) -> Path:
-    """The folder itself, or the first of `x-2.home`, `x-3.home` ... that is not there yet.
+    """Return the folder itself, or the first of `x-2.home`, `x-3.home` ... that does not exist.
 
-    What an earlier run has left must not decide a test.
+    Files of an earlier run must not decide a test.
     """
     names = (folder.with_stem(f"{folder.stem}-{number}") for number in count(2))
     return next(one for one in chain((folder,), names) if not one.exists())
 
 
 def _home(home: str | None, paths: tuple[str, ...]) -> Path:
-    """The folder HOME: stands for; the default one comes to be when the program writes to it."""
+    """Return the folder for HOME:; the default one is created when the program writes to it."""
     if home is None:
         folder = Path(f"{program_name(paths)}.home")
         if folder.is_symlink():
-            # A checkout may hold it; then the program, which is not trusted, would choose its room.
+            # A repository may contain the link; then the untrusted program would choose its target.
             raise InputError(
                 f"{folder} is a link, which a default home folder must not be",
                 "`--home DIR` names any folder",

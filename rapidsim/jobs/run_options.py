@@ -1,4 +1,4 @@
-"""The inputs and limits of a job's run, except those of individual tasks."""
+"""Inputs and limits of a job's run, except those of individual tasks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rapidsim.simulation.options import RunOptions
 
 
 def run_options(job: Job) -> RunOptions:
-    """The options requested, else those of the station; nothing about files."""
+    """Return the options of the request, else those of the station, without options on files."""
     asked, station = job.request, job.station
     return RunOptions(
         program_files=tuple(file.name for file in job.files),

@@ -1,4 +1,4 @@
-"""A user's request: built alike by every command and by Python calls."""
+"""A user's request, with one form for all commands and Python calls."""
 
 from __future__ import annotations
 
@@ -20,45 +20,44 @@ DEFAULT_ENTRY = "main"
 
 @value_class(frozen=True, slots=True, kw_only=True)
 class RunRequest:
-    """Files, cell, and how to check or run them; None where not specified."""
+    """Files, cell, and options of a check or run; None if not specified."""
 
     paths: tuple[str, ...]
     station: str | None = None
-    """The station file; None takes the one near the paths."""
+    """Station file; None for the nearest one."""
     robot: Robot | str | None = None
     """An arm, its name in the catalogue, or a URDF file."""
     scale: float | None = None
-    """What the lengths of a URDF file are multiplied by; None takes what the station says."""
+    """Factor on the lengths of a URDF file; None for that of the station."""
     task: str | None = None
-    """The only one of several tasks that is wanted."""
+    """Name of the only task to use; None for all tasks."""
     cell: RunOptions | None = None
-    """What Python says of robot, motion model, signals and task; more than the station file."""
+    """Robot, motion model, signals and task from Python, which override the station file."""
     io: str | None = None
-    """A file of signals and what happens to inputs; adds to the station."""
+    """File of signals and changes of inputs, in addition to those of the station."""
     entry: str = DEFAULT_ENTRY
     assume_missing: bool = False
-    """Whether what nothing declares is assumed to exist, besides what the station says."""
+    """Whether undeclared names are assumed to exist; the station may also enable it."""
     strict: bool = False
-    """Whether what is unknown, not simulated or not checked fails too, besides what the station
-    says."""
+    """Whether unknown, unsimulated and unchecked parts fail; the station may also enable it."""
     answers: Answers | None = None
     answers_are_typed: bool = False
     home: str | None = None
-    """The folder for HOME:; None is `<program>.home` here."""
+    """The folder for HOME:; None for `<program>.home` in the working directory."""
     ramdisk: str | None = None
-    """The folder for RAMDISK:; None is one in the home folder."""
+    """The folder for RAMDISK:; None for one in the home folder."""
     network: Network | None = None
     starts_at: datetime | None = None
     max_time_s: float = 3600.0
     max_wall_s: float | None = None
     max_cycles: int = 1
     select: tuple[str, ...] = ()
-    """Rules that a check looks for, and no others."""
+    """Rules that a check is limited to; empty for the default rules."""
     extend_select: tuple[str, ...] = ()
     ignore: tuple[str, ...] = ()
     fail_on: Severity | None = None
-    """The lowest severity that fails a check; None takes that of the settings."""
+    """Lowest severity that fails a check; None for that of the settings."""
     reach: bool = True
-    """Whether a check asks if the robot can make the moves."""
+    """Whether a check examines if the robot can make the moves."""
     trial_run: bool = True
     """Whether main is run for the moves that only a run can check."""

@@ -1,4 +1,4 @@
-"""The findings that a check shows: from the request, the station file and pyproject.toml."""
+"""Selection of the findings of a check: from the request, the station file and pyproject.toml."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class Selection:
-    """What to check and show."""
+    """Rules to check and findings to show."""
 
     settings: CheckSettings
     select: tuple[str, ...]
-    """Rules to check; none means those that are on by default."""
+    """Rules to check; empty for those that are on by default."""
     also: tuple[str, ...]
     """Additional rules."""
     ignore: tuple[str, ...]
-    """Rules that are left out."""
+    """Excluded rules."""
 
     def includes(self, rule: Rule) -> bool:
         """Whether a rule is checked."""
         return is_selected(rule, self.select, self.ignore, self.also)
 
     def is_looked_for(self, selector: str) -> bool:
-        """Whether something covered by a selector is certainly looked for in every check."""
-        # Only the rules that this command has not narrowed or widened are sure to be looked for.
+        """Whether every check certainly examines the rules covered by a selector."""
+        # Only rules that this command has neither narrowed nor widened are certainly examined.
         return not self.select and not any(
             selector.upper().startswith(one.upper()) or one.upper().startswith(selector.upper())
             for one in self.ignore
         )
 
     def filter(self, diagnostics: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
-        """The findings that are shown."""
+        """Return the findings that are shown."""
         return tuple(
             diagnostic
             for diagnostic in diagnostics
@@ -54,7 +54,7 @@ class Selection:
 
 
 def choose_settings(paths: Sequence[str], station: CheckSettings) -> CheckSettings:
-    """The settings of the station file; if it has none, those of the project."""
+    """Return the settings of the station file; if it has none, those of the project."""
     if station != CheckSettings(file=station.file):
         return station
     return find_project_settings(paths) or station
@@ -66,7 +66,7 @@ def choose_selection(
     also: Sequence[str],
     ignore: Sequence[str],
 ) -> Selection:
-    """The requested selection, completed from the settings.
+    """Return the requested selection, completed from the settings.
 
     Raises:
         InputError: If a selector matches no rule.
@@ -81,7 +81,7 @@ def choose_selection(
 
 
 def _fits(file: str, pattern: str, settings_file: Path | None) -> bool:
-    """Whether a pattern means a file: by its name, or by its path from the settings."""
+    """Whether a pattern matches a file: by its name, or by its path relative to the settings."""
     path = PurePath(file)
     if fnmatch(path.name.lower(), pattern.lower()):
         return True

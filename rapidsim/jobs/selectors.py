@@ -1,4 +1,4 @@
-"""Rule selectors given by users: to select, to ignore, to explain."""
+"""Rule selectors of users: to select, to ignore, to explain."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from rapidsim.files import InputError, did_you_mean
 
 
 def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
-    """The selectors, each of which must match at least one rule.
+    """Return the selectors, each of which must match at least one rule.
 
     Args:
         selectors: Codes, prefixes of codes, or names of rules.
 
     Raises:
-        InputError: If one matches no rule.
+        InputError: If a selector matches no rule.
     """
     for selector in selectors:
         if not any(rule.matches(selector) for rule in all_rules()):
@@ -24,7 +24,7 @@ def expect_rules(selectors: Sequence[str]) -> tuple[str, ...]:
 
 
 def unknown_rule(given: str) -> InputError:
-    """The error for a selector that is neither code nor name of a rule."""
+    """Return the error for a selector that is neither code nor name of a rule."""
     known = [text for rule in all_rules() for text in (rule.code, rule.name)]
     help = did_you_mean(given, known) or "`rapidsim explain --all` lists the rules"
     return InputError(f"there is no rule `{given}`", help)
@@ -42,8 +42,8 @@ def is_selected(
         rule: The rule.
         select: Codes, prefixes of codes such as `K6`, or names of rules; if empty, the rules that
             are on by default.
-        ignore: Likewise; removed afterwards.
-        also: Likewise; added to the selection.
+        ignore: Selectors of rules to remove afterwards.
+        also: Selectors of rules to add to the selection.
     """
     chosen = any(rule.matches(one) for one in select) if select else rule.on_by_default
     chosen = chosen or any(rule.matches(one) for one in also)

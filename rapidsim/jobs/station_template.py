@@ -1,8 +1,8 @@
-"""A first station file from what is known of the programs' cell: `rapidsim init`.
+"""Template of a station file from the known facts about the programs' cell: `rapidsim init`.
 
-A backup contains most of it. In a folder of modules each `main` is a task of its own; a module
+A backup contains most of it. In a folder of modules each `main` is a separate task; a module
 without one belongs to the tasks that use its declarations. Configuration files (SYS.cfg, EIO.cfg,
-MOC.cfg) in a given folder count as they would on a controller.
+MOC.cfg) in a folder that the user names count as on a controller.
 """
 
 from __future__ import annotations
@@ -58,17 +58,17 @@ _MAIN = "main"
 
 @value_class(frozen=True, slots=True)
 class StationTemplateFile:
-    """A station file that could be written."""
+    """Template of a station file with its path."""
 
     path: Path
     draft: StationTemplate
     lacks: tuple[str, ...] = ()
-    """What a backup has and a run does not, or cannot be had without, in words."""
+    """Notices about features of a backup that a run lacks, or that the template cannot supply."""
 
 
 @value_class(frozen=True, slots=True)
 class _Module:
-    """A file of a folder, and what matters for the task it belongs to."""
+    """A file of a folder, with the facts that determine its task."""
 
     source: SourceFile
     declares: frozenset[str]
@@ -78,16 +78,16 @@ class _Module:
 
     @property
     def name(self) -> str:
-        """Its name without suffix, folded."""
+        """Name of the file without suffix, folded."""
         return Path(self.source.name).stem.lower()
 
 
 def station_template(paths: Sequence[str], robot: str | None) -> StationTemplateFile:
-    """The possible content of a station file for some programs, and its path.
+    """Return the possible content of a station file for programs, and its path.
 
     Args:
         paths: As for other commands; also folders of configuration files.
-        robot: The arm, if given.
+        robot: The requested arm; None if not specified.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -98,7 +98,7 @@ def station_template(paths: Sequence[str], robot: str | None) -> StationTemplate
         raise InputError("no RAPID file was named", "give a module, a folder or a backup")
     cell = backup_among(programs) or loose_cell_among(programs)
     if cell is not None:
-        # A packed station is unpacked out of sight; its file lies beside the archive.
+        # A packed station is unpacked to a temporary folder; its file is next to the archive.
         packed = next((one for path in programs if (one := packed_station(path))), None)
         folder = cell.root if packed is None else packed[0].parent
         is_backup = isinstance(cell, Backup)
@@ -108,7 +108,7 @@ def station_template(paths: Sequence[str], robot: str | None) -> StationTemplate
     files = [file for task in tasks for file in task.files]
     folders = [os.path.realpath(Path(file.name).parent) for file in files]
     if len(programs) == 1 and Path(programs[0]).is_dir():
-        # Where the same command finds it, though the modules may lie deeper.
+        # Where the same command finds it, though the modules may be in subfolders.
         folders = [os.path.realpath(programs[0])]
     folder = Path(os.path.commonpath(folders))
     return StationTemplateFile(folder / FILE_NAME, _of_modules(files, configuration, folder, robot))
@@ -125,7 +125,7 @@ def _is_configuration_only(path: str) -> bool:
 def _of_cell(
     paths: Sequence[str], robot: str | None, file: Path, *, is_backup: bool
 ) -> StationTemplateFile:
-    """Of programs whose cell is described by their configuration files."""
+    """Return the template for programs whose cell is described by their configuration files."""
     station = configured_station(paths)
     tasks = all_tasks(paths, station)
     arms = ", ".join(one.name or one.unknown or "" for one in station.robots)
@@ -150,7 +150,7 @@ def _of_cell(
 
 
 def _without_speeds(station: Station) -> Iterator[str]:
-    """What is said of arms that the catalogue has without the speeds of their axes."""
+    """Yield notices about arms of the catalogue whose axis speeds are unknown."""
     for name in dict.fromkeys(one.name for one in station.robots if one.name):
         arm = load_robot(name)
         if all(joint.max_speed is not None for joint in arm.joints):
@@ -197,7 +197,7 @@ def _of_modules(
 
 
 def _suggested(tasks: Sequence[TaskFiles], trees: Sequence[tree.File], io: CellIo) -> Suggestions:
-    """What the user may want to add, as far as the programs show it."""
+    """Return suggested additions, as far as the programs imply them."""
     stimuli = suggested_stimuli(trees, io)
     texts = [file.text for task in tasks for file in task.files]
     return Suggestions(
@@ -210,7 +210,7 @@ def _suggested(tasks: Sequence[TaskFiles], trees: Sequence[tree.File], io: CellI
 def _robots_of(
     configuration: StandaloneConfiguration, robot: str | None, movers: int
 ) -> tuple[TemplateRobot, ...]:
-    """As many robots as tasks move one, at least one."""
+    """Return one robot per task that moves, but at least one."""
     known = configuration.robots
     found = []
     for number in range(max(movers, 1)):
@@ -225,7 +225,7 @@ def _robots_of(
 def _with_robots(
     tasks: Iterable[tuple[TemplateTask, list[_Module]]], robots: Sequence[TemplateRobot]
 ) -> Iterator[tuple[TemplateTask, list[_Module]]]:
-    """The tasks that move, each with the next robot, where there are several."""
+    """Yield the tasks; if there are several robots, each task that moves gets the next one."""
     labels = iter([robot.label for robot in robots])
     for task, own in tasks:
         named = replace(task, robot=next(labels)) if task.moves and len(robots) > 1 else task
@@ -235,9 +235,9 @@ def _with_robots(
 def _configured(
     configuration: StandaloneConfiguration, modules: Sequence[_Module]
 ) -> Iterator[tuple[TemplateTask, list[_Module]]]:
-    """The tasks of a configuration with their modules.
+    """Yield the tasks of a configuration with their modules.
 
-    What it does not load, goes to the first task that moves, if that uses it.
+    Modules that it does not load belong to the first task that moves, if that task uses them.
     """
     named = {name for task in configuration.tasks for name in task.modules}
     others = [module for module in modules if module.name not in named]
@@ -256,7 +256,7 @@ def _configured(
 
 
 def _one_a_main(modules: Sequence[_Module]) -> Iterator[tuple[TemplateTask, list[_Module]]]:
-    """A task for each main: T_ROB1, T_ROB2 ... those that move, by their module the others."""
+    """Yield a task for each main: T_ROB1, T_ROB2 ... if it moves, else named as its module."""
     mains = [module for module in modules if module.has_main]
     shared = [module for module in modules if not module.has_main]
     groups = [[main, *_needed([main], shared)] for main in mains]
@@ -274,7 +274,7 @@ def _one_a_main(modules: Sequence[_Module]) -> Iterator[tuple[TemplateTask, list
 
 
 def _needed(own: Sequence[_Module], other_modules: Sequence[_Module]) -> list[_Module]:
-    """Of other modules those whose names are used, and what they use in turn."""
+    """Return the modules among others that are used, directly or through other modules."""
     needed: list[_Module] = []
     while True:
         uses = frozenset().union(*(module.uses for module in (*own, *needed)))
@@ -308,7 +308,7 @@ def _module(file: SourceFile) -> _Module:
 def _undeclared(
     tasks: Sequence[TaskFiles], station: Station
 ) -> tuple[tuple[SignalDeclaration, ...], tuple[str, ...], tuple[tree.File, ...]]:
-    """The signals that programs use and nothing declares, the other names; and the programs."""
+    """Return undeclared signals that programs use, other undeclared names, and the programs."""
     names = replace(declared_names(station), assumes=True)
     signals: dict[str, SignalDeclaration] = {}
     others: dict[str, str] = {}

@@ -1,4 +1,4 @@
-"""What might set the inputs that programs wait for and nothing in a station sets."""
+"""Suggested stimuli for inputs that programs wait for and nothing in a station sets."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _INPUTS = (SignalKind.DI, SignalKind.GI, SignalKind.AI)
 
 
 def suggested_stimuli(files: Sequence[tree.File], io: CellIo) -> tuple[SuggestedStimulus, ...]:
-    """A stimulus for each value that a program waits for, after the output it sets before."""
+    """Return a stimulus for each value a program waits for, after the output it sets before."""
     undriven = _undriven(io)
     found: dict[tuple[str, float], SuggestedStimulus] = {}
     for statement, output in _with_outputs(files):
@@ -34,7 +34,7 @@ def suggested_stimuli(files: Sequence[tree.File], io: CellIo) -> tuple[Suggested
 def other_undriven(
     texts: Iterable[str], io: CellIo, stimuli: Iterable[SuggestedStimulus]
 ) -> tuple[str, ...]:
-    """Inputs that programs name and nothing sets, except those with a suggestion."""
+    """Return inputs that programs use and nothing sets, except those with a suggestion."""
     words = frozenset[str]().union(*(words_of(text) for text in texts))
     told = {one.signal.lower() for one in stimuli}
     undriven = _undriven(io)
@@ -48,14 +48,14 @@ def other_undriven(
 
 
 def _undriven(io: CellIo) -> dict[str, float]:
-    """The start values of the inputs that nothing sets, by folded name."""
+    """Return the start values of the inputs that nothing sets, by folded name."""
     driven = {name.lower() for name in io.written}
     inputs = (signal for signal in io.signals if signal.kind in _INPUTS and signal.status is None)
     return {one.name.lower(): one.value for one in inputs if one.name.lower() not in driven}
 
 
 def _with_outputs(files: Iterable[tree.File]) -> Iterator[tuple[tree.Statement, str | None]]:
-    """All statements with the output that was set last before them in their routine."""
+    """Yield all statements with the last output that was set before them in their routine."""
     for file in files:
         for module in file.modules:
             for routine in module.routines:
@@ -66,7 +66,7 @@ def _with_outputs(files: Iterable[tree.File]) -> Iterator[tuple[tree.Statement, 
 
 
 def _set_output(statement: tree.Statement) -> str | None:
-    """The output that a statement sets, as a condition: `doGrip = 1`."""
+    """Return the output that a statement sets, as a condition: `doGrip = 1`; else None."""
     if not isinstance(statement, tree.Call):
         return None
     traits = does(installed_symbol(statement.name.key))

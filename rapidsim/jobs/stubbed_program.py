@@ -1,8 +1,8 @@
 """A program that uses undeclared data, changed so that it runs up to them.
 
 Each statement or condition that uses such data is replaced by a call of an unknown routine: the run
-ends where it gets there. A controller that does not check references (-BindRef 0) does so too;
-others have the modules that are missing here.
+ends there. A controller that does not check references (-BindRef 0) does so too; other controllers
+have the modules that are missing here.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 def stubbed_program(
     files: Sequence[tree.File], findings: Sequence[Diagnostic], cell: CellNames
 ) -> Program | None:
-    """The program, runnable up to the names in its findings.
+    """Return the program, runnable up to the names in its findings.
 
-    None if one of them is outside statements, for instance in an initial value.
+    None if a name is outside statements, for instance in an initial value.
 
     Args:
         files: The task's files.
         findings: The findings of checking them.
-        cell: What the configuration declares besides the modules.
+        cell: Names that the configuration declares in addition to the modules.
     """
     instead: dict[int, tree.Node] = {}
     missing: dict[str, str | None] = {}
@@ -54,7 +54,7 @@ def stubbed_program(
             missing[name.lower()] = why
     if not missing:
         return None
-    # The calls that stand for data are of routines that nothing declares.
+    # The calls in place of data are calls of undeclared routines.
     assumed = replace(cell, assumes=True)
     parts = tuple(rebuilt(without_runs(file, instead), instead) for file in files)
     program = check(parts, (), cell=assumed).program
@@ -62,7 +62,10 @@ def stubbed_program(
 
 
 def _missing(violation: Violation) -> tuple[str, str | None] | None:
-    """What a finding says is not there and why a run ends at it; None is the controller's error."""
+    """Return the missing name of a finding and the reason why a run ends there; else None.
+
+    The reason is None if the run ends with the controller's own error.
+    """
     match violation:
         case UnresolvedReference(undefined=name):
             return name, None
@@ -76,16 +79,16 @@ def _missing(violation: Violation) -> tuple[str, str | None] | None:
 
 
 class _SimpleStatements:
-    """The simple statements of a routine, by place."""
+    """Simple statements of a routine, by position."""
 
     def __init__(self, routine: tree.RoutineNode) -> None:
-        """Collect them in order."""
+        """Collect the statements in order."""
         simple = (one for one in statements(*clauses(routine)) if isinstance(one, _SIMPLE))
         self._statements = sorted(simple, key=lambda one: one.start)
         self._starts = [one.start for one in self._statements]
 
     def around(self, place: int) -> tree.Node | None:
-        """The statement that contains an offset; None if none does."""
+        """Return the statement that contains an offset; None if there is no such statement."""
         position = bisect_right(self._starts, place) - 1
         if position < 0 or place >= self._statements[position].end:
             return None
@@ -95,11 +98,11 @@ class _SimpleStatements:
 def _failing_at(
     files: Sequence[tree.File], span: Span, simple: dict[int, _SimpleStatements]
 ) -> tree.Node | None:
-    """The simple statement around a name, else the data that an expression reads with it.
+    """Return the simple statement around a name, else the data that an expression reads with it.
 
     Args:
         files: The task's files.
-        span: The place of the name.
+        span: Position of the name.
         simple: The simple statements of routines by identity; filled on demand.
     """
     for file in files:
@@ -117,7 +120,7 @@ def _data_at(routine: tree.RoutineNode, place: int) -> tree.Node | None:
     around = [one for one in statements(*clauses(routine)) if one.start <= place < one.end]
     if not around:
         return None
-    # The first is the outermost: `missing{1}.trans` is read as a whole.
+    # The first is the outermost: `missing{1}.trans` is one access.
     paths = (one for one in descendants(around[-1]) if isinstance(one, _PATHS))
     return next((one for one in paths if one.start <= place < one.end), None)
 

@@ -1,7 +1,7 @@
 """`rapidsim sweep`: the same program with the robot at many positions, one variant for each.
 
-First all variants are checked together for reach; then those that reach everything are run, each on
-its own and, if requested, in several processes. The rows and their order are the same either way.
+First the reach of all variants is checked together; then those that reach everything are run, each
+independently and, if requested, in several processes. Neither affects the rows or their order.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _MM_PER_M = 1000.0
 _POSITION = ("base.x", "base.y", "base.z")
 _ANGLES = ("base.rz", "base.ry", "base.rx")
 KEYS = (*_POSITION, *_ANGLES)
-"""What may be varied: where the robot's base stands in the world [mm], and its angles as those of
-OrientZYX [deg]."""
+"""Parameters that may vary: the position of the robot's base in the world [mm], and its angles as
+those of OrientZYX [deg]."""
 MOST_VARIANTS = 10_000_000
 _ROUNDING = 1e-9
-"""Share of a step by which the last value may be past the end."""
+"""Share of a step by which the last value may exceed the end."""
 _AT_ONCE = 8
-"""Variants that a process is given at a time."""
+"""Number of variants that a process receives at a time."""
 
 
 @value_class(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class Axis:
 
 @value_class(frozen=True, slots=True)
 class VariantOutcome:
-    """The outcome of running a variant."""
+    """Outcome of the run of a variant."""
 
     end: str
     time_s: float
@@ -60,21 +60,21 @@ class VariantOutcome:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Sweep:
-    """Variants (k,) and the results of each."""
+    """Variants (k,) and their results."""
 
     axes: tuple[Axis, ...]
     number: Index
-    """Shape (k,): which of all variants, counted from 0; the last axis changes first."""
+    """Shape (k,): number among all variants, counted from 0; the last axis changes first."""
     values: Array
     """Shape (k, axes)."""
     moves: int
-    """How many move instructions were checked."""
+    """Number of move instructions that were checked."""
     unreachable: Index
     other_configuration: Index
     margin_deg: Array
     """Shape (k,); see `PlacedReach`."""
     margin_measure: str
-    """RAPID's unit of margins: `deg or mm` where an axis of the arm slides."""
+    """RAPID's unit of margins: `deg or mm` if an axis of the arm is prismatic."""
     runs: tuple[VariantOutcome | None, ...]
     """None for a variant that was not run."""
 
@@ -89,7 +89,7 @@ def axis_of(text: str) -> Axis:
     """Parse `base.x=-200:200:50`: from, to and step; or a single value.
 
     Raises:
-        InputError: If it has another form.
+        InputError: If the text has another form.
     """
     key, _, said = text.partition("=")
     key = key.strip().lower()
@@ -126,11 +126,11 @@ def sweep(
     """Try all variants of a job.
 
     Args:
-        ready: A job of one task with one robot, whose station says where it stands.
+        ready: A job of one task with one robot, whose station defines the base.
         axes: The parameters that vary.
         shard: Only every n-th variant starting with the i-th, counted from 1: `(i, n)`.
         run: Whether variants that reach everything are run.
-        processes: How many processes run them.
+        processes: Number of processes that run them.
 
     Raises:
         InputError: If there are too many variants, or one key varies twice.
@@ -180,7 +180,7 @@ def sweep(
 
 
 def _placed(found_job: Job, keys: Sequence[str], values: Array) -> Transform:
-    """Where the base stands (k,), from values (k, axes); what does not vary is the station's."""
+    """Poses (k,) of the base for values (k, axes); other parameters are the station's."""
     stands = found_job.station.world_from_base or Transform.identity()
     position = np.tile(stands.translation, (len(values), 1))
     angles = np.tile(euler_from_rotation(stands.rotation, Convention.ZYX), (len(values), 1))
@@ -190,13 +190,13 @@ def _placed(found_job: Job, keys: Sequence[str], values: Array) -> Transform:
         else:
             angles[:, _ANGLES.index(key)] = np.radians(column)
     if not any(key in _ANGLES for key in keys):
-        # As the station has it, to the last bit.
+        # Exactly as in the station, to the last bit.
         return Transform(np.tile(stands.rotation, (len(values), 1, 1)), position)
     return Transform(rotation_from_euler(angles, Convention.ZYX), position)
 
 
 def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[VariantOutcome]:
-    """Run the job with the robot in places (k,), in their order."""
+    """Run the job with the robot at poses (k,), and yield the outcomes in order."""
     each = list(zip(places.rotation, places.translation, strict=True))
     if processes == 1 or len(each) < 2:
         return starmap(partial(_outcome, ready), each)
@@ -206,7 +206,7 @@ def _outcomes(ready: LoadedJob, places: Transform, processes: int) -> Iterator[V
 
 
 _here: Callable[[Array, Array], VariantOutcome] | None = None
-"""In a process of a sweep: runs its job."""
+"""Runs the job of a sweep in one of its processes; None in other processes."""
 
 
 def _prepare(request: RunRequest) -> None:
@@ -226,7 +226,7 @@ def _outcome(ready: LoadedJob, rotation: Array, translation: Array) -> VariantOu
     placed = replace(robot, world_from_base=Transform(rotation, translation))
     station = replace(made.station, robots=(placed, *made.station.robots[1:]))
     with TemporaryDirectory(prefix="rapidsim-sweep-") as home:
-        # What one variant writes is no input of another.
+        # Files that one variant writes are no inputs of another.
         asked = replace(made.request, home=str(Path(home)))
         varied = replace(ready, job=replace(made, station=station, request=asked))
         finished = executed(prepared(varied)).simulation

@@ -1,4 +1,4 @@
-"""Findings of a run, pointed at the target of a move like those of a check."""
+"""Attribution of a run's findings to the targets of moves, as in a check."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _TARGETS = ("robtarget", "jointtarget")
 def attribute_to_targets(
     diagnostics: Iterable[Diagnostic], programs: Iterable[Program]
 ) -> tuple[Diagnostic, ...]:
-    """The findings, pointed at targets; a run itself points only at instructions."""
+    """Return the findings at targets; those of a run refer only to instructions."""
     found = tuple(diagnostics)
     if not any(isinstance(one.violation, _ABOUT_TARGETS) for one in found):
         return found
@@ -61,7 +61,7 @@ def _pointed(
 
 
 def _targets(program: Program) -> Iterator[tuple[tuple[str, int, int], Span]]:
-    """The place of each instruction that has targets with that of the last: where it goes."""
+    """Yield the span of each instruction with targets, and that of its last one, the end point."""
     for module in program.modules:
         for node in descendants(module):
             if not isinstance(node, tree.Call):

@@ -1,4 +1,4 @@
-"""The modules of a job, task by task: those named, and those that the station file lists."""
+"""Modules of a job by task: those of the command line, and those that the station file lists."""
 
 from __future__ import annotations
 
@@ -19,21 +19,22 @@ from rapidsim.module_files import (
 )
 from rapidsim.station.station import Station
 
-# Rules that find a name which another module may declare.
+# Rules that find a name that another module may declare.
 _UNDECLARED = ("N201", "N209", "N210")
 _NAMED_NEIGHBOURS = 4
 
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
-    """The files of every task, by name.
+    """Return the files of every task, by name.
 
-    The tasks of a backup are those of the station file in its order, or T_ROB1, T_ROB2 ... without
-    one. Other files given belong to the first task, unless a task of the station file lists them.
+    The tasks of a backup correspond in order to those of the station file; without one they are
+    T_ROB1, T_ROB2 ... Other files belong to the first task, unless a task of the station file lists
+    them.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID, or a task has no module.
     """
-    # What the station file lists lies in its folder, or in one that the command line names.
+    # Files listed by the station file are in its folder, or in one that the command line names.
     rooms = (*([station.file.parent] if station.file else ()), *_folders(paths))
     for listing in station.tasks:
         require_inside(listing.modules, rooms)
@@ -61,7 +62,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
                 f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
                 f"{station.file}"
             )
-        # Those that only the station file has come last.
+        # Tasks that only the station file has are last.
         own = [*named, *(TaskFiles(None, ()) for _ in station.tasks[len(named) :])]
     else:
         claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
@@ -89,7 +90,7 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
 
 
 def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tuple[TaskFiles, ...]:
-    """All tasks, or only the one named.
+    """Return all tasks, or only the task of a name.
 
     Raises:
         InputError: If there is no such task; see `all_tasks`.
@@ -106,7 +107,7 @@ def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tu
 
 
 def _folders(paths: Sequence[str]) -> tuple[Path, ...]:
-    """The folders that a command names, or in which the files lie that it names."""
+    """Return the folders among the paths, and the folders of the files among them."""
     places = [opened(path) for path in paths if path != "-"]
     return tuple(place if place.is_dir() else place.parent for place in places)
 
@@ -116,7 +117,7 @@ def _as_typed(modules: Iterable[Path]) -> tuple[str, ...]:
 
 
 def program_name(paths: Sequence[str]) -> str:
-    """The base name of files that belong to the run: the first path without its suffix."""
+    """Base name of files that belong to the run: the first path without its suffix."""
     if paths[0] == "-":
         return "stdin"
     archive = _archive_of_all(paths)
@@ -129,7 +130,7 @@ def program_name(paths: Sequence[str]) -> str:
 
 
 def program_title(paths: Sequence[str]) -> str:
-    """The displayed name of the run: the file or folder given, the first of several."""
+    """Displayed name of the run: its file or folder, the first of several."""
     if paths[0] == "-":
         return "standard input"
     archive = _archive_of_all(paths)
@@ -140,13 +141,13 @@ def program_title(paths: Sequence[str]) -> str:
 
 
 def _archive_of_all(paths: Sequence[str]) -> Path | None:
-    """The packed station of which the paths are several controllers; None if there is none."""
+    """Packed station whose controllers the paths are; None if there is no such station."""
     archives = {packed[0] if (packed := packed_station(path)) else None for path in paths}
     return archives.pop() if len(paths) > 1 and len(archives) == 1 else None
 
 
 def missing_neighbours(paths: Sequence[str], diagnostics: Iterable[Diagnostic]) -> str | None:
-    """A line that names modules beside a single file, if it uses undeclared names."""
+    """Line that names modules next to a single file with undeclared names; else None."""
     beside = neighbours(paths[0]) if len(paths) == 1 else ()
     if not beside or not any(d.violation.code in _UNDECLARED for d in diagnostics):
         return None

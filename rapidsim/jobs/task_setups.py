@@ -1,4 +1,4 @@
-"""Which task moves which robot, according to the programs and the station file."""
+"""Assignment of robots to tasks, according to the programs and the station file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rapidsim.station.station import Station
 from rapidsim.station.task_kind import TaskKind
 
 _ROUNDING_DEG = 1e-6
-"""A limit that was written in degrees and kept in radians is still within."""
+"""Tolerance [deg] for a limit that was written in degrees and stored in radians."""
 
 
 def task_setups(
@@ -24,15 +24,15 @@ def task_setups(
     first: Robot,
     open_robot: Callable[[str, float | None], Robot],
 ) -> tuple[TaskSetup, ...]:
-    """The setup of each task of a run.
+    """Return the setup of each task of a run.
 
     If the station file does not assign a robot to a task, a task with moves gets the next one, and
     an arm like the first if the file has no more robots. If no task has moves, the first unassigned
-    task gets the robot: it is the one a controller starts with. A task that runs alone always gets
-    one.
+    task gets the robot, as it is the initial one on a controller. A task that runs alone always
+    gets a robot.
 
     Args:
-        tasks: Their programs.
+        tasks: Tasks with their programs.
         station: The content of the station file.
         first: The arm of the first robot, without external axes.
         open_robot: Loads an arm by name and scale.

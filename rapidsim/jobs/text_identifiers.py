@@ -1,4 +1,4 @@
-"""The words of a text, including those in strings and comments."""
+"""Words of a text, including those in strings and comments."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import re
 
 _WORD = re.compile(r"[A-Za-z]\w*")
 _CHUNK = 1_000_000
-"""Characters whose words are listed at once; large programs say the same few again and again."""
+"""Characters whose words are listed at once; large programs repeat few words."""
 
 
 def words_of(text: str) -> set[str]:
-    """All possible names, folded."""
+    """Return all possible names, folded."""
     found: set[str] = set()
     begin = 0
     while begin < len(text):

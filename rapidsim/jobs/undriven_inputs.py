@@ -22,11 +22,11 @@ class NeverDrivenInput(Violation, code="I803"):
 
 
 def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagnostic]:
-    """Waits for values of digital, group and analog inputs.
+    """Yield waits for values of digital, group and analog inputs.
 
     Args:
         files: The program.
-        io: Signals of the station and what drives them.
+        io: Signals, connections and stimuli of the station.
     """
     begins_with = {
         signal.name.lower(): signal.value for signal in io.signals if signal.kind in _INPUTS
@@ -50,7 +50,7 @@ def find_never_driven(files: Iterable[tree.File], io: CellIo) -> Iterator[Diagno
 def unreported_waits(
     undriven: Iterable[Diagnostic], reported: Iterable[Diagnostic]
 ) -> Iterator[Diagnostic]:
-    """The waits except those at which a run has ended: that finding says more."""
+    """Yield the waits except those at which a run has ended: that finding is more precise."""
     ends = [one.span for one in reported if isinstance(one.violation, EndlessWait) and one.span]
     for one in undriven:
         span = one.span
@@ -59,7 +59,7 @@ def unreported_waits(
 
 
 def waited_for(statement: tree.Statement) -> tuple[tree.Name, tree.NumberLiteral] | None:
-    """The signal and the value that a statement waits for."""
+    """Return the signal and the value that a statement waits for; None if it does not wait."""
     if not isinstance(statement, tree.Call):
         return None
     required = [one.value for one in statement.arguments if isinstance(one, tree.RequiredArgument)]

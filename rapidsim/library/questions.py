@@ -102,7 +102,7 @@ def answered(
             if flag is not None:
                 flag.value = 0.0
             return value
-        timeout = (ERR_TP_MAXTIME, f"nobody answered within {max_time or 0.0:g} s")
+        timeout = (ERR_TP_MAXTIME, f"no answer within {max_time or 0.0:g} s")
         found = _happened(ends) or timeout
     errno, happened = found
     if flag is None:

@@ -147,7 +147,7 @@ def socket_connect(
         raise rapid_error(ERR_SOCK_UNSPEC, f"the socket listens on port {state.port}")
     connection = controller.connect_socket(_host(address), _port(port), max_time=_limit(time))
     if connection is None:
-        raise _too_late(f"nobody answers at {address}:{port:g}", time)
+        raise _too_late(f"nothing listens at {address}:{port:g}", time)
     socket.value = replace(state, status=CONNECTED, connection=connection)
 
 

@@ -1,1 +1,1 @@
-"""Whether the arm can make every move in the program text, decided before anything runs."""
+"""Check whether the arm can make every move in the program text, before the program runs."""

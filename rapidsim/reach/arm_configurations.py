@@ -1,7 +1,7 @@
-"""The arm's joints at the end of each known move, in the stored configuration where possible.
+"""Joints of the arm at the end of each known move, in the stored configuration if possible.
 
-Lines and arcs whose configuration is not monitored, or not reachable, arrive as the path takes the
-arm there. If even that is not known, nothing is said about the next path.
+Lines and arcs whose configuration is not monitored, or not reachable, arrive in the configuration
+that their path leads to. If even that is unknown, the next path is not checked.
 """
 
 from __future__ import annotations
@@ -39,40 +39,40 @@ from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.values import value_class
 
 MOST_SEARCHED = 40
-"""Targets for which an arm without a closed form is searched; the others are left to a run."""
+"""Largest number of targets that are solved iteratively; the others need a run."""
 _BATCH = 4096
 _MOST = 9999.0
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class EndSolutions:
-    """What the arm can do about the end of each move, regardless of what precedes it."""
+    """Solutions of the arm for the end of each move, independent of the moves before."""
 
     looked_at: Mask
     reachable: Mask
-    """Within the limits, in some configuration."""
+    """Whether some configuration within the limits reaches the end."""
     stored_works: Mask
-    """The arm meets the stored configuration."""
+    """Whether the arm meets the stored configuration."""
     on_stored_branch: Mask
-    """A run goes on: the arm meets it, or an axis on the stored branch is two quarters off."""
+    """Whether a run continues: configuration met, or an axis two quarters off on its branch."""
     match: Integers
     """Shape (k,): the `Match` of the joints; OTHER for moves to axis positions."""
     stored: Array
-    """Shape (k, n) [rad]: joints in the stored configuration, where the arm can hold it."""
+    """Shape (k, n) [rad]: joints in the stored configuration, if the arm can hold it; else 0."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class EndConfigurations:
-    """The arm's joints at the end of each move."""
+    """Joints of the arm at the end of each move."""
 
     joints: Array
-    """Shape (k, n) [rad]; 0 where that is not known."""
+    """Shape (k, n) [rad]; 0 if unknown."""
     sure: Mask
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Beginning:
-    """Where a run of main begins."""
+    """Start of a run of main."""
 
     joints: Array
     """Shape (n,) [rad]."""
@@ -93,7 +93,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
     works[to_axes] = ~programmed_excess(robot, posed.axes[to_axes]).any(axis=-1)
     reachable[to_axes] = held[to_axes] = works[to_axes]
     led = np.array([is_wrist_driven(known, robot) for known in posed.moves], dtype=bool)
-    # Their way tells whether they can be made; nobody goes to the pose of their target.
+    # Feasibility follows from the path; the target pose itself is not reached.
     reachable[looked_at & led] = True
     rows = np.flatnonzero(looked_at & ~posed.to_axes & ~led)
     if not has_branches(robot.kinematics):
@@ -114,7 +114,7 @@ def ends_of(posed: PosedMoves, robot: Robot, *, exact: bool = False) -> EndSolut
 
 @value_class(frozen=True, slots=True, eq=False)
 class SolvedEnds:
-    """What the arm can do about poses (k,); see `EndSolutions`."""
+    """Solutions of the arm for poses (k,); see `EndSolutions`."""
 
     reachable: Mask
     stored_works: Mask
@@ -147,16 +147,16 @@ def stances_of(
     lost: AbstractSet[int] = frozenset(),
     beginning: Beginning | None = None,
 ) -> EndConfigurations:
-    """The arm's joints at the end of each move.
+    """Return the joints of the arm at the end of each move.
 
     Args:
         posed: The moves.
-        ends: What the arm can do about their ends.
+        ends: Solutions for their ends.
         robot: The arm.
         model: Its motion model.
         arrivals: Joints (n,) [rad] of rows known not to arrive in the stored configuration.
-        lost: Rows whose path fails; without a stored configuration, their end is not known.
-        beginning: Where a run of main begins; None if that is not known.
+        lost: Rows whose path fails; without a stored configuration, their end is unknown.
+        beginning: Start of a run of main; None if unknown.
     """
     count = len(posed.moves)
     joints = np.zeros((count, len(robot.joints)))
@@ -202,7 +202,7 @@ def stances_of(
 def _first_end(
     posed: PosedMoves, ends: EndSolutions, robot: Robot, beginning: Beginning, row: int
 ) -> Array | None:
-    """Joints (n,) [rad] at the end of the first move of a run; None if not known."""
+    """Joints (n,) [rad] at the end of the first move of a run; None if unknown."""
     known, flange = posed.moves[row], posed.base_from_flange[row]
     monitored = is_monitored(known, robot)
     if not has_branches(robot.kinematics) or not (monitored or is_free(known)):
@@ -223,7 +223,7 @@ def _first_end(
 
 
 def _continues_turned(known_move: KnownMove, ends: EndSolutions, row: int, robot: Robot) -> bool:
-    """Whether a joint move takes another turn than the stored one, and a run goes on."""
+    """Whether a joint move ends in another turn than the stored one, and a run continues."""
     to_pose = not known_move.move.interpolation.leads_tcp
     return to_pose and bool(ends.on_stored_branch[row]) and is_monitored(known_move, robot)
 
@@ -240,19 +240,19 @@ def is_free(known_move: KnownMove) -> bool:
 
 
 def _monitoring(known_move: KnownMove) -> bool | None:
-    """Whether ConfJ or ConfL, the one that counts for a move, is on; None where that is open."""
+    """Whether ConfJ or ConfL, as applies to a move, is on; None if undetermined."""
     name = "conf_l" if known_move.move.interpolation.leads_tcp else "conf_j"
     return None if name in known_move.uncertain else bool(getattr(known_move.settings, name))
 
 
 def stored_confdata(known_move: KnownMove) -> tuple[int, int, int, int]:
-    """cf1, cf4, cf6 and cfx of a move to a pose; absurdly large numbers are clamped."""
+    """Return cf1, cf4, cf6 and cfx of a move to a pose; absurdly large numbers are clamped."""
     cf1, cf4, cf6, cfx = map(round, confdata_columns([known_move])[0].tolist())
     return cf1, cf4, cf6, cfx
 
 
 def confdata_columns(moves: Sequence[KnownMove]) -> Array:
-    """The stored cf1, cf4, cf6 and cfx of the targets of moves to poses, shape (k, 4)."""
+    """Return the stored cf1, cf4, cf6 and cfx of the targets of moves to poses, shape (k, 4)."""
     written = np.array([_robconf(known) for known in moves], dtype=np.float64).reshape(-1, 4)
     return np.rint(np.clip(written, -_MOST, _MOST))
 
@@ -271,7 +271,7 @@ def _wrist_circle_end(
     joints: Array,
     sure: Mask,
 ) -> Array | None:
-    """Joints (n,) [rad] at the end of an arc that two wrist axes lead; None if not known."""
+    """Joints (n,) [rad] at the end of an arc that two wrist axes orient; None if unknown."""
     known = posed.moves[row]
     before = known.previous
     starts = before is not None and sure[before] and ends.looked_at[row]
@@ -289,7 +289,7 @@ def _wrist_circle_end(
 def _end_of_chain(
     posed: PosedMoves, ends: EndSolutions, robot: Robot, settled: AbstractSet[int], row: int
 ) -> int:
-    """One past the last of consecutive lines that arrive as the way takes the arm there."""
+    """Return the row after the last of consecutive lines that end in the branch of their start."""
     stop = row + 1
     while (
         stop < len(posed.moves)
@@ -307,7 +307,7 @@ def _end_of_chain(
 def _follow(
     posed: PosedMoves, robot: Robot, rows: range, start: Array, joints: Array, sure: Mask
 ) -> None:
-    """Follow a chain of lines from its start joints (n,), as far as the branch leads."""
+    """Follow a chain of lines from its start joints (n,), as far as the branch is feasible."""
     branch = int(robot.kinematics.branch_of(start))
     pose = posed.base_from_flange[slice(rows.start, rows.stop)]
     followed = robot.kinematics.inverse_on_branch(pose, branch, start)

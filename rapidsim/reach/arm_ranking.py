@@ -1,10 +1,10 @@
-"""Which arms of the catalogue suit the targets of programs: reach and stored configurations.
+"""Ranking of the arms of the catalogue for the targets of programs: reach and configurations.
 
-Arms of ABB with a closed form are tried. An arm without a closed form is tried at a few targets, as
-each takes a search, and only if a text names it or the targets have seven axes: then only arms with
-seven axes are offered. Seven axes are recognised by `eax_a` in every target, an angle that no track
+ABB arms with a closed form are tried. An arm without a closed form is tried at a few targets, as
+each needs a search, and only if a text names it or the targets have seven axes: then only arms with
+seven axes are ranked. Seven axes are recognised by `eax_a` in every target, an angle that no track
 of the station explains, together with a `cfx` above 7, with a name such as T_ROB_L, or with an arm
-that reaches all targets where no other makes them as stored.
+that reaches all targets if no other arm makes them as stored.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ _USUAL_AXES = 6
 _SEVEN_AXES = 7
 _NEARLY_ALL = 0.9
 _LARGEST_CFX = 7.0
-"""Of arms with six axes."""
+"""Largest cfx of arms with six axes."""
 _HALF_TURN_DEG = 180.0
 _TWO_ARMED = "14000"
 _SEVEN_AXIS_TYPES = (_TWO_ARMED, "14050")
@@ -54,7 +54,7 @@ _LONGEST_TEXT = 200_000
 
 @value_class(frozen=True, slots=True, eq=False)
 class ProgramTargets:
-    """The distinct targets that programs name."""
+    """Distinct targets that programs use."""
 
     base_from_flange: Transform
     """Poses (k,)."""
@@ -62,30 +62,30 @@ class ProgramTargets:
     """Stored configurations (k, 4)."""
     axes: tuple[JointTarget, ...]
     heaviest_kg: float
-    """The heaviest tool with what it holds."""
+    """Largest mass of a tool with its load."""
     arm_angles: tuple[float, ...] = ()
-    """Values [deg] of `eax_a`, which may be those of a seventh axis; empty if a target has none."""
+    """Values [deg] of `eax_a`, which may be a seventh axis; empty if a target has none."""
     largest_cfx: float = 0.0
 
     @property
     def count(self) -> int:
-        """How many there are."""
+        """Number of targets."""
         return len(self.confdata) + len(self.axes)
 
 
 @value_class(frozen=True, slots=True)
 class Hint:
-    """An arm that a text names: the number of its type, and figures such as reach or payload."""
+    """An arm that a text names: number of its type, and figures such as reach or payload."""
 
     model: str
     figures: tuple[float, ...] = ()
     family: str | None = None
     """`irb` or `crb`; None if not named."""
     side: str | None = None
-    """The first letter of the arm of a two-armed robot; None if not named."""
+    """First letter of the arm of a two-armed robot; None if not named."""
 
     def deviation(self, name: str) -> float:
-        """How far an arm of the catalogue is from it; 0 for the same."""
+        """Return the distance of an arm of the catalogue from the hint; 0 if they agree."""
         parts = _PARTS.fullmatch(name)
         if parts is None:
             return 2.0 * _OTHER_MODEL
@@ -98,33 +98,33 @@ class Hint:
 
 @value_class(frozen=True, slots=True)
 class RankedArm:
-    """An arm, and how many of the targets it makes."""
+    """An arm, and the numbers of targets that it makes."""
 
     name: str
     reach_m: float | None
     tried: int
-    """How many targets were tried."""
+    """Number of targets that were tried."""
     reached: int
     satisfied: int
-    """Those that it reaches in the stored configuration."""
+    """Number of targets reached in the stored configuration."""
     carries: bool
-    """Whether it is rated for the heaviest tool."""
+    """Whether the arm is rated for the heaviest tool."""
     has_six_axes: bool
     has_own_speeds: bool
-    """Whether a source gives the speeds of its axes; else another arm lends them."""
+    """Whether a source states the speeds of its axes; else those of another arm are used."""
     is_named: bool
     """Whether a text names its type."""
     deviation: float
-    """From the arms that texts name; 0 where none is named."""
+    """Deviation from the arms that texts name; 0 if no arm is named."""
     name_counts: bool = False
     """Whether its name counts more than its reach, as no arm reaches nearly all targets: then the
-    place of the robot is not known."""
+    place of the robot is unknown."""
 
     @property
     def score(self) -> tuple[bool, float, bool, float, bool]:
         """Larger is better; equal for arms that suit the targets equally well."""
         tried = max(self.tried, 1)
-        # Configurations of other kinds of arms mean something else, and a palletizer with its four
+        # Configurations of other kinds of arms have another meaning, and a palletizer with its four
         # axes holds all zeros.
         usual = self.has_six_axes or self.is_named
         leads = self.is_named and (self.name_counts or self.reached == self.tried)
@@ -139,7 +139,7 @@ class RankedArm:
 def program_targets(
     programs: Iterable[Program], base_from_world: Transform, *, has_axis_a: bool = False
 ) -> ProgramTargets:
-    """The targets that are known without a run, each once; evenly chosen ones of very many.
+    """Return the statically known targets, each once; an even selection if there are many.
 
     Args:
         programs: The programs.
@@ -179,25 +179,25 @@ def program_targets(
 
 
 def _arm_angles(reached: Sequence[RobTarget | JointTarget]) -> tuple[float, ...]:
-    """The values of `eax_a` of targets; empty unless all have one that may be an angle."""
+    """Return the values of `eax_a` of targets; empty unless all have one that may be an angle."""
     values = tuple(target.extax.eax_a for target in reached)
     return values if all(abs(value) <= _HALF_TURN_DEG for value in values) else ()
 
 
 def _chosen(count: int, most: int) -> list[int]:
-    """Evenly chosen rows, all where there are few."""
+    """Return evenly spaced rows; all if there are few."""
     if count <= most:
         return list(range(count))
     return [round(n * (count - 1) / (most - 1)) for n in range(most)]
 
 
 def hints_of(texts: Iterable[str], names: Sequence[str] = ()) -> tuple[Hint, ...]:
-    """The arms that texts name.
+    """Return the arms that texts name.
 
     Args:
-        texts: Such as comments of a program or a type in a backup.
-        names: Of files, folders, tasks and stations. Only these name an arm of a two-armed robot:
-            programs of one of its arms also mention the other.
+        texts: Texts such as comments of a program or a type in a backup.
+        names: Names of files, folders, tasks and stations. Only these name an arm of a two-armed
+            robot: programs of one of its arms also mention the other.
     """
     hints: dict[Hint, None] = {}
     for text in (*names, *texts):
@@ -219,16 +219,16 @@ def hints_of(texts: Iterable[str], names: Sequence[str] = ()) -> tuple[Hint, ...
 def rank_arms(
     of_programs: ProgramTargets, hints: Sequence[Hint], preferred: str
 ) -> tuple[RankedArm, ...]:
-    """The arms, best first.
+    """Return the arms, best first.
 
     An arm that a text names comes first if it reaches all targets, or if no arm reaches nearly all.
-    A tie goes to the arm nearest to one that a text names, then to the preferred one, then to the
+    A tie is won by the arm nearest to one that a text names, then by the preferred one, then by the
     one whose reach is in the middle: with the shortest, lines between the targets may leave it.
 
     Args:
-        of_programs: What they have to reach.
+        of_programs: Targets to reach.
         hints: The arms that texts name.
-        preferred: The name of an arm.
+        preferred: Name of an arm.
     """
     ranked = [
         ranked_arm(robot, of_programs, deviation, is_named=is_named)
@@ -254,7 +254,7 @@ def rank_arms(
 
 
 def _candidates(hints: Sequence[Hint]) -> Iterator[tuple[Robot, float, bool]]:
-    """The arms of the maker, each with its deviation from the hints and whether one names it."""
+    """Yield the arms of the maker, with deviation from the hints and whether a hint names it."""
     for name in robot_names():
         if find_entry(name).maker == MAKER:
             deviation = min((hint.deviation(name) for hint in hints), default=0.0)
@@ -264,7 +264,7 @@ def _candidates(hints: Sequence[Hint]) -> Iterator[tuple[Robot, float, bool]]:
 def _seven_axis_arms(
     of_programs: ProgramTargets, hints: Sequence[Hint], others: Sequence[RankedArm]
 ) -> list[RankedArm]:
-    """The arms with seven axes; empty if the targets are for one of the other arms, on a track."""
+    """Arms with seven axes; empty if the targets are for one of the others, on a track."""
     if not of_programs.arm_angles:
         return []
     is_named = any(hint.model in _SEVEN_AXIS_TYPES for hint in hints)
@@ -282,7 +282,7 @@ def _seven_axis_arms(
 def ranked_arm(
     robot: Robot, of_programs: ProgramTargets, deviation: float = 0.0, *, is_named: bool = False
 ) -> RankedArm:
-    """What an arm makes of targets."""
+    """Return an arm with the numbers of targets that it makes."""
     most = _MOST_TARGETS if has_branches(robot.kinematics) else _MOST_SEARCHED
     rows = _chosen(len(of_programs.confdata), most)
     reached = held = 0

@@ -1,4 +1,4 @@
-"""How many of a program's moves were checked, how, and why others were not."""
+"""Coverage of a check of moves: numbers of checked moves, and reasons for the others."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.values import value_class
 
 MOST_MOVES = 4000
-"""Move instructions in a text beyond which a check does not run it."""
+"""Number of move instructions in a text above which a check does not run it."""
 MOST_MOVES_FOR_ERRORS = 300
-"""Likewise, where only an error can be found: all moves are known, or tasks are run together."""
+"""Same limit for runs that can only find errors: all moves are known, or all tasks run together."""
 
 
 @value_class(frozen=True, slots=True)
 class UncheckedMove:
-    """A move instruction about which nothing is known."""
+    """A move instruction that was not checked."""
 
     span: Span
     reason: str
@@ -23,33 +23,33 @@ class UncheckedMove:
 
 @value_class(frozen=True, slots=True)
 class Coverage:
-    """The move instructions of a program by how they were checked."""
+    """Move instructions of a program by kind of check."""
 
     by_value: int = 0
-    """Their targets, tools and work objects are known before the program runs."""
+    """Number of moves whose targets, tools and work objects are known statically."""
     by_run: int = 0
-    """A run of main met them."""
+    """Number of moves that a run of main executed."""
     unchecked: tuple[UncheckedMove, ...] = ()
     main_left_out: str = ""
-    """Why main was not run for the errors that only a run meets; empty where it was."""
+    """Reason why main was not run for errors that only a run meets; empty if it was."""
     paths: int = 0
-    """Those that lead the TCP on a line or arc, so that the arm must also get along the path."""
+    """Number of moves along a line or arc, where the arm must also be able to follow the path."""
     unchecked_paths: tuple[UncheckedMove, ...] = ()
-    """Those of them whose end alone was checked."""
+    """Moves along a line or arc of which only the end was checked."""
 
     @property
     def paths_checked(self) -> int:
-        """Lines and arcs that were checked from start to end."""
+        """Number of lines and arcs that were checked from start to end."""
         return self.paths - len(self.unchecked_paths)
 
     @property
     def checked(self) -> int:
-        """Those checked in either way."""
+        """Number of moves that were checked statically or by a run."""
         return self.by_value + self.by_run
 
     @property
     def moves(self) -> int:
-        """All of them."""
+        """Number of all moves."""
         return self.checked + len(self.unchecked)
 
     def __repr__(self) -> str:
@@ -57,7 +57,7 @@ class Coverage:
         return f"<{self.checked} of {self.moves} moves checked>"
 
     def __add__(self, other: Coverage) -> Coverage:
-        """Of two tasks."""
+        """Return the coverage of two tasks together."""
         return Coverage(
             self.by_value + other.by_value,
             self.by_run + other.by_run,
@@ -70,7 +70,7 @@ class Coverage:
 
 @value_class(frozen=True, slots=True, eq=False)
 class ReachReport:
-    """The findings about the moves of one program."""
+    """Findings about the moves of one program."""
 
     diagnostics: tuple[Diagnostic, ...] = ()
     coverage: Coverage = field(default_factory=Coverage)

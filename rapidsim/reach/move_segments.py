@@ -1,4 +1,4 @@
-"""Known moves as the path segments of a run, from the joints at both ends."""
+"""Known moves as path segments like those of a run, from the joints at both ends."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from rapidsim.reach.target_poses import PosedMoves
 def segments_of(
     posed: PosedMoves, joints: Array, robot: Robot, model: MotionModel, rows: Sequence[int]
 ) -> tuple[Segment, ...]:
-    """Segments of moves whose start is known.
+    """Return the segments of moves with known starts.
 
     Args:
         posed: The moves.
         joints: Joints at the end of each move (k, n) [rad].
         robot: The arm.
-        model: How the load affects accelerations.
-        rows: The moves whose segments are wanted.
+        model: Motion model, for the effect of the load on accelerations.
+        rows: Rows of the requested moves.
     """
     ends: dict[int, Waypoint] = {}
     starts, requests = [], []

@@ -51,17 +51,17 @@ _STANDSTILL = 1e-5
 _NO_TURN = 1e-3
 _REDUCED = 0.99
 _SMALL_ZONE_MM = 1.1
-"""z0 and z1 on close points are how dense paths are written; nobody wants them smaller."""
+"""Zones up to this size are not reported: z0 and z1 on close points form dense paths."""
 _HARDLY = 0.5
 """Share of the programmed speed below which a singularity is a warning."""
 _SLOWER = 0.95
 _PASSES = 3
 _BLOCK = 2000
-"""Ways that are surveyed at once."""
+"""Number of paths that are surveyed at once."""
 
 
 class _Segments(Mapping[int, Segment]):
-    """The segments of rows, each made when it is asked for: few are, and each is many arrays."""
+    """Segments of rows, created on access: few are used, and each consists of many arrays."""
 
     def __init__(
         self, rows: Mapping[int, object], make: Callable[[Sequence[int]], tuple[Segment, ...]]
@@ -93,10 +93,10 @@ class SurveyedPaths:
     surveyed: Mapping[int, SurveyedCurve]
     circle_faults: Mapping[int, str]
     strays: Mapping[int, Array]
-    """Joints (n,) [rad] of rows that arrive elsewhere than their end alone would tell."""
+    """Joints (n,) [rad] of rows that arrive elsewhere than in the solution for their end alone."""
 
     def driven(self, row: int) -> Segment:
-        """The segment of a path as a run would drive it, with the joints at its end if known."""
+        """Return the segment of a path as in a run, with the joints at its end if known."""
         segment, way = self.segments[row], self.surveyed[row]
         if way.arrival is None:
             return segment
@@ -105,7 +105,7 @@ class SurveyedPaths:
 
 @value_class(frozen=True, eq=False)
 class PathSurvey:
-    """Surveys the paths between the known moves of one program and reports problems."""
+    """Survey of the paths between the known moves of one program, with its findings."""
 
     program: Program
     posed: PosedMoves
@@ -113,15 +113,15 @@ class PathSurvey:
     robot: Robot
     model: MotionModel
     known_joints: Mapping[int, Array]
-    """Joints (n,) [rad] of rows that a run has told."""
+    """Joints (n,) [rad] of rows that a run has determined."""
     exact: bool = False
-    """Whether a stored configuration is not met where an axis is one quarter turn off."""
+    """Whether a stored configuration is not met if an axis is one quarter turn off."""
     beginning: Beginning | None = None
-    """Where a run of main begins; None if that is not known."""
+    """Start of a run of main; None if unknown."""
     _max_speed: Array | None = field(init=False)
 
     def __post_init__(self) -> None:
-        """Look up what the axes can do; without it no speed is checked."""
+        """Determine the speed limits of the axes; without them no speed is checked."""
         try:
             speed = limits_of(self.robot, self.model).max_speed[: len(self.robot.joints)]
         except RobotError:
@@ -131,7 +131,7 @@ class PathSurvey:
     def survey(self) -> SurveyedPaths:
         """Survey all lines and arcs whose start is known.
 
-        If a line arrives in a configuration other than its end alone suggests, the next path starts
+        If a line arrives in a configuration other than its end alone implies, the next path starts
         from there; if it fails, the start of the next is unknown. So the survey is repeated.
         """
         ways, lost = self._surveyed({}, frozenset()), frozenset[int]()
@@ -192,12 +192,12 @@ class PathSurvey:
         return bool(np.abs(curve.arrival - surveyed.stances.joints[row]).max() > _SAME_JOINTS)
 
     def _requires_stored(self, row: int) -> bool:
-        """Whether a move insists on a configuration that the arm could arrive in."""
+        """Whether a move requires a stored configuration in which the arm could arrive."""
         known = self.posed.moves[row]
         return bool(self.ends.on_stored_branch[row]) and is_monitored(known, self.robot)
 
     def findings(self, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
-        """All findings about the paths."""
+        """Yield all findings about the paths."""
         for row, fault in surveyed.circle_faults.items():
             name = target_text(self.program, self.posed.moves[row])
             yield self._finding(row, CircleUncertain(name, fault))
@@ -226,7 +226,7 @@ class PathSurvey:
                 yield self._finding(row, reduced)
 
     def _wrist_circle_findings(self, row: int, surveyed: SurveyedPaths) -> Iterator[Diagnostic]:
-        """What is worth a word of an arc that two wrist axes lead."""
+        """Yield the findings about an arc that two wrist axes orient."""
         if self.posed.moves[row].move.interpolation is not Interpolation.CIRCLE:
             return
         segment = surveyed.segments[row]
@@ -250,7 +250,7 @@ class PathSurvey:
         return "speed_override_percent" in self.posed.moves[row].uncertain
 
     def _following(self) -> Mapping[int, list[int]]:
-        """The moves that start where each ends."""
+        """Return the moves that start at the end of each move."""
         following: dict[int, list[int]] = {}
         for row, known in enumerate(self.posed.moves):
             if known.previous is not None:
@@ -260,12 +260,12 @@ class PathSurvey:
     def _fault(
         self, row: int, surveyed: SurveyedPaths, following: Mapping[int, list[int]]
     ) -> Violation | None:
-        """Where and why a way fails, as planning says it; None if corners keep the arm off it."""
+        """Return the fault of a path as in planning; None if corner paths avoid it."""
         segment = surveyed.driven(row)
         fault = build_path(self.robot, [replace(segment, zone=None)], self.model)
         if not isinstance(fault, PathFault):
             return None
-        # A wrist must be able to lead all of an arc, as a run has it.
+        # The wrist must be able to follow the whole arc, as in a run.
         led = segment.wrist_pair is not None
         if not led and not self._fails_with_corners(row, segment, surveyed, following):
             return None
@@ -295,7 +295,7 @@ class PathSurvey:
         return isinstance(build_path(self.robot, linked, self.model), PathFault)
 
     def _changed(self, row: int, arrival: Array) -> Iterator[Diagnostic]:
-        """K606: a line that arrives elsewhere than in the stored configuration."""
+        """K606: a line that arrives in another configuration than the stored one."""
         known, kinematics = self.posed.moves[row], self.robot.kinematics
         stored = stored_confdata(known)
         how = Match(int(match(kinematics, arrival, np.array(stored))))

@@ -1,4 +1,4 @@
-"""The moves of a program for many robot positions at once: reach and stored configurations.
+"""Reach and stored configurations of a program's moves for many robot positions at once.
 
 For each position the result is that of checking the ends of moves; the paths between them are not
 examined.
@@ -26,22 +26,22 @@ from rapidsim.reach.target_poses import posed
 from rapidsim.values import value_class
 
 _BATCH = 8192
-"""Poses solved at once."""
+"""Number of poses that are solved at once."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class PlacedReach:
-    """What the arm can do about the moves of a program from positions (k,)."""
+    """Reach of the moves of a program from positions (k,)."""
 
     moves: int
-    """How many move instructions were looked at; those that only a run can tell were not."""
+    """Number of move instructions that were checked; those that require a run were not."""
     unreachable: Index
-    """Shape (k,): ends that no configuration reaches within the limits."""
+    """Shape (k,): number of ends that no configuration reaches within the limits."""
     other_configuration: Index
-    """Shape (k,): ends that are reached, but not as stored where the controller insists on it."""
+    """Shape (k,): number of ends reached, but not as stored although it is monitored."""
     margin: Array
-    """Shape (k,) [rad]: the least way that an axis has left to a limit at these ends; infinite
-    where not all of them are reached as stored, for then nobody knows how the arm stands."""
+    """Shape (k,) [rad]: smallest distance of an axis from a limit at these ends; infinite if not
+    all of them are reached as stored, as the joints are then unknown."""
 
 
 def reach_from(
@@ -53,14 +53,14 @@ def reach_from(
     *,
     exact: bool = False,
 ) -> PlacedReach:
-    """Check all moves known without a run, with the robot at positions (k,).
+    """Check all statically known moves, with the robot at positions (k,).
 
     Args:
         program: A checked program.
         robot: The arm.
         world_from_base: The robot's positions, shape (k,).
         external: External axes; moves that involve them are skipped.
-        check_deadline: Called now and then.
+        check_deadline: Called regularly; may raise to interrupt the check.
         exact: Tolerate no quarter turn between a configuration and the stored one.
     """
     known = walk_program(program).moves
@@ -83,7 +83,7 @@ def reach_from(
         moves = [known[row] for row in to_poses.tolist()]
         confdata = confdata_columns(moves)
         monitored = np.array([is_monitored(one, robot) for one in moves])
-        # With the base in the world's place, base and world are one.
+        # The robot's base was at the world's origin, so base and world are one.
         world_from_flange = placed.base_from_flange[to_poses]
         base_from_world = world_from_base.inverse()
         at_once = max(1, _BATCH // len(moves))
@@ -110,20 +110,20 @@ def reach_from(
 
 
 def _each_from_each(a_from_b: Transform, b_from_c: Transform) -> Transform:
-    """All products of transforms (v,) and (m,), shape (v * m,), those with the first one first."""
+    """Products (v * m,) of transforms (v,) and (m,), in order of the first factor."""
     one = Transform(a_from_b.rotation[:, None], a_from_b.translation[:, None])
     product = one @ Transform(b_from_c.rotation[None], b_from_c.translation[None])
     return Transform(product.rotation.reshape(-1, 3, 3), product.translation.reshape(-1, 3))
 
 
 def _margins(robot: Robot, joints: Array) -> Array:
-    """The least way (k,) [rad] that an axis has to a limit at joints (k, n) [rad]."""
+    """Smallest distance (k,) [rad] of an axis from a limit at joints (k, n) [rad]."""
     margins: Array = np.minimum(joints - robot.lower, robot.upper - joints).min(axis=-1)
     return margins
 
 
 def _instructions(known_moves: Sequence[KnownMove], rows: Sequence[int]) -> list[Index]:
-    """The rows of each move instruction: a program may come to it in several ways."""
+    """Return the rows of each move instruction: several paths of a program may reach it."""
     found: dict[object, list[int]] = {}
     for row in rows:
         found.setdefault(known_moves[row].call, []).append(row)
@@ -131,7 +131,7 @@ def _instructions(known_moves: Sequence[KnownMove], rows: Sequence[int]) -> list
 
 
 def _counted(holds: Mask, instructions: Sequence[Index]) -> Index:
-    """For how many instructions something holds in some way that the program comes to them."""
+    """Return the number of instructions for which a condition holds on some path."""
     total = np.zeros(len(holds), dtype=np.int64)
     for rows in instructions:
         total += holds[:, rows].any(axis=-1)

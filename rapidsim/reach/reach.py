@@ -1,4 +1,4 @@
-"""Can the robot make every move of a program? Decided from known values, or else from a run."""
+"""Check whether the robot can make every move of a program, statically or by a run."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.task_run import start_joints
 
 _SAID_BY_TEXT = ("M501",)
-"""Warnings of a run that checking the text makes already."""
+"""Warnings of a run that the check of the text already issues."""
 _FAULTS_OF_PATHS = ("K604", "K614", "K615")
-"""Findings about the course of a path, which corners may avoid."""
+"""Findings about the course of a path, which corner paths may avoid."""
 _GIVES_WAY = ("K603", "K606")
-"""Findings at which no run stops that takes the nearest configuration."""
+"""Findings at which a run that uses the nearest configuration does not stop."""
 
 
 @jit_reconsidered()
@@ -68,8 +68,8 @@ def check_reach(
         robot: The arm.
         options: The conditions for running main: the arm's start position, signals, motion model.
         run: Whether to run main, for the moves that only a run determines and for its error.
-        cycle_budget_s: How long one cycle of main may take; if given, needless stops are reported.
-        by_default: Whether the arm is the default one, because nothing names an arm.
+        cycle_budget_s: Time limit of one cycle of main; if set, needless stops are reported.
+        by_default: Whether the arm is the default one, because no input names an arm.
     """
     options = options or RunOptions()
     walked = walk_program(program)
@@ -142,7 +142,7 @@ def check_reach(
 
 
 def _beginning(robot: Robot, options: RunOptions) -> Beginning | None:
-    """Where a run of main begins; None where it does not begin with main."""
+    """Return the start of a run of main; None if the run does not begin with main."""
     if options.entry.lower() != ENTRY:
         return None
     degrees = options.start_joints_deg
@@ -152,9 +152,9 @@ def _beginning(robot: Robot, options: RunOptions) -> Beginning | None:
 def _error_of_main(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
 ) -> ErrorRun:
-    """The error that ends a run of main, or why it is not run for it.
+    """Return the error that ends a run of main, or the reason why main is not run for it.
 
-    Neither where a cell has several tasks: these are run together.
+    Both are empty if a cell has several tasks: these are run together.
     """
     if len(options.cell_tasks) > 1:
         return ErrorRun()
@@ -172,7 +172,7 @@ def _unrun_collisions(
     options: RunOptions,
     run_moves: RunMoves,
 ) -> Iterator[Diagnostic]:
-    """What moves would hit that the run did not make, as far as it is known where they lead."""
+    """Yield collisions of moves that the run did not make, if their start and end are known."""
     assert run_moves.scene is not None
     sure = surveyed.stances.sure
     rows = [
@@ -188,7 +188,7 @@ def _unrun_collisions(
     ]
     if not rows or len(run_moves.scene.arms) > 1:
         return
-    # Bodies cost time to import, and few stations have any.
+    # The collision check is slow to import, and few stations have bodies.
     from rapidsim.reach.unrun_collisions import MOST_MOVES, UnrunMoves  # noqa: PLC0415
 
     base_from_world = options.world_from_base.inverse()
@@ -201,7 +201,7 @@ def _unrun_collisions(
 def _not_sure(
     program: Program, walked: WalkedProgram, findings: Iterable[Diagnostic]
 ) -> Iterator[Diagnostic]:
-    """The findings; what depends on inputs as a run has them when nobody sets them is no error."""
+    """Yield the findings; those that depend on inputs, which nothing sets in a run, as assumed."""
     moved = tainted_calls(program)
     unsure = [module.span(call) for call, module in walked.written if in_tree(call) in moved]
     for one in findings:
@@ -213,7 +213,7 @@ def _not_sure(
 
 @dataclass(eq=False)
 class _FindingKeys:
-    """Tells findings apart by rule and move: the same of one move is said once."""
+    """Keys that identify findings by rule and move: equal ones of a move are reported once."""
 
     walked: WalkedProgram
 
@@ -228,14 +228,14 @@ class _FindingKeys:
         of_run: Iterable[Diagnostic],
         met: frozenset[MoveStatement],
     ) -> list[Diagnostic]:
-        """Findings without those that repeat an earlier one about the same move.
+        """Return the findings without repetitions about the same move.
 
-        Only a run knows corners: its errors come first and replace what the values alone tell, and
-        a path that it has made has no fault.
+        Corner paths are known only in a run: its errors come first and replace static findings, and
+        a path that it has executed has no fault.
 
         Args:
             diagnostics: All findings.
-            of_run: Those of the run of main.
+            of_run: Findings of the run of main.
             met: The moves that it made, or at which it ended.
         """
         ran = {
@@ -315,7 +315,7 @@ def _paths(
     beginning: Beginning | None,
     met: frozenset[MoveStatement],
 ) -> tuple[int, tuple[UncheckedMove, ...]]:
-    """How many instructions lead the TCP, and those whose path nothing has looked at."""
+    """Number of instructions with a path of the TCP, and those whose path is unchecked."""
     paths: set[MoveStatement] = set()
     unchecked: dict[MoveStatement, UncheckedMove] = {}
     for row, known in enumerate(placed.moves):

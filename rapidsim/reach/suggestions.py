@@ -1,4 +1,4 @@
-"""What would make unreachable targets reachable, in words: a shift of the work object, a turn."""
+"""Suggestions that make unreachable targets reachable: a shift of the work object, a turn."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import data_of
 
 MOST_SEARCHES = 24
-"""Searches for one program; a shift that cures a whole work object is searched once."""
+"""Largest number of searches for one program; a shift of a whole work object is searched once."""
 _MINOR = 0.35
-"""Share of a shift below which a direction is not worth a word."""
+"""Share of a shift below which a direction is not mentioned."""
 
 
 @dataclass(eq=False)
 class ReachSuggestions:
-    """Searches for cures on demand; where possible, one for all targets of a work object."""
+    """Suggestions, searched on demand; if possible, one for all targets of a work object."""
 
     program: Program
     posed: PosedMoves
@@ -32,11 +32,11 @@ class ReachSuggestions:
     robot: Robot
     base_from_world: Transform
     _shifts: dict[object, tuple[Array | None, int]] = field(default_factory=dict)
-    """By work object: the shift that cures all its targets, and how many these are."""
+    """By work object: the shift that makes all its targets reachable, and their number."""
     _searched: int = 0
 
     def of(self, row: int) -> str | None:
-        """The cure for a move with an unreachable end; None if none was found."""
+        """Return the suggestion for a move with an unreachable end; None if none was found."""
         if not has_branches(self.robot.kinematics):
             return None
         parts = [part for part in (self._shift(row), self._turn(row)) if part is not None]
@@ -82,14 +82,14 @@ class ReachSuggestions:
         return None
 
     def _words(self, row: int, shift: Array) -> str:
-        """A shift (3,) [m] in base: how far, which way, and the numbers in world coordinates."""
+        """Describe a shift (3,) [m] in base: distance, directions, world coordinates."""
         size = float(np.linalg.norm(shift))
         numbers = (self.base_from_world.rotation.T @ shift) * 1e3
         text = ",".join(f"{number:g}" for number in np.round(numbers, 1) + 0.0)
         return f"{1e3 * size:.0f} mm {self._directions(row, shift / size)} by [{text}]"
 
     def _directions(self, row: int, unit: Array) -> str:
-        """The main directions of a unit vector (3,) in base, seen from the target."""
+        """Return the main directions of a unit vector (3,) in base, seen from the target."""
         at = self.posed.base_from_flange.translation[row].copy()
         at[2] = 0.0
         outward = at / max(float(np.linalg.norm(at)), 1e-9)

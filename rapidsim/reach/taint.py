@@ -1,9 +1,9 @@
-"""Values from outside a program: inputs, sockets, answers, files, cameras, messages.
+"""Taint analysis of external values: inputs, sockets, answers, files, cameras, messages.
 
-In the run of a check they are as if nobody sets them, which may be nothing like the cell: a target
-that depends on them would be checked with values that no controller may ever see.
+In the run of a check nothing sets them, which may differ from the cell: a target that depends on
+them would be checked with values that no controller may ever have.
 
-Which data hold such values is determined regardless of order and branches: once is always.
+The tainted data are determined without regard to order and branches: once tainted, always tainted.
 """
 
 from __future__ import annotations
@@ -20,15 +20,15 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _OUTSIDE = frozenset({"signals", "sockets", "operator", "files", "cameras", "messages"})
-"""Concerns of a controller that give such values."""
+"""Concerns of a controller that return external values."""
 _NOT_THERE = frozenset({"files", "texts", "sockets", "cameras"})
-"""Concerns of a controller that give a check something else than a run."""
+"""Concerns of a controller that behave differently in a check and in a run."""
 _INPUTS = (SIGNAL_DI, SIGNAL_GI, SIGNAL_AI)
 _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
 def tainted_calls(program: Program) -> frozenset[tree.Call]:
-    """The calls of installed instructions whose arguments depend on values from outside."""
+    """Return the calls of installed instructions whose arguments depend on external values."""
     return _TaintSearch(program).calls()
 
 
@@ -38,7 +38,7 @@ def reads_inputs(program: Program) -> bool:
 
 
 def reads_external_state(program: Program) -> bool:
-    """Whether a program calls what a check cannot provide: files, clients, cameras, modules."""
+    """Whether a program uses services that a check lacks: files, clients, cameras, modules."""
     installed = (one for one in program.symbol_of.values() if isinstance(one, LibrarySymbol))
     return any(
         one.routine.signature.concern in _NOT_THERE or Trait.LOAD in one.routine.traits
@@ -56,7 +56,7 @@ def is_set_externally(program: Program) -> bool:
 
 
 class _TaintSearch:
-    """Data, parameters and functions that values from outside come to, each by its symbol."""
+    """Search for the data, parameters and functions that external values reach, by symbol."""
 
     def __init__(self, program: Program) -> None:
         self._program = program
@@ -84,7 +84,7 @@ class _TaintSearch:
         )
 
     def _reaches(self, routine: tree.RoutineNode, node: tree.Node) -> Iterator[Symbol]:
-        """What a node gives values from outside to."""
+        """Yield the symbols to which a node passes external values."""
         match node:
             case tree.Assignment(target=target, value=value) if isinstance(target, _PATHS):
                 if self._is_external(value):
@@ -98,7 +98,7 @@ class _TaintSearch:
                 pass
 
     def _passed_on(self, call: tree.Call | tree.FunctionCall) -> Iterator[Symbol]:
-        """What a call gives such values to: the parameters of a routine, the data it changes."""
+        """Yield the symbols tainted by a call: parameters of a routine, data that it changes."""
         symbol = self._program.symbol_of.get(call)
         given = list(_values(call))
         outside = any(self._is_external(value) for value in given if not self._is_signal(value))
@@ -124,7 +124,7 @@ class _TaintSearch:
             yield symbol
 
     def _is_external(self, value: tree.Node) -> bool:
-        """Whether an expression depends on values from outside."""
+        """Whether an expression depends on external values."""
         return any(map(self._gives, descendants(value)))
 
     def _gives(self, node: tree.Node) -> bool:

@@ -79,7 +79,7 @@ def unreachable_findings(
 ) -> Iterator[Diagnostic]:
     """K601 and K602: ends that no configuration reaches, and axis positions past limits.
 
-    No cures if the arm is the default one: they may not be needed with the right arm.
+    Without suggestions if the arm is the default one: the right arm may not need them.
     """
     for row in np.flatnonzero(ends.looked_at & ~ends.reachable).tolist():
         known = posed.moves[row]
@@ -108,7 +108,7 @@ def configuration_findings(
     stances: EndConfigurations,
     robot: Robot,
 ) -> Iterator[Diagnostic]:
-    """K603: the stored configuration does not work where it is monitored, and which ones do."""
+    """K603: stored configurations that are monitored but do not work, with those that do."""
     stale = ends.looked_at & ends.reachable & ~ends.on_stored_branch & ~posed.to_axes
     rows = [row for row in np.flatnonzero(stale).tolist() if is_monitored(posed.moves[row], robot)]
     flanges = posed.base_from_flange[np.array(rows, dtype=np.int64)]
@@ -128,7 +128,7 @@ def _turned_findings(
     stances: EndConfigurations,
     robot: Robot,
 ) -> Iterator[Diagnostic]:
-    """K603: joint moves that take another turn of the stored branch."""
+    """K603: joint moves that end in another turn of the stored branch."""
     turned = ends.looked_at & ends.on_stored_branch & ~ends.stored_works & stances.sure
     for row in np.flatnonzero(turned).tolist():
         known = posed.moves[row]
@@ -144,7 +144,7 @@ def _turned_findings(
 def _quarter_off_findings(
     program: Program, posed: PosedMoves, ends: EndSolutions, robot: Robot
 ) -> Iterator[Diagnostic]:
-    """K622: targets whose stored configuration is a quarter turn off, where a fix is known."""
+    """K622: targets whose stored configuration is a quarter turn off, if a fix is known."""
     off = ends.looked_at & ends.stored_works & ~posed.to_axes & (ends.match == Match.COMPLIANT)
     for row in np.flatnonzero(off).tolist():
         known = posed.moves[row]
@@ -154,7 +154,7 @@ def _quarter_off_findings(
         stored = conf_text(stored_confdata(known))
         found = ConfigurationQuarterOff(target_text(program, known), stored, reached)
         diagnostic = _on_target(program, known, found, reached)
-        # Without one nobody has stored it: it is that of a point taught elsewhere.
+        # Without a fix the program does not store it: the point was taught elsewhere.
         if diagnostic.fix is not None:
             yield diagnostic
 
@@ -162,7 +162,7 @@ def _quarter_off_findings(
 def _on_target(
     program: Program, known_move: KnownMove, violation: Violation, working: str
 ) -> Diagnostic:
-    """A finding about a target, with the edit that stores a configuration that works."""
+    """Return a finding about a target, with the edit that stores a working configuration."""
     fix = confdata_fix(program, known_move, working)
     return Diagnostic(
         violation, target_span(program, known_move), fix=fix, routine=known_move.routine
@@ -172,7 +172,7 @@ def _on_target(
 def switch_findings(
     program: Program, posed: PosedMoves, stances: EndConfigurations, robot: Robot
 ) -> Iterator[Diagnostic]:
-    """K619: a joint move without monitoring that has to switch the main axes."""
+    """K619: joint moves without monitoring that have to switch the main axes."""
     if not has_branches(robot.kinematics):
         return
     for row in np.flatnonzero(stances.sure & ~posed.to_axes).tolist():
@@ -196,7 +196,7 @@ def far_turn_findings(
     robot: Robot,
     broken: AbstractSet[int],
 ) -> Iterator[Diagnostic]:
-    """K620: a line or arc under ConfL on which a wrist axis turns far, but for broken ones."""
+    """K620: lines or arcs under ConfL on which a wrist axis turns far, except broken ones."""
     before = (-1 if one.previous is None else one.previous for one in posed.moves)
     previous = np.fromiter(before, dtype=np.int64, count=len(posed.moves))
     rows = np.flatnonzero(stances.sure & (previous >= 0))
@@ -216,7 +216,7 @@ def far_turn_findings(
 def orientation_findings(
     program: Program, posed: PosedMoves, external: Sequence[ExternalAxis]
 ) -> Iterator[Diagnostic]:
-    """M501: a frame or target with an invalid orientation, at the move that uses it."""
+    """M501: frames or targets with an invalid orientation, at the moves that use them."""
     for row in sorted(posed.left_out):
         known = posed.moves[row]
         if known.move.interpolation is Interpolation.EXTERNAL_AXES:
@@ -231,7 +231,7 @@ def orientation_findings(
 def _orientations(
     program: Program, known_move: KnownMove, external: Sequence[ExternalAxis]
 ) -> Iterator[tuple[str, Orient]]:
-    """What turns the end of a move, in the order in which a run looks at it."""
+    """Yield the orientations that determine the end of a move, in the order of a run's checks."""
     move = known_move.move
     yield from frame_orientations(move.tool, move.wobj, external)
     if isinstance(move.to, RobTarget):
@@ -249,7 +249,7 @@ def margin_findings(
     stances: EndConfigurations,
     robot: Robot,
 ) -> Iterator[Diagnostic]:
-    """K607, K621: an axis near its limit at the end of a move, or past it by a rounding."""
+    """K607, K621: axes near their limits at the end of a move, or past them by a rounding error."""
     below, above = stances.joints - robot.lower, robot.upper - stances.joints
     margin = np.minimum(below, above)
     low = ends.looked_at & ends.reachable & stances.sure & (margin < LOW_MARGIN).any(axis=-1)
@@ -273,7 +273,7 @@ def margin_findings(
 
 
 def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iterator[Diagnostic]:
-    """M524: the tool and what it holds weigh more than the arm is rated for; once a load."""
+    """M524: a tool and its load that exceed the rated payload; once per load."""
     rated_kg, told = robot.payload_kg, set[tuple[float, float]]()
     if rated_kg is None:
         return
@@ -291,7 +291,7 @@ def overload_findings(program: Program, posed: PosedMoves, robot: Robot) -> Iter
 def wind_up_findings(
     program: Program, posed: PosedMoves, stances: EndConfigurations, robot: Robot
 ) -> Iterator[Diagnostic]:
-    """K608: the same move to the same target arrives with an axis whole turns further."""
+    """K608: repeated moves to the same target that arrive with an axis whole turns further."""
     first_of: dict[object, int] = {}
     rows = np.flatnonzero(stances.sure & ~posed.to_axes).tolist()
     times = Counter(posed.moves[row].call for row in rows)

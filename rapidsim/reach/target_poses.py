@@ -18,7 +18,7 @@ from rapidsim.reach.dataflow.known_moves import KnownMove
 from rapidsim.values import value_class
 
 FRAME_WITHOUT_ORIENTATION = "the frame of the tool or the work object has no orientation"
-"""Why moves are left out that no run can place either."""
+"""Reason for skipping moves that no run can place either."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -30,13 +30,13 @@ class PosedMoves:
     tcp_from_flange: Transform
     base_from_flange: Transform
     axes: Array
-    """Shape (k, n) [rad]: the joints that MoveAbsJ names; 0 for moves to poses."""
+    """Shape (k, n) [rad]: joints of MoveAbsJ targets; 0 for moves to poses."""
     to_axes: Mask
-    """Whether a move goes to joints rather than to a pose."""
+    """Whether a move ends at joints rather than at a pose."""
     placed: Sequence[targets.Placement]
-    """Where tool and work object of each are; as without either where nothing moves the tool."""
+    """Poses of tool and work object of each; identities if they are not simulated."""
     left_out: Mapping[int, str]
-    """Why rows are not looked at: a set-up that is not plain, an orientation that is none."""
+    """Reasons for skipping rows: an unsupported set-up, an invalid orientation."""
 
 
 def posed(
@@ -50,8 +50,8 @@ def posed(
     Args:
         moves: The moves.
         robot: The arm.
-        base_from_world: The world frame.
-        external: External axes; moves that involve them are left out.
+        base_from_world: The world frame in the robot's base.
+        external: External axes; moves that involve them are skipped.
     """
     count = len(moves)
     position, quaternion = np.zeros((count, 3)), np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))

@@ -1,8 +1,8 @@
-"""Moves that only a run of main determines, and the error that ends it.
+"""Trial run of main: moves that only a run determines, and the error that ends it.
 
-The run is short and has no side effects: files go to a temporary folder, and it ends after a limit
-of virtual time, or at a question to the operator. It ends earlier if the arm cannot continue, but
-not at an unreachable stored configuration: the moves after it are worth checking.
+The run is short and has no side effects: files are written to a temporary folder, and it ends after
+a limit of virtual time, or at a question to the operator. It ends earlier if the arm cannot
+continue, but not at an unreachable stored configuration: the moves after it are worth checking.
 """
 
 from __future__ import annotations
@@ -44,16 +44,16 @@ if TYPE_CHECKING:
     from rapidsim.collisions.scene import Scene
 
 LONGEST_RUN_S = 120.0
-"""Virtual time after which the run of a check is over."""
+"""Virtual time [s] after which the trial run ends."""
 LONGEST_WORK_S = 60.0
-"""Time on the computer's clock after which it is over, too: many times what so much virtual time
-takes in a program that gets on."""
+"""Wall-clock time [s] after which it ends, too: many times the time that a program which makes
+progress needs for that much virtual time."""
 LONGEST_WORK_FOR_ERRORS_S = 2.0
-"""Time on the computer's clock that such a run may take."""
+"""Wall-clock limit [s] of a run for errors only."""
 _TOLD_BY_RUN = frozenset({"conf_j", "conf_l"})
-"""Settings whose findings the run makes itself."""
+"""Settings whose findings the run reports itself."""
 _NOBODY_THERE = (NobodyAnswers, NobodyConnects, EndlessWait)
-"""What a run of sockets says where a check cannot know who would have been at the other end."""
+"""Findings of a run whose cause may be a peer that a check does not have."""
 _ENDS = {
     End.ENDED: "it ended without coming here",
     End.STOPPED: "the program stopped before, or asked the operator something",
@@ -65,24 +65,24 @@ _ENDS = {
 
 @value_class(frozen=True, slots=True, eq=False)
 class RunMoves:
-    """What a run revealed about moves."""
+    """Moves and findings of a trial run."""
 
     moves: tuple[KnownMove, ...]
     """The moves it made, in order; `previous` counts from `first_row`."""
     executed: tuple[ExecutedMove, ...]
     met: frozenset[MoveStatement]
-    """Also those that it could not make."""
+    """The moves that it made, and those that it could not make."""
     diagnostics: tuple[Diagnostic, ...]
     """Its findings about moves."""
     time_s: float | None
-    """How long it took; None where it did not get to its end."""
+    """Duration of the run; None if it did not reach its end."""
     duration_unknown: str
-    """What is known of its length where it did not."""
+    """Phrase on the duration of a run that did not reach its end."""
     outcome: str
-    """Why moves were not met, to follow "a run of main"."""
+    """Phrase on the reason why moves were not reached, to follow "a run of main"."""
     scene: Scene | None = None
-    """The bodies of the cell, and those pairs of which none is ever carried; None where the station
-    says nothing of bodies."""
+    """Bodies of the cell, with the pairs in which neither is ever carried; None if the station
+    describes no bodies."""
 
 
 def run_for_moves(
@@ -150,7 +150,7 @@ def run_for_moves(
         tuple(
             _as_sure(one, run, (program,), options)
             for one in run.diagnostics
-            # A run of all tasks has the values that they give each other.
+            # A run of all tasks has the values that they pass to each other.
             if _is_reported(one) and (_is_all(options) or not is_valueless(one, (program,)))
         ),
         run.time_s if run.end in (End.ENDED, End.CYCLE_LIMIT) else None,
@@ -164,11 +164,11 @@ def run_for_moves(
 
 @value_class(frozen=True, slots=True, eq=False)
 class ErrorRun:
-    """What a run of main for its error revealed."""
+    """Findings of a run of main for its error."""
 
     diagnostics: tuple[Diagnostic, ...] = ()
     left_out: str = ""
-    """Why there are no findings, where a check lacks what main asks for."""
+    """Reason why there are no findings, if a check lacks a service that main needs."""
     met: frozenset[MoveStatement] = frozenset()
     """The moves that it made, and that at which it ended."""
 
@@ -176,7 +176,7 @@ class ErrorRun:
 def run_for_error(
     program: Program, robot: Robot, options: RunOptions, walked: WalkedProgram
 ) -> ErrorRun:
-    """The error that ends a run of main, for a program whose moves are known without one."""
+    """Return the error that ends a run of main, for a program with statically known moves."""
     if program.routines.get(options.entry.lower()) is None:
         return ErrorRun()
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
@@ -201,7 +201,7 @@ def run_for_error(
 
 
 def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
-    """The moves that a run made, and those that it could not make."""
+    """Return the moves that a run made, and those that it could not make."""
     calls = {(module.source.file, call.start): call for call, module in walked.written}
     places = [one.place for one in run.moves]
     places += [one.place for robot in run.robots for one in robot.failed_moves]
@@ -210,7 +210,7 @@ def _met(run: Simulation, walked: WalkedProgram) -> frozenset[MoveStatement]:
 
 
 def skip_reason(walked: WalkedProgram) -> str:
-    """Why main is not run just for its errors; empty if it is."""
+    """Return the reason why main is not run for its errors alone; empty if it is."""
     if len(walked.written) > MOST_MOVES_FOR_ERRORS:
         return f"main has more than {MOST_MOVES_FOR_ERRORS} moves, all of them known without a run"
     return ""
@@ -219,9 +219,9 @@ def skip_reason(walked: WalkedProgram) -> str:
 def run_all_tasks(
     setups: Sequence[TaskSetup], options: RunOptions
 ) -> tuple[Diagnostic, ...] | None:
-    """The errors that end a run of all tasks of a cell; None if a check cannot tell.
+    """Return the errors that end a run of all tasks of a cell; None if it is inconclusive.
 
-    It cannot if the run would depend on what it does not have, or takes too long.
+    It is inconclusive if it depends on services that a check lacks, or takes too long.
     """
     programs = [setup.program for setup in setups]
     limited = _limited(options, LONGEST_RUN_S, LONGEST_WORK_FOR_ERRORS_S)
@@ -241,9 +241,9 @@ def run_all_tasks(
 
 
 def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions:
-    """One cycle that is over after so much virtual time, and so much on the computer's clock.
+    """Return options for one cycle, limited in virtual and in wall-clock time.
 
-    Where the check itself is limited, half of its time remains for all else.
+    If the check itself has a time limit, half of it remains for everything else.
     """
     if options.max_wall_s is not None:
         work_s = min(work_s, 0.5 * options.max_wall_s)
@@ -257,7 +257,7 @@ def _limited(options: RunOptions, longest_s: float, work_s: float) -> RunOptions
 
 
 def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> RunOptions:
-    """A run that has nothing but an empty home folder; questions that end by themselves do so."""
+    """Return options for a run with only an empty home folder; questions end as unanswered."""
     return replace(
         options,
         answers=None,
@@ -269,28 +269,28 @@ def _alone(options: RunOptions, home: str, *, guesses_frames: bool = True) -> Ru
 
 
 def _lacked(run: Simulation, programs: Sequence[Program]) -> bool:
-    """Whether a run asked for what is outside of it, and was not given it."""
+    """Whether a run lacked an external file, peer or service that it used."""
     nobody = any(isinstance(one.violation, _NOBODY_THERE) for one in run.diagnostics)
     return (run.lacked_files or nobody) and any(map(reads_external_state, programs))
 
 
 def _was_to_be_answered(run: Simulation) -> bool:
-    """Whether a run came to a question that only an answer ends."""
+    """Whether a run reached a question that only an answer ends."""
     return any(isinstance(one.violation, QuestionUnanswered) for one in run.diagnostics)
 
 
 def _had_question(run: Simulation) -> bool:
-    """Whether it came to a question that somebody could have answered."""
+    """Whether a run reached a question that an operator could have answered."""
     return any("prompt" in event.details for event in run.events)
 
 
 def _is_all(options: RunOptions) -> bool:
-    """Whether a run of one task is one of all: else what moves its work object may be missing."""
+    """Whether a run of one task is one of all: else the mover of its work object may be missing."""
     return len(options.cell_tasks) < 2
 
 
 def _is_reported(finding: Diagnostic) -> bool:
-    """Whether a finding of the run is one of the check, too: of moves, or why the program ends."""
+    """Whether the check reports a finding of the run: on moves, or on the end of the program."""
     if _of_text(finding):
         return False
     return finding.violation.code[0] in "CIKM" or finding.severity is Severity.ERROR
@@ -301,11 +301,11 @@ def _of_run(finding: Diagnostic) -> bool:
 
 
 def _ends_or_doubts(finding: Diagnostic, moves: Sequence[Span]) -> bool:
-    """Whether only a run tells a finding: its error, or what a function says of reach."""
+    """Whether a finding needs a run: an error that ends it, or a function's result on reach."""
     if _of_run(finding):
         return finding.severity is Severity.ERROR
     if isinstance(finding.violation, MainAxesSwitched):
-        # Where the first move starts, only the run says.
+        # The start of the first move is known only in a run.
         return True
     if finding.violation.code.startswith("I"):
         return True
@@ -317,7 +317,7 @@ def _ends_or_doubts(finding: Diagnostic, moves: Sequence[Span]) -> bool:
 
 
 def _of_text(finding: Diagnostic) -> bool:
-    """Whether the text alone tells it, and has."""
+    """Whether the check of the text reports the finding, too."""
     return isinstance(finding.violation, NotDeclaredHere)
 
 
@@ -328,15 +328,15 @@ def _as_sure(
     options: RunOptions,
     moves: Sequence[Span] | None = None,
 ) -> Diagnostic:
-    """The finding; what may follow from what a check does not have is no error.
+    """Return the finding, as assumed if services that a check lacks may be its cause.
 
     Args:
         finding: What a run has found.
         run: The run.
-        programs: Those that it executed.
+        programs: The programs that it executed.
         options: Its conditions.
-        moves: The places of moves: findings there are as sure as their targets. None takes all
-            findings but those of runs so.
+        moves: The positions of moves: findings there are as sure as their targets. None applies
+            this to all findings except those of runs.
     """
     finding = doubt_valueless(finding, programs)
     at = finding.span
@@ -366,8 +366,8 @@ def _doubted(
 
 
 def _stop_at_question(prompt: str) -> str | None:
-    """End the run at a question: what comes after it depends on the answer."""
-    raise Stopped(f"nobody answers `{prompt}`")
+    """End the run at a question: the rest depends on the answer."""
+    raise Stopped(f"no answer to `{prompt}`")
 
 
 def _not_run(outcome: str) -> RunMoves:

@@ -1,6 +1,6 @@
 """Collisions of moves that no run of main made, but whose start and end are known.
 
-Each is driven by itself, among the bodies as the run of main left them. Parts of a move that a
+Each is executed separately, among the bodies as the run of main left them. Parts of a move that a
 corner path would cut off are not checked, nor are bodies that are carried at times.
 """
 
@@ -35,18 +35,18 @@ from rapidsim.reach.target_poses import PosedMoves
 from rapidsim.reach.wording import target_span, target_text
 
 MOST_MOVES = 200
-"""So many moves are looked at."""
+"""Largest number of moves that are checked."""
 _MOST_CURES = 5
-"""Moves for which a cure is looked for."""
+"""Largest number of moves for which a suggestion is searched."""
 _HEIGHTS_MM = (20.0, 50.0, 100.0, 200.0)
 _MOST_CONFIGURATIONS = 6
 _LOOK_RAD_S, _LOOK_M_S = 1.0, 1.0
-"""So fast a move is driven to look at it: a step of the search is then a degree, or a few mm."""
+"""Speed of a move for the check: a step of the search is then a degree, or a few mm."""
 
 
 @dataclass(eq=False)
 class UnrunMoves:
-    """Looks for collisions of such moves."""
+    """Collision search of moves that were not run."""
 
     program: Program
     posed: PosedMoves
@@ -54,19 +54,19 @@ class UnrunMoves:
     robot: Robot
     model: MotionModel
     scene: Scene
-    """Bodies whose places the moves alone say; how the arm of the scene moved does not matter."""
+    """Bodies whose poses depend on the moves only; motion of the arm in the scene has no effect."""
     base_from_world: Transform
     _bodies: Bodies = field(init=False)
     _suggestion_count: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
-        """Lay out the bodies once, and ask for contacts alone."""
+        """Lay out the bodies once, and limit the search to contacts."""
         pairs = tuple(replace(pair, touch_only=True) for pair in self.scene.pairs)
         self.scene = replace(self.scene, pairs=pairs)
         self._bodies = self.scene.shapes()
 
     def findings(self, rows: Sequence[int]) -> Iterator[Diagnostic]:
-        """The collisions of some rows' moves; each start is known."""
+        """Yield the collisions of the moves of rows, whose starts must be known."""
         joints = self.stances.joints
         segments = segments_of(self.posed, joints, self.robot, self.model, rows)
         for row, segment in zip(rows, segments, strict=True):
@@ -82,7 +82,7 @@ class UnrunMoves:
         return None if isinstance(path, PathFault) else path
 
     def _between_corners(self, row: int, length: float) -> tuple[float, float]:
-        """From where to where [m] a move is on its way, whatever its corners do."""
+        """Return the section [m] of a move's path that remains whatever its corner paths are."""
         moves = self.posed.moves
         previous = moves[row].previous
         assert previous is not None
@@ -93,7 +93,7 @@ class UnrunMoves:
         return cut[0], length - cut[1]
 
     def _first_contact(self, path: Path, begin: float, end: float) -> tuple[Contact, float] | None:
-        """The first contact between two places [m] of a path, and where it is."""
+        """Return the first contact between two positions [m] of a path, and its position [m]."""
         if end <= begin:
             return None
         places = np.linspace(begin, end, 20)
@@ -109,7 +109,7 @@ class UnrunMoves:
         world_from_base = self.base_from_world.inverse()
         arm = Arm(self.robot, world_from_base, at, ((0.0, lasts),))
         found = search(replace(self.scene, arms=(arm,)), lasts, self._bodies)
-        # What touches where the move before ends is that one's.
+        # A contact at the end of the previous move belongs to that move.
         later = [one for one in found.contacts if begin or one.time_s > SHORTEST_S]
         if not later:
             return None
@@ -134,7 +134,7 @@ class UnrunMoves:
         return Diagnostic(violation, span, related, routine=known.routine)
 
     def _suggestion(self, row: int, segment: Segment) -> str:
-        """What would keep the arm free, in words; empty where nothing near was found."""
+        """Describe a change that keeps the arm free; empty if no nearby one was found."""
         self._suggestion_count += 1
         if self._suggestion_count > _MOST_CURES or segment.geometry is Geometry.ARC:
             return ""
@@ -163,7 +163,7 @@ class UnrunMoves:
         return self._first_contact(path, *self._between_corners(row, path.length)) is None
 
     def _raised(self, row: int, segment: Segment, height: float, *, start: bool) -> Segment | None:
-        """The same move to a higher place, or also from one; None where the arm cannot go there."""
+        """Return a move to a higher position, or also from one; None if it is unreachable."""
         end = self._higher(row, segment.end, height)
         begin = self._higher(row, segment.start, height) if start else segment.start
         if end is None or begin is None:

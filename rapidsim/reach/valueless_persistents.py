@@ -1,8 +1,8 @@
 """Zero orientations of persistents that are declared without an initial value.
 
-On a controller, a persistent of another task with the same name gives the value. A task that is
+On a controller, a persistent of another task with the same name defines the value. A task that is
 checked or run without that task has zeros there, and stops at a move to them as the controller
-would. It is an error of the cell only if no task gives a value.
+would. It is an error of the cell only if no task defines a value.
 
 Source: RAPID Overview, "Persistent declarations"; "Initialization of data objects".
 """
@@ -19,7 +19,7 @@ from rapidsim.reach.taint import is_set_externally
 
 
 def is_valueless(finding: Diagnostic, programs: Sequence[Program]) -> bool:
-    """Whether a run of one task had zeros for an orientation that another task may give."""
+    """Whether a run of one task had zeros for an orientation that another task may define."""
     violation = finding.violation
     return (
         isinstance(violation, QuaternionNotUnit)
@@ -30,7 +30,7 @@ def is_valueless(finding: Diagnostic, programs: Sequence[Program]) -> bool:
 
 
 def doubt_valueless(finding: Diagnostic, programs: Sequence[Program]) -> Diagnostic:
-    """The finding; a zero orientation is a warning if another task may give the value."""
+    """Return the finding; a zero orientation is a warning if another task may define the value."""
     violation = finding.violation
     if isinstance(violation, QuaternionNotUnit) and is_valueless(finding, programs):
         valueless = QuaternionNotUnit(

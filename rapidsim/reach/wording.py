@@ -1,4 +1,4 @@
-"""Words and source positions for findings about moves: targets and data as named in the program."""
+"""Wording and positions for findings about moves: targets and data as the program names them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TARGETS = ("topoint", "tojointpos")
 
 
 def argument(program: Program, known_move: KnownMove, *keys: str) -> tree.Expression | None:
-    """The argument of a move for a parameter, by the first of some folded names that it has."""
+    """Return the argument of a move for the first of several folded parameter names that it has."""
     return _argument(program, known_move, known_move.statement, keys)
 
 
@@ -32,7 +32,7 @@ def _argument(
 
 
 def target_text(program: Program, known_move: KnownMove) -> str:
-    """The target of a move as findings name it; else the name of the instruction."""
+    """Return the target of a move as findings name it; else the name of the instruction."""
     written = argument(program, known_move, *_TARGETS)
     if written is None:
         return known_move.move.instruction
@@ -40,20 +40,20 @@ def target_text(program: Program, known_move: KnownMove) -> str:
 
 
 def target_span(program: Program, known_move: KnownMove) -> Span:
-    """The source span of the target in a move."""
+    """Return the source span of the target in a move."""
     written = argument(program, known_move, *_TARGETS)
     return known_move.span if written is None else known_move.module.span(written)
 
 
 def tool_span(program: Program, known_move: KnownMove) -> Span:
-    """The source span of the tool in a move."""
+    """Return the source span of the tool in a move."""
     written = argument(program, known_move, "tool")
     return known_move.span if written is None else known_move.module.span(written)
 
 
 def data_of(program: Program, known_move: KnownMove, *keys: str) -> DataSymbol | None:
-    """The module data that an argument of a move refers to, if it is just a name."""
-    # Only what is in the tree has symbols.
+    """Return the module data that an argument of a move refers to, if it is just a name."""
+    # Only nodes in the tree have symbols.
     written = _argument(program, known_move, in_tree(known_move.call), keys)
     if not isinstance(written, tree.DataReference):
         return None
@@ -62,16 +62,16 @@ def data_of(program: Program, known_move: KnownMove, *keys: str) -> DataSymbol |
 
 
 def declared(symbol: DataSymbol | None, message: str) -> tuple[Related, ...]:
-    """The declaration of data, as a location that explains a finding."""
+    """Return the declaration of data, as a location that explains a finding."""
     if symbol is None or symbol.node is None or symbol.module is None:
         return ()
     return (Related(symbol.module.span(symbol.node.name), message.format(name=symbol.name)),)
 
 
 def confdata_fix(program: Program, known_move: KnownMove, wanted: str) -> Fix | None:
-    """An edit that puts another configuration into a target's declaration; None if it has none.
+    """Return an edit that stores a configuration in a target's declaration; None if impossible.
 
-    Declarations of variables are left alone: they may hold another value when used.
+    Declarations of variables are not edited: they may have another value when used.
     """
     written = argument(program, known_move, *_TARGETS)
     module = known_move.module
@@ -99,7 +99,7 @@ def _confdata_edit(literal: Span, name: str, wanted: str) -> Fix | None:
 
 
 def _third_part(span: Span) -> Span | None:
-    """The third bracket inside the outermost one of a literal: the confdata of a robtarget."""
+    """Third bracket inside the outermost one of a literal: the confdata of a robtarget."""
     depth = opened = begin = 0
     text, in_comment = span.text, False
     for at, character in enumerate(text):

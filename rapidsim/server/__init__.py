@@ -1,1 +1,1 @@
-"""A controller over the network: Robot Web Services in front of a controller that stays on."""
+"""Controller on the network: Robot Web Services as the frontend of a controller that stays on."""

@@ -1,8 +1,8 @@
-"""System parameters of a controller whose files nobody gave, derived from its cell.
+"""System parameters of a controller without configuration files, derived from its cell.
 
-Clients that begin by asking which axes there are get an answer for every station: what a backup
-says counts, and of the types that it does not have those below follow from robots, tasks and
-signals. They are those that public clients read; names and units are those of a controller's files.
+Clients that begin by reading the axes get an answer for every station: the parameters of a backup
+take precedence, and the types that it lacks follow from robots, tasks and signals. They are the
+types that public clients read; names and units are those of a controller's files.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _Types: TypeAlias = dict[str, _Instances]
 
 
 def with_derived(setups: Sequence[TaskSetup], options: RunOptions) -> Configured:
-    """The parameters of the station, completed by the types that it lacks."""
+    """Return the parameters of the station, completed by the types that it lacks."""
     derived = {
         "MOC": _motion(setups),
         "SYS": _system(setups),
@@ -36,7 +36,7 @@ def with_derived(setups: Sequence[TaskSetup], options: RunOptions) -> Configured
 
 
 def robots(setups: Sequence[TaskSetup]) -> Iterator[tuple[str, TaskSetup]]:
-    """Each task that moves a robot, with the name of its mechanical unit."""
+    """Iterate over the tasks that move a robot, with the names of their mechanical units."""
     movers = (one for one in setups if one.robot is not None)
     return ((f"ROB_{number}", one) for number, one in enumerate(movers, start=1))
 
@@ -86,7 +86,7 @@ def _add_axis(
     *,
     rotates: bool,
 ) -> None:
-    """An axis: its arm with limits [rad or m], its transmission, its numbers."""
+    """Add an axis: its arm with limits [rad or m], its transmission, its numbers."""
     lower, upper = limits
     bounds = {"lower_joint_bound": f"{lower:.10g}", "upper_joint_bound": f"{upper:.10g}"}
     types["ARM"].append(Attributes({"name": name, **bounds}))
@@ -98,7 +98,7 @@ def _add_axis(
 
 
 def _base_frame(setup: TaskSetup) -> dict[str, str]:
-    """The base frame of a robot in the world [m]."""
+    """Return the base frame of a robot in the world [m]."""
     place = setup.place
     positions = zip("xyz", place.translation, strict=True)
     return {

@@ -1,7 +1,7 @@
 """The engine: a controller that stays on, how its time passes, and the requests it serves.
 
-It runs in a process of its own, because planning a path keeps Python busy for longer than a
-protocol may wait; tests drive it by hand.
+It runs in its own process, because planning a path keeps Python busy for longer than a protocol
+may wait; tests drive it by hand.
 """
 
 from __future__ import annotations
@@ -50,97 +50,97 @@ from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry
 
 _LAG_S: Final = 0.5
-"""How far [s] virtual time may lag behind the wall clock before it is reported, then twice that."""
+"""Lag [s] of virtual time behind the wall clock that is reported first; then each doubling is."""
 
 
 class RunObserver(Protocol):
-    """Shows what happens while it does; see `recorder.LiveRecorder`."""
+    """Observer that shows the run while it executes; see `recorder.LiveRecorder`."""
 
     def update(self) -> None:
-        """Show what has changed."""
+        """Show all changes."""
         ...
 
     def on_request(self, now_s: float, request: Request, reply: Reply) -> None:
-        """A client has asked for something."""
+        """Handle a request of a client and its reply."""
         ...
 
     def on_event(self, event: Event) -> None:
-        """Something has happened in the run."""
+        """Handle an event of the run."""
         ...
 
     def on_log_entry(self, entry: LogEntry) -> None:
-        """The event log has one more entry."""
+        """Handle a new entry of the event log."""
         ...
 
     def on_sensor_answer(self, time_s: float, answer: SensorAnswer) -> None:
-        """A sensor has answered."""
+        """Handle the answer of a sensor."""
         ...
 
     def close(self) -> None:
-        """The controller is switched off."""
+        """Handle the end of the controller."""
         ...
 
 
 class Pace(Protocol):
-    """Decides how far virtual time may advance."""
+    """Limit on the advance of virtual time."""
 
     def begin(self) -> None:
-        """The controller is switched on."""
+        """Start at the switch-on of the controller."""
         ...
 
     def horizon_s(self) -> float:
-        """The virtual time that may be reached now [s]."""
+        """Return the virtual time that may be reached now [s]."""
         ...
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """How long on the wall clock until that virtual time may be reached [s]; None for ever."""
+        """Return the wall-clock time [s] until a virtual time may be reached; None for never."""
         ...
 
     def on_request(self) -> None:
-        """A request has come."""
+        """Handle the arrival of a request."""
         ...
 
     def lag_s(self, now_s: float) -> float:
-        """How far virtual time lags behind the wall clock [s]."""
+        """Return the lag [s] of virtual time behind the wall clock."""
         ...
 
 
 @dataclass(slots=True)
 class WallPace:
-    """A fixed number of virtual seconds passes in each second of the wall clock."""
+    """Pace with a fixed number of virtual seconds in each second of the wall clock."""
 
     speed: float
     began_s: float = 0.0
-    """When it started, on the wall clock [s]."""
+    """Start time on the wall clock [s]."""
 
     def begin(self) -> None:
         """Start the wall clock now."""
         self.began_s = monotonic()
 
     def horizon_s(self) -> float:
-        """The time of the wall clock."""
+        """Return the time of the wall clock."""
         return (monotonic() - self.began_s) * self.speed
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """Until the wall clock gets there."""
+        """Return the time until the wall clock reaches a virtual time."""
         if math.isinf(virtual_s):
             return None
         return max(0.0, self.began_s + virtual_s / self.speed - monotonic())
 
     def on_request(self) -> None:
-        """Time passes by itself."""
+        """Do nothing: time passes without requests."""
 
     def lag_s(self, now_s: float) -> float:
-        """Behind the wall clock."""
+        """Return the lag behind the wall clock."""
         return max(0.0, self.horizon_s() - now_s) / self.speed
 
 
 @dataclass(slots=True)
 class FullPace:
-    """Virtual time passes as fast as the computer allows while there is anything to do."""
+    """Pace that is limited only by the computer while there are events."""
 
     _began_s: float = 0.0
-    """When it started, on a wall clock that stands while there is nothing to do [s]."""
+    """Start time [s] on a wall clock that is paused while there are no events."""
     _idle_since_s: float | None = None
 
     def begin(self) -> None:
@@ -148,54 +148,54 @@ class FullPace:
         self._began_s = monotonic()
 
     def horizon_s(self) -> float:
-        """Without limit."""
+        """Return infinity."""
         if self._idle_since_s is not None:
             self._began_s += monotonic() - self._idle_since_s
             self._idle_since_s = None
         return math.inf
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """No time; for ever if nothing more can happen."""
+        """Return 0; None if no further event is possible."""
         if virtual_s < math.inf:
             return 0.0
         self._idle_since_s = monotonic()
         return None
 
     def on_request(self) -> None:
-        """Time passes by itself."""
+        """Do nothing: time passes without requests."""
 
     def lag_s(self, now_s: float) -> float:
-        """Behind the wall clock: the computer is slower than the controller would be."""
+        """Return the lag behind the wall clock: the computer is slower than a controller."""
         return max(0.0, monotonic() - self._began_s - now_s)
 
 
 @dataclass(slots=True)
 class LockStep:
-    """Virtual time passes only with requests, so a client's script always gives the same run."""
+    """Pace that advances with requests only: a client's script always gives the same run."""
 
     request_s: float
     """Virtual time that passes before each request [s]."""
     answered_s: float = 0.0
-    """Virtual time that answers of sensors have let pass [s]."""
+    """Virtual time granted by the answers of sensors [s]."""
     _requests: int = 0
 
     def begin(self) -> None:
-        """Nothing is measured."""
+        """Do nothing: no time is measured."""
 
     def horizon_s(self) -> float:
-        """What the requests so far have allowed."""
+        """Return the virtual time that the requests so far have granted."""
         return self._requests * self.request_s + self.answered_s
 
     def wait_s(self, virtual_s: float) -> float | None:
-        """Until the next request."""
+        """Return 0 if the time is granted; else None, until the next request."""
         return 0.0 if virtual_s <= self.horizon_s() else None
 
     def on_request(self) -> None:
-        """Let a little time pass."""
+        """Grant the virtual time of one request."""
         self._requests += 1
 
     def lag_s(self, now_s: float) -> float:
-        """There is nothing to be behind."""
+        """Return 0: there is no wall clock."""
         del now_s
         return 0.0
 
@@ -207,19 +207,19 @@ class Engine:
     live: LiveController
     pace: Pace
     notify: Callable[[Notification], None]
-    """Receives what clients have subscribed to, and lines for whoever started the controller."""
+    """Receives changes that clients have subscribed to, and lines for the console."""
     journal: Callable[[str], None] | None = None
     """Receives each line of the journal; None if none is kept."""
     recorder: RunObserver | None = field(init=False, default=None)
-    """Shows what happens; None if nothing is recorded."""
+    """Observer that shows the run; None if nothing is recorded."""
     context: RequestContext = field(init=False)
     subscriptions: Subscriptions = field(init=False)
     _lag_reported_s: float = _LAG_S
     _deferred_lines: list[str] | None = None
-    """Lines of a request's effects, which come after its own line."""
+    """Journal lines of a request's effects, which follow its own line."""
 
     def __post_init__(self) -> None:
-        """Switch on."""
+        """Switch the controller on."""
         self.context = RequestContext(self.live)
         self.subscriptions = Subscriptions(self.context, self.notify)
         self.live.on_log_entry = self._logged
@@ -234,7 +234,7 @@ class Engine:
         self.pace.begin()
 
     def record(self, recorder: RunObserver) -> None:
-        """Record what happens from now on."""
+        """Record the run from now on."""
         self.recorder = recorder
         self._listen()
 
@@ -246,7 +246,7 @@ class Engine:
             self.recorder.close()
 
     def step(self) -> bool:
-        """Do one thing that is due; returns whether there was any."""
+        """Dispatch one event that is due; return whether there was one."""
         stepped = self.live.step(self.pace.horizon_s())
         self._publish_changes()
         if stepped:
@@ -254,11 +254,11 @@ class Engine:
         return stepped
 
     def wait_s(self) -> float | None:
-        """How long on the wall clock nothing will happen by itself [s]; None for ever."""
+        """Return the wall-clock time [s] until the next event; None for indefinitely."""
         return self.pace.wait_s(self.live.next_due_s)
 
     def reply(self, message: Inquiry) -> Reply:
-        """Answer a message at the present virtual time."""
+        """Answer a message at the current virtual time."""
         if isinstance(message, ReadState):
             return self._replied(message)
         if isinstance(message, Request):
@@ -276,7 +276,7 @@ class Engine:
         return reply
 
     def sensor_answered(self, passed_s: float) -> None:
-        """A sensor has answered, which in lock-step lets a little time pass [s]."""
+        """Handle the answer of a sensor, which in lock-step grants a little time [s]."""
         if isinstance(self.pace, LockStep):
             self.pace.answered_s += passed_s
             self.live.advance(self.pace.horizon_s())
@@ -324,11 +324,11 @@ class Engine:
         return DONE
 
     def _catch_up(self) -> None:
-        """Let the present be the time at which a request takes effect.
+        """Advance to the time at which a request takes effect.
 
-        In lock-step everything happens that is due before it. Else nobody waits for a controller
-        that is behind its pace: the present is how far it has come. All that is due by then has
-        happened, so that the time in the journal says what a request came after.
+        In lock-step all events due before it are dispatched. Otherwise requests do not wait for a
+        controller that lags behind its pace: they take effect at the virtual time reached. All
+        events due by then are dispatched, so that the time in the journal determines their order.
         """
         horizon_s = self.pace.horizon_s()
         if isinstance(self.pace, LockStep):
@@ -346,13 +346,13 @@ class Engine:
             self._deferred_lines.append(line())
 
     def _publish_changes(self) -> None:
-        """Let subscriptions and the recording see what has changed."""
+        """Notify subscriptions and the recorder of changes."""
         self.subscriptions.publish_changes()
         if self.recorder is not None:
             self.recorder.update()
 
     def _listen(self) -> None:
-        """Listen to what happens in the run, which has a small cost."""
+        """Listen to events of the run, which has a small cost."""
         self.live.happened = self._happened
         if isinstance(self.live.sensors, RecordingSensors):
             self.live.sensors.answered = self._answered

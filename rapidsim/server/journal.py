@@ -1,7 +1,7 @@
-"""The journal of a controller: what came from outside and what happened then, in lines of JSON.
+"""Journal of a controller: inputs from outside and events of the run, as lines of JSON.
 
 Each line has the virtual time `t` at which it took effect, so the same requests at the same times
-give the same lines again, byte for byte. No line holds a wall-clock time, a password or a cookie.
+reproduce the same lines, byte for byte. No line contains a wall-clock time, a password or a cookie.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ from rapidsim.simulation.results.event_values import event_record, written
 from rapidsim.values import value_class
 
 NETWORK: Final = "network"
-"""The kind of an event caused by a peer of a program's socket."""
+"""Kind of an event caused by a peer of a program's socket."""
 SENSOR: Final = "egm"
-"""The kind of a line with a sensor's answer."""
+"""Kind of a line with a sensor's answer."""
 REFUSED: Final = "network-refused"
-"""The kind of an event in which the network refused a program."""
+"""Kind of an event in which the network refused a program."""
 _MOST_LINE: Final = 128 * 2**20
-"""The most characters of a line: the largest upload in base 64, and room for the rest."""
+"""Largest number of characters of a line: the largest upload in base 64, and room for the rest."""
 
 
 @value_class(frozen=True, slots=True)
@@ -54,7 +54,7 @@ class PowerOnState:
 
 @value_class(frozen=True, slots=True)
 class RecordedInput:
-    """What came from outside at a virtual time."""
+    """An input from outside at a virtual time."""
 
     time_s: float
     message: Message
@@ -62,7 +62,7 @@ class RecordedInput:
 
 @value_class(frozen=True, slots=True)
 class RecordedSession:
-    """A whole journal."""
+    """A complete journal."""
 
     began: PowerOnState
     recorded: tuple[RecordedInput, ...]
@@ -71,30 +71,30 @@ class RecordedSession:
     answers: Mapping[int, SensorAnswer]
     """Answers of sensors, by the number of the exchange."""
     end_s: float
-    """When the controller was switched off, or the time of the last line [s]."""
+    """Time [s] of the switch-off of the controller, or of the last line."""
     lines: tuple[str, ...]
-    """As they were written."""
+    """Lines of the file, unchanged."""
 
 
 def switched_on_line(motors: Motors, mode: OperatingMode) -> str:
-    """The first line."""
+    """Return the first line."""
     return _line(0.0, "event", {"kind": "on", "motors": motors.value, "opmode": mode.value})
 
 
 def switched_off_line(time_s: float) -> str:
-    """The last line."""
+    """Return the last line."""
     return _line(time_s, "event", {"kind": "off"})
 
 
 def event_line(event: Event) -> str:
-    """Something that happened in the run."""
+    """Return the line of an event of the run."""
     record = event_record(event)
     del record["time_s"]
     return _line(written(event.time_s), "event", record)
 
 
 def log_line(entry: LogEntry) -> str:
-    """An entry of the event log."""
+    """Return the line of an entry of the event log."""
     what = {
         "kind": "log",
         "domain": entry.domain,
@@ -107,19 +107,19 @@ def log_line(entry: LogEntry) -> str:
 
 
 def refusal_line(time_s: float, act: int, error: RapidError) -> str:
-    """A refusal of the network, with the number of the operation that it refused."""
+    """Return the line of a refusal of the network, with the number of the operation."""
     what = {"kind": REFUSED, "act": act, "number": error.errno, "message": error.message}
     return _line(time_s, "event", what)
 
 
 def sensor_line(time_s: float, number: int, answer: SensorAnswer) -> str:
-    """The answer of a sensor that guides a robot, with the number of the exchange."""
+    """Return the line of the answer of a sensor, with the number of the exchange."""
     said = {name: list(part) for name, part in asdict(answer).items() if part}
     return _line(written(time_s), SENSOR, {"kind": "answer", "exchange": number, **said})
 
 
 def request_line(time_s: float, message: Message, reply: Reply) -> str:
-    """What came from outside, and how a request was answered."""
+    """Return the line of an input from outside, with the status of its reply."""
     if isinstance(message, FromNetwork):
         return _line(time_s, "event", _message_record(message))
     return _line(
@@ -128,14 +128,14 @@ def request_line(time_s: float, message: Message, reply: Reply) -> str:
 
 
 def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
-    """Read a journal; an incomplete last line is left out.
+    """Read a journal; an incomplete last line is skipped.
 
     Args:
-        lines: Of the file.
-        name: Of the file, for messages.
+        lines: Lines of the file.
+        name: Name of the file, for messages.
 
     Raises:
-        InputError: If they are no journal.
+        InputError: If the lines are not a journal.
     """
     began: PowerOnState | None = None
     recorded, kept, end_s = list[RecordedInput](), list[str](), 0.0
@@ -151,7 +151,7 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
             time_s, kind, what = float(read["t"]), read["kind"], read["what"]
             is_asked = kind == "request" or what["kind"] == NETWORK
             if not end_s <= time_s < float("inf"):
-                # Events are told once their time is known; requests at once.
+                # Events are written once their time is known; requests immediately.
                 if is_asked:
                     raise ValueError("time goes back")
                 time_s = end_s
@@ -176,13 +176,13 @@ def read_journal(lines: Iterable[str], name: str) -> RecordedSession:
 
 
 class JournalFile:
-    """Writes a journal line by line, so that all lines are whole however the process ends."""
+    """Line-by-line writer of a journal: all lines are complete, however the process ends."""
 
     def __init__(self, path: Path, failed: Callable[[str], None]) -> None:
-        """Open it; whoever watches the controller is told once if writing fails.
+        """Open the journal; a write error is reported once, by `failed`.
 
         Raises:
-            InputError: If it cannot be opened.
+            InputError: If the file cannot be opened.
         """
         self._path, self._failed = path, failed
         try:
@@ -202,7 +202,7 @@ class JournalFile:
             self._failed(f"error: the journal {self._path} has ended: {error.strerror or error}")
 
     def close(self) -> None:
-        """Bring the last line to the disk."""
+        """Close the file, which writes the last line."""
         with suppress(OSError):
             self._file.close()
 
@@ -249,7 +249,7 @@ def _message_record(message: Message) -> dict[str, object]:
 
 
 def _message(record: Mapping[str, object]) -> Message:
-    """The inverse of `_message_record`; raises whatever reading a value of another shape raises."""
+    """Invert `_message_record`; errors of the conversions are raised unchanged."""
     match record:
         case {
             "connection": int(number),
@@ -282,7 +282,7 @@ def _message(record: Mapping[str, object]) -> Message:
 
 
 def _answer(record: Mapping[str, Any]) -> SensorAnswer:
-    """The inverse of `sensor_line`; raises whatever reading a value of another shape raises."""
+    """Invert `sensor_line`; errors of the conversions are raised unchanged."""
     parts = {
         one.name: tuple(map(float, record[one.name]))
         for one in fields(SensorAnswer)

@@ -1,4 +1,4 @@
-"""The way from the process that speaks protocols to the engine."""
+"""Link from the process of the protocols to the engine."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ class Link(Protocol):
     """Sends messages to the engine."""
 
     async def request(self, message: Inquiry) -> Reply:
-        """The engine's reply.
+        """Send a message to the engine and return its reply.
 
         Raises:
-            EngineEndedError: If it is there no more.
+            EngineEndedError: If the engine has ended.
         """
         ...
 
@@ -26,10 +26,10 @@ class EngineEndedError(Exception):
 
 
 class DirectLink:
-    """An engine in this very thread: time passes only when it is told to."""
+    """Link to an engine in the same thread, whose time passes only on command."""
 
     def __init__(self, make: Callable[[Callable[[Notification], None]], Engine]) -> None:
-        """Make the engine, given the listener for what it tells."""
+        """Make the engine, with a listener for its notifications."""
         self.listener: Callable[[Notification], None] = lambda told: None
         self.engine = make(lambda told: self.listener(told))
 

@@ -1,4 +1,4 @@
-"""From files to an engine."""
+"""Load files and create an engine."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.values import value_class
 
 _GUIDED: Final = "egmident"
-"""The data type that every program guided by a sensor uses."""
+"""Data type that every program guided by a sensor uses."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -51,18 +51,18 @@ class ReadyController:
 def ready(request: RunRequest) -> ReadyController:
     """Load and check a program as `rapidsim run` does.
 
-    Signals that the program uses and nothing declares exist, as signals of its cell.
+    Undeclared signals that the program uses are added to its cell.
 
     Raises:
         ProgramRejectedError: If checking finds an error.
-        InputError: If something that it needs is missing.
+        InputError: If an input is missing.
     """
     found = loaded(job(request))
     return with_cell(found, prepared(found))
 
 
 def with_cell(loaded_job: LoadedJob, made: PreparedRun) -> ReadyController:
-    """A loaded program, prepared for a run as a served controller needs it."""
+    """Prepare a loaded program for a served controller."""
     io = made.options.io
     undeclared = _undeclared(loaded_job.diagnostics)
     known = {one.name.lower() for one in io.signals}
@@ -93,12 +93,12 @@ def engine_of(
     wire: Wire | None = None,
     sensors: GuidanceSensors | None = None,
 ) -> Engine:
-    """Switch a controller on.
+    """Switch a controller on and return its engine.
 
     Args:
         made: Its programs and cell.
-        settings: Its state, and how its time passes.
-        on_notification: Receives what the engine tells.
+        settings: Its initial state and pace.
+        on_notification: Receives the notifications of the engine.
         journal: Receives each line of the journal.
         wire: The network of the programs' sockets; None for none.
         sensors: The sensors that guide robots; None for none.
@@ -124,7 +124,7 @@ def _pace(settings: EngineSettings) -> Pace:
 
 
 def _undeclared(findings: tuple[Diagnostic, ...]) -> dict[str, SignalDeclaration]:
-    """The signals that programs use and nothing declares, by folded name."""
+    """Return the undeclared signals that programs use, by folded name."""
     signals = {}
     for one in findings:
         violation = one.violation

@@ -1,4 +1,4 @@
-"""Memory of a process that stays on."""
+"""Memory of a long-running process."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from typing import Final
 _MMAP_THRESHOLD: Final = -3
 """`M_MMAP_THRESHOLD` of glibc."""
 _LARGE_BYTES: Final = 128 * 1024
-"""Where glibc begins."""
+"""Initial threshold of glibc."""
 
 
 def give_large_blocks_back() -> bool:
-    """Let the C library give large blocks back to the system as soon as they are free.
+    """Make the C library return large blocks to the system as soon as they are freed.
 
-    glibc does so only until the first one is freed; from then on it takes blocks of that size from
-    its heap, in which files of all sizes that come and go leave holes.
+    glibc does so only until the first one is freed; then it allocates blocks of that size from its
+    heap, which files of various sizes fragment.
 
     Returns:
-        Whether this C library knows of it; others have no such habit.
+        Whether the C library has this setting; others do not need it.
     """
     if sys.platform != "linux":
         return False

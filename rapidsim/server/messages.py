@@ -1,6 +1,6 @@
-"""Messages between the process that speaks protocols and the one in which the controller lives.
+"""Messages between the process of the protocols and the process of the controller.
 
-All can be pickled, and know nothing of HTTP headers or the format of bodies.
+All can be pickled, and are independent of HTTP headers and representations.
 """
 
 from __future__ import annotations
@@ -18,32 +18,32 @@ NOTHING: Fields = MappingProxyType({})
 
 @value_class(frozen=True, slots=True)
 class Item:
-    """One thing that is shown: a list item of a page, an object of JSON."""
+    """A list item of a page, or an object of JSON."""
 
     kind: str
-    """Its class, such as `rap-task-li`."""
+    """Class of the item, such as `rap-task-li`."""
     title: str = ""
     fields: Fields = field(default_factory=dict)
     arguments: tuple[str, ...] = ()
-    """Texts in an order, as an entry of the event log has."""
+    """Ordered texts, as in an entry of the event log."""
     href: str = ""
-    """Where it is itself, below the root."""
+    """Address of the item, below the root."""
     parts: tuple[Item, ...] = ()
-    """What it consists of, such as attributes."""
+    """Parts of the item, such as attributes."""
 
 
 @value_class(frozen=True, slots=True)
 class Answer:
-    """A successful answer: what was asked for, or that it was done."""
+    """A successful answer: the requested items or file, or a confirmation."""
 
     items: tuple[Item, ...] = ()
     status: int = 200
     links: tuple[str, ...] = ()
     """Resources below this one."""
     content: bytes | None = None
-    """A file, instead of items."""
+    """Content of a file, instead of items."""
     following: str = ""
-    """Where the list continues, below the root; empty at its end."""
+    """Address of the continuation of the list, below the root; empty at its end."""
 
 
 DONE = Answer(status=204)
@@ -55,7 +55,7 @@ class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
     def __init__(
         self, status: int, code: int, message: str, later: tuple[int, int] | None = None
     ) -> None:
-        """Give HTTP status, controller's code and a text; `later` has both of RobotWare 7."""
+        """Store HTTP status, controller's code, text; `later` has both codes of RobotWare 7."""
         super().__init__(message)
         self.refusal = ErrorAnswer(status, code, message)
         self.later = self.refusal if later is None else ErrorAnswer(*later, message)
@@ -63,7 +63,7 @@ class RefusedRequest(Exception):  # noqa: N818 - an answer, not a failure
 
 @value_class(frozen=True, slots=True)
 class ErrorAnswer:
-    """The error that a request is answered with."""
+    """Error that answers a request."""
 
     status: int
     code: int
@@ -76,31 +76,31 @@ class Request:
 
     method: str
     path: str
-    """Without the query, decoded, from the root."""
+    """Decoded path from the root, without the query."""
     query: Fields = field(default_factory=dict)
     form: Fields = field(default_factory=dict)
     session: int = 0
     content: bytes = b""
-    """A body that is not a form."""
+    """Body that is not a form."""
     generation: int = 1
-    """Of Robot Web Services: 1 or 2."""
+    """Generation of Robot Web Services: 1 or 2."""
 
     @property
     def action(self) -> str:
-        """The operation that is asked for; empty for none."""
+        """The requested operation; empty for none."""
         return self.query.get("action", "")
 
 
 @value_class(frozen=True, slots=True)
 class SessionEnded:
-    """A session has ended: what it holds is released."""
+    """End of a session: the resources it holds are released."""
 
     session: int
 
 
 @value_class(frozen=True, slots=True)
 class Subscribe:
-    """Tell a group of subscriptions of changes of some resources, from now on."""
+    """Subscribe a group to changes of resources, from now on."""
 
     group: int
     resources: tuple[str, ...]
@@ -108,58 +108,58 @@ class Subscribe:
 
 @value_class(frozen=True, slots=True)
 class Unsubscribe:
-    """Stop telling a group."""
+    """End the subscriptions of a group."""
 
     group: int
 
 
 DATAGRAM: Final = 0
-"""The number of no connection: a datagram has arrived."""
+"""Connection number of a datagram, which has no connection."""
 
 
 @value_class(frozen=True, slots=True)
 class FromNetwork:
-    """The peer of a program's socket has done something."""
+    """Input from the peer of a program's socket."""
 
     number: int
-    """Of the connection, see `outside_streams`; `DATAGRAM` for a datagram from `peer`."""
+    """Number of the connection, see `outside_streams`; `DATAGRAM` for a datagram from `peer`."""
     port: int = 0
-    """Of the program, where a client has connected to it, or the datagram has arrived."""
+    """Port of the program to which a client has connected, or at which the datagram has arrived."""
     peer: str = ""
-    """Who has connected, or has answered; empty if the connection existed before."""
+    """Peer that has connected or answered; empty if the connection existed before."""
     data: bytes = b""
     is_over: bool = False
 
 
 @value_class(frozen=True, slots=True)
 class ReadState:
-    """Somebody looks at the controller, which has no effect and takes no time."""
+    """Read of the controller's state, which has no effect and takes no time."""
 
     task: str = ""
     module: str = ""
-    """The module of that task whose text is wanted; empty for everything but texts."""
+    """Module of that task whose text is read; empty for the state of the controller."""
 
 
 Message: TypeAlias = Request | SessionEnded | Subscribe | Unsubscribe | FromNetwork
-"""What affects the controller: its journal records them all."""
+"""Messages that affect the controller: its journal records them all."""
 Inquiry: TypeAlias = Message | ReadState
-"""Everything that the engine can be asked."""
+"""All messages that the engine answers."""
 Reply: TypeAlias = Answer | ErrorAnswer
 
 
 @value_class(frozen=True, slots=True)
 class ChangeEvent:
-    """A change that a group of subscriptions is told."""
+    """A change at a resource, for a subscription group."""
 
     group: int
     resource: str
-    """What has changed, by the address that was subscribed to."""
+    """Subscribed address of the changed resource."""
     items: tuple[Item, ...]
 
 
 @value_class(frozen=True, slots=True)
 class ConsoleLine:
-    """A line for whoever started the controller."""
+    """A line for the console of the process that started the controller."""
 
     text: str
 

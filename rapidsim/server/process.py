@@ -1,4 +1,4 @@
-"""The engine in a process of its own, and the way to it."""
+"""The engine in its own process, and the link to it."""
 
 from __future__ import annotations
 
@@ -40,36 +40,36 @@ from rapidsim.syntax.garbage_collection import gc_for_server
 from rapidsim.values import value_class
 
 _LOOKS_S: Final = 0.001
-"""How long [s] an engine runs before it looks for messages."""
+"""Time [s] for which an engine runs before it checks for messages."""
 _PATIENCE_S: Final = 5.0
-"""How long [s] an engine may take to end."""
+"""Time [s] in which an engine must end."""
 
 
 @value_class(frozen=True, slots=True)
 class SwitchedOn:
-    """The controller is on."""
+    """The controller is switched on."""
 
     home: Path
     ramdisk: Path
     sensors: Mapping[str, str]
     """Addresses of sensors that guide robots, by the names of their devices."""
     is_guided: bool
-    """Whether a process that exchanges messages with sensors is needed beside the engine."""
+    """Whether a further process is needed that exchanges messages with sensors."""
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
-"""The outcome of switching a controller on."""
+"""Outcome of switching a controller on."""
 
 
 @value_class(eq=False)
 class EngineProcess:
-    """An engine that runs beside this process; see `started`."""
+    """An engine in a child process; see `started`."""
 
     ready: SwitchedOn
     _connection: Connection
     _process: SpawnProcess
     listener: Callable[[Notification], None] = print
-    """Receives what the engine tells, in the loop's thread; set before `attach`."""
+    """Receives the notifications of the engine, in the loop's thread; set before `attach`."""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
     """Set when the engine has ended."""
     _waiting: dict[int, asyncio.Future[Reply]] = field(default_factory=dict)
@@ -77,7 +77,7 @@ class EngineProcess:
     _outgoing: SimpleQueue[object] = field(default_factory=SimpleQueue)
 
     def attach(self) -> None:
-        """Start passing messages both ways; called in the loop."""
+        """Start transferring messages in both directions; called in the loop."""
         loop = asyncio.get_running_loop()
         Thread(target=self._send, name="rapidsim to the engine", daemon=True).start()
         receive = Thread(
@@ -138,7 +138,7 @@ def started(request: RunRequest, settings: EngineSettings) -> EngineProcess:
 
     Raises:
         ProgramRejectedError: If checking finds an error.
-        InputError: If something that it needs is missing.
+        InputError: If an input is missing.
     """
     context = get_context("spawn")
     ours, theirs = context.Pipe()
@@ -173,8 +173,8 @@ def _await_end(process: SpawnProcess) -> None:
 def _run(
     connection: Connection, to_guide: Connection, request: RunRequest, settings: EngineSettings
 ) -> None:
-    """The life of the engine's process: until it is told to end, or its parent is gone."""
-    # Ctrl-C goes to all processes of a terminal; the other one says when to end.
+    """Run the engine's process until its parent commands the end, or is gone."""
+    # Ctrl-C reaches all processes of a terminal; the parent decides when to end.
     for name in ("SIGINT", "SIGTERM"):
         signal.signal(getattr(signal, name), signal.SIG_IGN)
     give_large_blocks_back()
@@ -242,7 +242,7 @@ def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], No
 
 def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
     while True:
-        # Looking for messages costs as much as what a task does in a few milliseconds.
+        # A check for messages costs as much as a few milliseconds of a task's execution.
         until_s = monotonic() + _LOOKS_S
         while (stepped := engine.step()) and monotonic() < until_s:
             pass

@@ -1,4 +1,4 @@
-"""A served controller as a recording that grows while it runs: what is shown, and how often."""
+"""Recorder of a served controller, whose recording grows during the run."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.live_task import LiveTask
 
 _EVERY_S: Final = 0.25
-"""How often [s] motion is written."""
+"""Period [s] at which motion is written."""
 _SAMPLE_S: Final = 0.024
 _MOST_SAMPLES: Final = 2000
-"""The most at once: a longer time that passes in one step is written at fewer samples."""
+"""Largest number of samples at once: longer steps are sampled more coarsely."""
 _LEVELS: Final = {1: "INFO", 2: "WARN", 3: "ERROR"}
 
 
 @dataclass(eq=False)
 class LiveRecorder:
-    """Recording has no effect on the run; if writing fails, the recording ends, not the run."""
+    """Recorder without effect on the run; if writing fails, the recording ends, not the run."""
 
     live: LiveController
     recording: LiveRecording
@@ -41,7 +41,7 @@ class LiveRecorder:
     _is_on: bool = True
 
     def begin(self) -> None:
-        """Begin with the arms where they stand.
+        """Start with the current positions of the arms.
 
         Raises:
             InputError: If nothing can be written, or no viewer opens.
@@ -54,7 +54,7 @@ class LiveRecorder:
         self.update()
 
     def update(self) -> None:
-        """Write the motion since the last time, if that is long enough ago."""
+        """Write the motion since the last call, unless that was less than `_EVERY_S` ago."""
         now_s = self.live.now_s
         if now_s - self._shown_s >= _EVERY_S:
             self._do(self._moved)
@@ -63,7 +63,7 @@ class LiveRecorder:
             self._do(partial(self.recording.state, now_s, task.name, state))
 
     def on_request(self, now_s: float, request: Request, reply: Reply) -> None:
-        """A client has asked for something."""
+        """Record a request of a client that changes the state."""
         if request.method == "GET":
             return
         action = f"?action={request.action}" if request.action else ""
@@ -74,24 +74,24 @@ class LiveRecorder:
         self._do(lambda: self.recording.log_text(now_s, "requests", text[:500], level))
 
     def on_event(self, event: Event) -> None:
-        """Something has happened in the run."""
+        """Record a text that a program has written."""
         if event.kind is EventKind.TEXT and event.message:
             self._do(lambda: self.recording.log_text(event.time_s, "texts", event.message))
 
     def on_log_entry(self, entry: LogEntry) -> None:
-        """The event log has one more entry."""
+        """Record an entry of the event log."""
         text, level = f"{entry.code} {entry.title}: {entry.text}", _LEVELS[entry.type]
         self._do(lambda: self.recording.log_text(entry.time_s, "events", text, level))
 
     def on_sensor_answer(self, time_s: float, answer: SensorAnswer) -> None:
-        """A sensor has said where it wants the robot."""
+        """Record the goal of a sensor for the robot."""
         for name in ("joints", "position", "correction"):
             values = getattr(answer, name)
             if values:
                 self._do(partial(self.recording.wanted, time_s, name, np.array(values)))
 
     def close(self) -> None:
-        """Move the file into place."""
+        """Write the remaining motion and move the file into place."""
         self._do(self._moved)
         try:
             self.recording.close()

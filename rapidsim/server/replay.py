@@ -1,4 +1,4 @@
-"""A journal again: the same requests at the same virtual times, without clients or a clock."""
+"""Replay of a journal: the same requests at the same virtual times, without clients or a clock."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End
 
 _SHOWN: Final = 160
-"""The most characters shown of a line."""
+"""Largest number of characters shown of a line."""
 
 
 def replay_journal(path: Path) -> RecordedSession:
-    """Everything a controller was asked, from beginning to end.
+    """Read a journal to replay.
 
     Raises:
-        InputError: If the file is not there or no journal.
+        InputError: If the file does not exist or is not a journal.
     """
     try:
         with path.open(encoding="utf-8", newline="\n") as file:
@@ -41,13 +41,13 @@ def replay_journal(path: Path) -> RecordedSession:
 def replayed(
     ready: ReadyController, session: RecordedSession, on_line: Callable[[str], None]
 ) -> FinishedRun:
-    """Let a controller live a journal again.
+    """Replay a journal on a controller.
 
     Args:
         ready: The controller's programs and cell.
         session: The journal.
-        on_line: Told, in a line, where its life departs from the journal, as it does with another
-            program or other files at home.
+        on_line: Called with a line about the first difference from the journal, which another
+            program or other files in the home folder cause.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
@@ -63,7 +63,7 @@ def replayed(
         keeps_all=True,
     )
     lines: list[str] = []
-    # Time comes only as far as it is let below.
+    # Time advances only on the commands below.
     engine = Engine(live, LockStep(0.0), lambda told: None, lines.append)
     limit_s = ready.options.max_time_s
     with recursion_limit(RUNNING_DEPTH):

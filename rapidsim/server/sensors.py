@@ -1,4 +1,4 @@
-"""Sensors that guide robots, recorded as they answer, and replayed."""
+"""Sensors that guide robots, with answers that are recorded and replayed."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from rapidsim.motion.guidance.sensor import SensorAnswer
 
 @dataclass(slots=True)
 class RecordingSensors:
-    """Reports what sensors answer, by the number of the exchange, so that it can be replayed."""
+    """Sensors that report each answer with the number of its exchange, for a replay."""
 
     sensors: GuidanceSensors = field(default_factory=NoSensors)
     answered: Callable[[int, float, SensorAnswer], None] = lambda number, time_s, answer: None
@@ -36,7 +36,7 @@ class RecordingSensors:
         self.sensors.close()
 
     def exchanged(self, time_s: float, answer: SensorAnswer | None) -> None:
-        """A sensor has answered, or has not."""
+        """Report the answer of a sensor, if there is one."""
         number = next(self._numbers)
         if answer is not None:
             self.answered(number, time_s, answer)
@@ -77,7 +77,7 @@ class _RecordingSensor:
 
 @dataclass(slots=True)
 class ReplayedSensors:
-    """Replays recorded answers, by the number of the exchange."""
+    """Sensors that replay recorded answers, by the number of the exchange."""
 
     answers: Mapping[int, SensorAnswer]
     _numbers: count[int] = field(default_factory=lambda: count(1))
@@ -91,7 +91,7 @@ class ReplayedSensors:
         """See `GuidanceSensors`."""
 
     def next(self) -> SensorAnswer | None:
-        """The next recorded answer."""
+        """Return the next recorded answer; None if the sensor did not answer."""
         return self.answers.get(next(self._numbers))
 
 

@@ -1,4 +1,4 @@
-"""Serving a controller until somebody ends it."""
+"""Serve a controller until it is ended."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from rapidsim.syntax.garbage_collection import gc_for_server
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """The addresses it listens at; None for a protocol that is not served."""
+    """Addresses that the server listens at; None for a protocol that is not served."""
 
     rws1: str | None
     rws2: str | None
@@ -46,10 +46,10 @@ def serve(
         engine: The controller, in its process.
         settings: Addresses and users.
         is_ready: Called with the addresses once it listens at all of them.
-        noted: Called with a line at each event that matters to whoever started it.
+        noted: Called with a line at each event that matters to the user.
 
     Returns:
-        Whether it was ended from outside; false if its engine has died.
+        Whether it was ended by a signal; False if its engine has died.
 
     Raises:
         InputError: If a port is taken.
@@ -113,7 +113,7 @@ async def _listen(
     port: int,
     tls: ssl.SSLContext | None = None,
 ) -> str:
-    """Listen at a port for one generation; its address.
+    """Listen at a port for one generation and return the address.
 
     Raises:
         InputError: If the port is taken.

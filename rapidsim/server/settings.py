@@ -16,12 +16,12 @@ from rapidsim.values import value_class
 DEFAULT_USERS: Final[Mapping[str, str]] = MappingProxyType(
     dict.fromkeys(("Default User", "Admin", "admin"), "robotics")
 )
-"""The default users on this computer: those of a controller."""
+"""Default users on this computer, as on a controller."""
 
 
 @value_class(frozen=True, slots=True, kw_only=True)
 class EngineSettings:
-    """How the controller is switched on, and how its time passes."""
+    """Initial state and pace of the controller."""
 
     speed: float | None = 1.0
     """Virtual seconds per second of the wall clock; None for as fast as possible."""
@@ -34,11 +34,11 @@ class EngineSettings:
     sensors: tuple[tuple[str, Address], ...] = ()
     """Devices of sensors that guide robots, and their addresses."""
     journal: Path | None = None
-    """Where the journal is written; None for none."""
+    """File of the journal; None for no journal."""
     record: Path | None = None
-    """Where the recording is written, which grows meanwhile; None for none."""
+    """File of the recording, which grows during the run; None for no recording."""
     view: bool = False
-    """Whether a viewer shows it while it grows."""
+    """Whether a viewer shows the recording while it grows."""
 
 
 @value_class(frozen=True, slots=True, kw_only=True)
@@ -47,11 +47,11 @@ class ServerSettings:
 
     host: str = "127.0.0.1"
     rws1_port: int | None = 8080
-    """The port of Robot Web Services 1.0; 0 takes a free one, None does not serve it."""
+    """Port of Robot Web Services 1.0; 0 for a free one, None to disable it."""
     rws2_port: int | None = None
-    """Of Robot Web Services 2.0, likewise."""
+    """Port of Robot Web Services 2.0; 0 for a free one, None to disable it."""
     tls: SSLContext | None = None
-    """Key and certificate for it."""
+    """Key and certificate of Robot Web Services 2.0."""
     users: Mapping[str, str] = field(default_factory=lambda: DEFAULT_USERS)
     most_sessions: int = 70
     session_timeout_s: float = 300.0

@@ -1,4 +1,4 @@
-"""Subscriptions: what changes at the resources that clients listen to."""
+"""Subscriptions of clients to changes of resources."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rapidsim.simulation.live.states import RequestRefused
 _SIGNALS: Final = "/rw/iosystem/signals/"
 _SYMBOLS: Final = "/rw/rapid/symbol/data/RAPID/"
 _SYMBOLS_2: Final = "/rw/rapid/symbol/RAPID/"
-"""The addresses of data in RobotWare 7, where `/data` follows the name."""
+"""Addresses of data in RobotWare 7, where `/data` follows the name."""
 _LOG: Final = "/rw/elog/"
 _QUEUES: Final = "/rw/dipc/"
 
@@ -31,7 +31,7 @@ class _Watched:
 
     resource: str
     read: Look
-    """What the group is told of it now."""
+    """Returns the current items of the resource."""
     last: tuple[Item, ...]
 
 
@@ -39,14 +39,14 @@ class _Watched:
 class _Group:
     values: list[_Watched] = field(default_factory=list)
     domains: list[str] = field(default_factory=list)
-    """Of the event log."""
+    """Domains of the event log."""
     queues: list[str] = field(default_factory=list)
-    """Of clients."""
+    """Names of queues of clients."""
 
 
 @dataclass(slots=True, eq=False)
 class Subscriptions:
-    """All groups; a listener of the cell, so that no change of a signal is missed."""
+    """All subscription groups; a listener of the cell, so that no change of a signal is missed."""
 
     context: RequestContext
     on_event: Callable[[ChangeEvent], None]
@@ -64,7 +64,7 @@ class Subscriptions:
         return len(self._groups)
 
     def begin(self, group: int, resources: tuple[str, ...]) -> None:
-        """Subscribe to resources; their present values are told first.
+        """Subscribe to resources; events with their current values follow first.
 
         Raises:
             RefusedRequest: If there is no such resource; then nothing is subscribed to.
@@ -93,7 +93,7 @@ class Subscriptions:
             self.on_event(ChangeEvent(group, one.resource, one.last))
 
     def end(self, group: int) -> None:
-        """End a group."""
+        """End a subscription group."""
         self._groups.pop(group, None)
         for name, listening in tuple(self._signals.items()):
             kept = [one for one in listening if one[0] != group]
@@ -103,7 +103,7 @@ class Subscriptions:
                 del self._signals[name]
 
     def publish_changes(self) -> None:
-        """Tell what has changed since the last look."""
+        """Send events for all changes since the last call."""
         for group, one in self._groups.items():
             for watched in one.values:
                 now = watched.read()
@@ -114,14 +114,14 @@ class Subscriptions:
                 self._take(group, name)
 
     def _take(self, group: int, name: str) -> None:
-        """Tell the messages that wait for a client, which removes them."""
+        """Send the messages that wait for a client, which removes them."""
         queue = self.context.queues.get(name)
         while queue is not None and queue.messages:
             item = message_item(name, queue.messages.pop(0), "dipc-msg-ev")
             self.on_event(ChangeEvent(group, item.href, (item,)))
 
     def logged(self, entry: LogEntry) -> None:
-        """Tell of an entry of the event log."""
+        """Send an entry of the event log."""
         for group, one in self._groups.items():
             for domain in one.domains:
                 if domain in ("0", str(entry.domain)):
@@ -150,10 +150,10 @@ class Subscriptions:
         return Item("ios-signalstate-ev", signal.name, fields, href=resource)
 
     def _reader_of(self, resource: str) -> Look:
-        """The function that looks at a resource.
+        """Return the function that reads a resource.
 
         Raises:
-            RefusedRequest: If there is none, or it cannot be subscribed to.
+            RefusedRequest: If it does not exist, or cannot be subscribed to.
         """
         if resource.startswith(_SYMBOLS) or (
             resource.startswith(_SYMBOLS_2) and resource.endswith("/data;value")

@@ -1,7 +1,8 @@
-"""The network of programs' sockets: real ports, polled by whoever paces the engine.
+"""Network of programs' sockets: real ports, polled by the loop that runs the engine.
 
-Nothing here blocks. What peers do is collected (`came`) when one of `sockets` is ready,
-and takes effect where the engine lets it. This computer only, unless other hosts are named.
+No call blocks. Inputs of peers are collected (`came`) when one of `sockets` is ready, and take
+effect when the engine dispatches them. Only this computer is reachable, unless other hosts are
+named.
 """
 
 from __future__ import annotations
@@ -23,18 +24,18 @@ from rapidsim.server.messages import DATAGRAM, FromNetwork
 
 _AT_ONCE: Final = 65536
 _MOST_CONNECTIONS: Final = 100
-"""The most at one time; others wait at the port."""
+"""Largest number of connections at one time; others wait at the port."""
 _MOST_UNSENT: Final = 16 * 2**20
-"""The most unsent bytes; a peer with more is taken to be gone."""
+"""Largest number of unsent bytes; a peer with more is considered gone."""
 _AGAIN_S: Final = 0.25
-"""How long [s] until a server that did not answer is tried again."""
+"""Time [s] after which a server that did not answer is tried again."""
 _LOOK_S: Final = 0.01
-"""How often [s] a peer is asked whether it takes more."""
+"""Period [s] at which unsent data are retried."""
 
 
 @dataclass(slots=True)
 class RecordingWire:
-    """Reports what a wire refuses, by the number of the operation, so that it can be replayed."""
+    """Wire that reports refusals by the number of the operation, so that they can be replayed."""
 
     wire: Wire
     refused: Callable[[int, RapidError], None] = lambda act, error: None
@@ -88,7 +89,7 @@ class RecordingWire:
 
 @dataclass(slots=True)
 class ReplayedWire(NullWire):
-    """Refuses what was refused before: errors by the number of the operation."""
+    """Wire that repeats recorded refusals: errors by the number of the operation."""
 
     refusals: Mapping[int, tuple[float, str]]
     _acts: int = 0
@@ -124,12 +125,12 @@ class _Connection:
     stream: socket.socket
     unsent: bytearray = field(default_factory=bytearray)
     closes: bool = False
-    """Whether it closes once all is sent."""
+    """Whether it closes once all data are sent."""
 
 
 @dataclass(eq=False, slots=True)
 class SocketWire:
-    """Implements `external_streams.Wire`."""
+    """Implementation of `external_streams.Wire` with sockets."""
 
     hosts: frozenset[str] = frozenset()
     """Hosts other than this computer that sockets may bind or connect to."""
@@ -139,15 +140,15 @@ class SocketWire:
     _servers: dict[int, socket.socket] = field(default_factory=dict)
     _connections: dict[int, _Connection] = field(default_factory=dict)
     _mailboxes: dict[int, socket.socket] = field(default_factory=dict)
-    """Sockets for datagrams, by the ports that programs know them by."""
+    """Sockets for datagrams, by the ports that programs use for them."""
     _calls: dict[int, Event] = field(default_factory=dict)
-    """Calls that are not answered yet; set once nobody waits any more."""
+    """Connection attempts without an answer; set once their programs no longer wait."""
     _answers: SimpleQueue[tuple[int, str, socket.socket]] = field(default_factory=SimpleQueue)
-    """Number, peer and stream of answered calls; a peer may be gone again by now."""
+    """Number, peer and stream of answered attempts; a peer may be gone again by now."""
     _lost: list[int] = field(default_factory=list)
     _incoming: count[int] = field(default_factory=lambda: count(-1, -1))
     _wake_pipe: tuple[socket.socket, socket.socket] = field(default_factory=socket.socketpair)
-    """Rings when a call has been answered."""
+    """Wake-up pipe, written to when an attempt is answered or a connection is lost."""
 
     def __post_init__(self) -> None:
         """Start without ports."""
@@ -157,7 +158,7 @@ class SocketWire:
 
     def listen(self, port: int, address: str) -> None:
         """See `Wire`."""
-        # A network of its own each time: one for all would keep every port that was ever open.
+        # A separate network each time: a shared one would keep every port that was ever open.
         opened = Network(self.hosts).bind(address, port)
         opened.listen()
         opened.server.setblocking(False)
@@ -207,7 +208,7 @@ class SocketWire:
             mailbox.close()
 
     def send_datagram(self, port: int, address: str, to_port: int, data: bytes) -> None:
-        """See `DatagramWire`; a datagram that the network does not take is lost."""
+        """See `DatagramWire`; a datagram that the network does not accept is lost."""
         self._network.require_reachable(address)
         with suppress(OSError):
             self._mailboxes[port].sendto(data, (address or "127.0.0.1", to_port))
@@ -226,7 +227,7 @@ class SocketWire:
             one.close()
 
     def sockets(self) -> list[socket.socket]:
-        """What may become ready."""
+        """Return the sockets to wait for."""
         room = len(self._connections) < _MOST_CONNECTIONS
         readable = [
             one.stream
@@ -237,13 +238,13 @@ class SocketWire:
         return [self._wake_pipe[0], *waiting, *self._mailboxes.values(), *readable]
 
     def patience_s(self, wait_s: float | None) -> float | None:
-        """How long to wait for any of them, at most the time given [s]."""
+        """Return the time [s] to wait for the sockets, at most `wait_s`; None for no limit."""
         if not any(one.unsent for one in self._connections.values()):
             return wait_s
         return _LOOK_S if wait_s is None else min(wait_s, _LOOK_S)
 
     def came(self, ready: Collection[object]) -> Iterator[FromNetwork]:
-        """What the ready peers did; also sends what could not be sent before."""
+        """Yield the inputs of the ready peers; also send data that could not be sent before."""
         for number, connection in tuple(self._connections.items()):
             if connection.unsent:
                 self._flush(number, connection)
@@ -259,7 +260,7 @@ class SocketWire:
                 yield from self._read(number, connection)
         for port, mailbox in tuple(self._mailboxes.items()):
             if mailbox in ready:
-                # An error says that an earlier datagram met a port that nobody has.
+                # An error reports that an earlier datagram reached a port without a socket.
                 with suppress(OSError):
                     data, address = mailbox.recvfrom(_AT_ONCE)
                     if self._network.may_reach(address[0]):
@@ -300,7 +301,7 @@ class SocketWire:
         yield FromNetwork(number, data=data, is_over=not data)
 
     def _flush(self, number: int, connection: _Connection) -> None:
-        """Send as much as the peer takes."""
+        """Send as much as the peer accepts."""
         try:
             while connection.unsent:
                 sent = connection.stream.send(connection.unsent)
@@ -315,7 +316,7 @@ class SocketWire:
             self._drop(number, connection)
 
     def _lose(self, number: int, connection: _Connection) -> None:
-        """The peer has gone while data were being sent; its program learns of it later."""
+        """Drop a peer that has gone during a send; its program is notified later."""
         connection.unsent.clear()
         if not connection.closes:
             self._drop(number, connection)
@@ -327,7 +328,7 @@ class SocketWire:
         self._connections.pop(number, None)
 
     def _call(self, number: int, address: str, port: int, over: Event) -> None:
-        """Try until a server answers or nobody waits any more; runs in its own thread."""
+        """Try until a server answers or the program no longer waits; runs in its own thread."""
         while not over.is_set():
             stream = self._network.reached(address, port, 1.0)
             if stream is None:

@@ -1,1 +1,1 @@
-"""One run: tasks on one clock, from programs and robots to a result."""
+"""One run of tasks on one clock, from programs and robots to a result."""

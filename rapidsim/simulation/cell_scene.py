@@ -1,4 +1,4 @@
-"""From a run and what stands in its cell to bodies that move: who carries what, who is judged."""
+"""Build the moving bodies of a run in its cell, and the pairs of them to check for collisions."""
 
 from __future__ import annotations
 
@@ -35,26 +35,26 @@ from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
 _LYING_M = 1e-3
-"""A part that is so near to something when it is taken or left lies on it."""
+"""Distance within which a part lies on a body when it is picked up or put down."""
 _STOPPING_S = 0.5
-"""After its last command an arm is seen to move no longer than this."""
+"""Longest time [s] for which an arm moves after its last command."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CellScene:
-    """What is judged of a run, and what is not."""
+    """Bodies of a run that are checked for collisions, with remarks on those that are not."""
 
     scene: Scene
     remarks: tuple[str, ...]
-    """What is not judged, and why."""
+    """Reasons why bodies or pairs are not checked."""
     objects: Mapping[int, CellObject]
-    """The objects of the station by their number among the bodies."""
+    """Objects of the station by their number among the bodies."""
     bodies: Bodies
-    """Those of the scene, laid out for measuring."""
+    """Bodies of the scene, laid out for distance computations."""
 
 
 def cell_scene(simulation: Simulation, geometry: CellGeometry) -> CellScene:
-    """The bodies of a run and the pairs of them that must not touch."""
+    """Return the bodies of a run and the pairs of them that must not touch."""
     return _Builder(simulation, geometry).built()
 
 
@@ -67,7 +67,7 @@ class _Builder:
         self._objects: dict[int, CellObject] = {}
         self._remarks: list[str] = []
         self._carriers: dict[int, set[int]] = {}
-        """Which robots carry a body at any time."""
+        """Robots that carry a body at any time."""
         self._used: set[IgnoredPair] = set()
         self._signals = {
             name.lower(): changes
@@ -75,7 +75,7 @@ class _Builder:
         }
 
     def built(self) -> CellScene:
-        """All of it."""
+        """Return the scene of the run."""
         of_links: dict[tuple[int, int], int] = {}
         for number, one in enumerate(self._runs):
             shapes = link_shapes(one.robot)
@@ -99,9 +99,9 @@ class _Builder:
         return CellScene(self._lying(scene, bodies), remarks, self._objects, bodies)
 
     def _lying(self, scene: Scene, bodies: Bodies) -> Scene:
-        """The same with the pairs told apart of which one lies on the other, or is put there.
+        """Return the scene with pairs touch-only if one body lies on the other or is put there.
 
-        A part leaves what it lies on, and comes down on what it is put on: that is near, and meant.
+        A part leaves the body it lies on, and approaches the one it is put on: near on purpose.
         """
         pairs = list(scene.pairs)
         for number, pair in enumerate(pairs):
@@ -123,7 +123,7 @@ class _Builder:
         return BodyName(f"{name}{whose}", robot)
 
     def _robot(self, task: str | None, owner: str) -> int | None:
-        """The number of the robot of a task; None where there is none, which is noted."""
+        """Number of the robot of a task; None, with a remark, if the task has no robot."""
         if task is None:
             return 0
         for number, one in enumerate(self._runs):
@@ -145,7 +145,7 @@ class _Builder:
         self._bodies.append(Body(label, item.shape, carried))
 
     def _placed(self, item: CellObject) -> tuple[AttachedBody, ...]:
-        """Where an object is while nobody carries it; nothing where that is not known."""
+        """Return the frames of an object while no robot carries it; empty if they are unknown."""
         parent, pose = item.parent, item.parent_from_object
         if parent.kind is ParentKind.WORLD:
             return (AttachedBody(0.0, WORLD, pose),)
@@ -173,7 +173,7 @@ class _Builder:
         return self._in_work_object(item, robot, joints)
 
     def _unit(self, name: str, count: int = 0) -> SceneFrame | None:
-        """The frame that the first axes of a positioner carry, all for 0; None without such."""
+        """Frame moved by the first `count` axes of a positioner (0: all); None if there is none."""
         for robot, run in enumerate(self._runs):
             axes = tuple(
                 number
@@ -217,7 +217,7 @@ class _Builder:
     def _carried_about(
         self, number: int, item: CellObject, placed: tuple[AttachedBody, ...]
     ) -> tuple[AttachedBody, ...]:
-        """Where an object is, with the times in which robots carry it."""
+        """Return the frames of an object, with the times in which robots carry it."""
         changes: list[tuple[float, int, bool]] = []
         for attachment in self._geometry.attachments:
             if attachment.object.lower() != item.name.lower():
@@ -259,7 +259,7 @@ class _Builder:
         return arm_frames(frame.robot, arm, arm.at(np.array([time_s])), (frame,))[frame][0]
 
     def _pairs(self, of_links: Mapping[tuple[int, int], int]) -> Iterator[Pair]:
-        """The pairs that are judged, each once."""
+        """Yield each pair to check once."""
         links = {body: key for key, body in of_links.items()}
         own: set[tuple[int, int]] = set()
         if self._geometry.own_links:
@@ -276,24 +276,24 @@ class _Builder:
                 yield pair
 
     def _pair(self, a: int, b: int, links: Mapping[int, tuple[int, int]]) -> Pair | None:
-        """Two bodies of which one at least is an object, or which are of two robots."""
+        """Pair of an object and a body, or of bodies of two robots; None if it is not checked."""
         of_a, of_b = self._movers(a), self._movers(b)
         moving = of_a | of_b
         if not moving or (self._rests(a) and self._rests(b)):
             return None
         holders_a, holders_b = self._carriers.get(a, set()), self._carriers.get(b, set())
         if len(self._frames(a)) == 1 and self._frames(a) == self._frames(b):
-            # What one thing carries never moves against the rest of it.
+            # Bodies on one frame never move relative to each other.
             return None
         fixed_a, fixed_b = self._fixed_to(a), self._fixed_to(b)
         if fixed_a is not None and fixed_b is not None and fixed_a[0] == fixed_b[0]:
-            # Tool and last link touch, as any two things that are bolted to each other do.
+            # Tool and last link touch, as all things that are bolted to each other do.
             if not self._geometry.own_links or abs(fixed_a[1] - fixed_b[1]) <= 2:
                 return None
             return Pair(a, b, fixed_a[0], touch_only=True)
         for holders, fixed in ((holders_a, fixed_b), (holders_b, fixed_a)):
             if holders and fixed is not None and fixed[0] in holders:
-                # Fingers close on what they carry.
+                # Fingers close on the part that they carry.
                 joints = len(self._runs[fixed[0]].robot.joints)
                 if fixed[1] >= joints:
                     return None
@@ -302,15 +302,15 @@ class _Builder:
         return Pair(first, second, owner, touch_only=False)
 
     def _frames(self, body: int) -> set[SceneFrame]:
-        """What ever carries a body."""
+        """Frames that carry a body at any time."""
         return {one.frame for one in self._bodies[body].carried}
 
     def _movers(self, body: int) -> set[int]:
-        """The robots that ever move a body."""
+        """Robots that move a body at any time."""
         return {frame.robot for frame in self._frames(body) if frame.robot is not None}
 
     def _rests(self, body: int) -> bool:
-        """Whether a body never moves: it stands in the world, or is a base that no track moves."""
+        """Whether a body never moves: it is fixed in the world, or is a base without a track."""
         frames = self._frames(body)
         return (
             all(
@@ -322,7 +322,7 @@ class _Builder:
         )
 
     def _fixed_to(self, body: int) -> tuple[int, int] | None:
-        """Robot and link that a body always belongs to; None for what is carried at times."""
+        """Robot and link that a body always belongs to; None if robots carry it at times."""
         frames = self._frames(body)
         (frame, *others) = frames
         if others or frame.robot is None or frame.axes or self._carriers.get(body):
@@ -340,7 +340,7 @@ class _Builder:
         return found
 
     def _names(self, body: int) -> set[str]:
-        """What a station may call a body."""
+        """Names by which a station may refer to a body."""
         one = self._bodies[body]
         if body in self._objects:
             names = {self._objects[body].name.lower()}
@@ -370,7 +370,7 @@ def _arm(robot_run: RobotRun) -> Arm:
 
 
 def _merge_intervals(intervals: Iterable[tuple[float, float]]) -> tuple[tuple[float, float], ...]:
-    """Stretches of time that touch or overlap as one each."""
+    """Merge intervals [s] that overlap or are at most `_STOPPING_S` apart."""
     found: list[tuple[float, float]] = []
     for begin, end in sorted(intervals):
         if found and begin <= found[-1][1] + _STOPPING_S:
@@ -385,7 +385,7 @@ def _value(values: Mapping[str, float], signal: str) -> float:
 
 
 def _truths(condition: Condition, signals: Mapping[str, Changes]) -> list[tuple[float, bool]]:
-    """When a condition begins to hold and when it ends to."""
+    """Return the times [s] at which a condition becomes true or false, with its new value."""
     histories: dict[str, Sequence[tuple[float, float]]] = {
         name.lower(): signals.get(name.lower(), [(0.0, 0.0)]) for name in condition.signals()
     }

@@ -1,4 +1,4 @@
-"""What a run touched: contacts and clearances, as part of the result and as findings."""
+"""Contacts and clearances of a run, as part of the result and as findings."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _MM = 1e3
 
 
 def with_collisions(simulation: Simulation, geometry: CellGeometry) -> Simulation:
-    """A run with what its bodies touched."""
+    """Return a run with the contacts and clearances of its bodies."""
     made = cell_scene(simulation, geometry)
     found = search(made.scene, simulation.motion_end_s, made.bodies)
     collisions = Collisions(geometry, found, made.scene, made.remarks, made.objects)
@@ -80,7 +80,7 @@ def _near(
 
 
 def _others(robots: tuple[RobotRun, ...], contact: Contact) -> Iterator[Related]:
-    """What the other robot of a contact did then."""
+    """Yield the move of the other robot of a contact at that time."""
     for other in {contact.first.robot, contact.second.robot} - {None, contact.robot}:
         if other is None:
             continue

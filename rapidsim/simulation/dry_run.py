@@ -1,7 +1,7 @@
-"""Ending a run at its first contact, as motion supervision would.
+"""Dry run that finds the first contact, at which the actual run ends, as motion supervision would.
 
-Contacts are found when a run is over. So it is rehearsed, in a copy of the home folder, and then
-made again up to the contact, with the answers that were given in the rehearsal.
+Contacts are found only after a run. So a dry run is made first, in a copy of the home folder; the
+actual run then ends at the contact and receives the answers recorded in the dry run.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rapidsim.simulation.results.simulation import End, Simulation
 
 @contextmanager
 def dry_run(options: RunOptions) -> Iterator[tuple[RunOptions, RunOptions]]:
-    """The options of a run that leaves nothing behind, and those of the same run after it.
+    """Yield the options of a dry run without side effects, and those of the actual run.
 
     Raises:
         InputError: If the run has real sockets, which cannot be used twice.
@@ -54,7 +54,7 @@ def dry_run(options: RunOptions) -> Iterator[tuple[RunOptions, RunOptions]]:
 
 
 def stopped_by_contact(simulation: Simulation) -> Simulation:
-    """A run that was cut off at a contact, as one that ended with an error there."""
+    """Turn the time limit at a contact into an error at which the run and its tasks end."""
     if simulation.end is not End.TIME_LIMIT:
         return simulation
     return replace(

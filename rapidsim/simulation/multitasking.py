@@ -1,4 +1,4 @@
-"""Several tasks on one clock: loading them with the data they share, running them to their end."""
+"""Run several tasks on one clock: load them with the data they share, run them to their end."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from rapidsim.simulation.task_run import TaskOutcome, TaskRun, run_to_end
 
 
 def run_all_tasks(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> list[TaskOutcome]:
-    """Let all tasks run on one clock, until those that count have ended or one of them fails.
+    """Run all tasks on one clock until those that count have ended or one of them fails.
 
     Args:
-        runs: The tasks; those at one time run in this order.
-        cell: What they share.
+        runs: The tasks; those due at the same time run in this order.
+        cell: The state that they share.
         options: Limits of the run.
 
     Returns:
-        How each ended; a task of the background ends with the run.
+        Outcome of each task; a background task ends with the run.
     """
     scheduler = Scheduler()
     cell.attach_scheduler(scheduler)
@@ -64,7 +64,7 @@ def run_all_tasks(runs: Sequence[TaskRun], cell: Cell, options: RunOptions) -> l
 
 
 def _left_running(task: Callable[[], Task]) -> TaskOutcome:
-    """What becomes of a task that the end of the run leaves in the middle of its work."""
+    """Outcome of a task that is still running when the run ends."""
     with suppress(FatalError):
         return TaskOutcome(End.ENDED, task=task())
     return TaskOutcome(End.ENDED)
@@ -88,7 +88,7 @@ def _loaded(run: TaskRun, shared: SharedPersistents) -> Callable[[], Task]:
 def _resting(
     run: TaskRun, runs: Sequence[TaskRun], scheduler: Scheduler
 ) -> list[tuple[str, Place]]:
-    """The other tasks that wait for something that only a task can do, and where they wait."""
+    """Other tasks that wait for something that only a task can do, and their positions."""
     resting = scheduler.resting(run.controller.clock)
     return [
         (one.setup.name, one.controller.clock.place)

@@ -1,4 +1,4 @@
-"""What a run is given beside program and robot."""
+"""Inputs and limits of a run, apart from program and robot."""
 
 from __future__ import annotations
 
@@ -24,61 +24,61 @@ class RunOptions:
     """Inputs and limits of a run."""
 
     program_files: tuple[str, ...] = ()
-    """The files as the user named them, for reports."""
+    """Files as the user named them, for reports."""
     model: MotionModel = field(default_factory=MotionModel)
     nearest_configuration: bool = False
-    """Whether a move to a target whose stored configuration cannot be had goes to the nearest one
-    and the run on; else it ends there, as on a controller with ConfJ or ConfL on."""
+    """Whether a move to a target with an unreachable stored configuration uses the nearest one and
+    the run continues; else it ends there, as on a controller with ConfJ or ConfL on."""
     functions_fail: bool = False
-    """Whether CalcJointT still fails for such a target, as on a controller, while moves go on."""
+    """Whether CalcJointT fails for such a target, as on a controller, although moves continue."""
     exact_configuration: bool = False
-    """Whether a stored configuration is not met where cf1, cf4 or cf6 is one quarter turn off."""
+    """Whether a stored configuration is not met if cf1, cf4 or cf6 is one quarter turn off."""
     start_joints_deg: tuple[float, ...] | None = None
-    """Joints at the start [deg]. None takes the start of the arm's entry, as a rule all zero with
+    """Joints at the start [deg]. None for the start of the arm's entry, usually all zero with
     axis 5 at 30 degrees; if the first move is a line or arc, the arm begins above it."""
     world_from_base: Transform = field(default_factory=Transform.identity)
-    """Where the robot stands, with all external axes at zero."""
+    """Pose of the robot's base, with all external axes at zero."""
     external_axes: tuple[ExternalAxis, ...] = ()
-    """Tracks, positioners and other axes beside the arm, in the order of their letters."""
+    """Tracks, positioners and other additional axes, in the order of their letters."""
     answers: Answers | None = None
     """None answers every question with its default and a warning."""
     answers_are_typed: bool = False
-    """Whether a person answers, who is asked again after an answer that is none."""
+    """Whether a person answers, who is asked again after an invalid answer."""
     io: CellIo = field(default_factory=CellIo)
-    """Signals, how they are wired, and what happens to inputs."""
+    """Signals, their connections, and changes of inputs."""
     home: Path | None = None
-    """The folder HOME: stands for; None makes file instructions fail with a clear error."""
+    """The folder for HOME:; None makes file instructions fail with a clear error."""
     ramdisk: Path | None = None
-    """The folder RAMDISK: stands for; None is one in the home folder."""
+    """The folder for RAMDISK:; None for one in the home folder."""
     geometry: CellGeometry | None = None
-    """What stands in the cell; None looks for no contacts."""
+    """Bodies of the cell; None for no collision check."""
     network: Network | None = None
-    """What sockets may use of the network; None lets them reach the station's scripts only."""
+    """Network access of sockets; None limits them to the station's scripts."""
     configured: Configured = field(default_factory=lambda: MappingProxyType({}))
-    """The system parameters that ReadCfgData reads."""
+    """System parameters that ReadCfgData reads."""
     starts_at: datetime = START_OF_TIME
-    """Date and time of day that the controller's clock shows when the run begins."""
+    """Date and time of day of the controller's clock at the start of the run."""
     max_time_s: float = 3600.0
     """Virtual time at which the run ends."""
     max_wall_s: float | None = None
-    """How long the run may take on our clock; the only thing in a run that depends on it."""
+    """Limit of the run in wall-clock time; nothing else in a run depends on that time."""
     max_cycles: int = 1
-    """How often main runs."""
+    """Number of cycles of main."""
     entry: str = "main"
-    """The procedure to run."""
+    """Procedure to run."""
     task: str = "T_ROB1"
     """Name of the task."""
     queue: QueueSettings | None = None
-    """Message queue of the task; None where nobody describes it."""
+    """Message queue of the task; None if it is not described."""
     cell_tasks: tuple[str, ...] = ()
     """Names of all tasks of the cell, also of those that are not in the run."""
     guesses_frames: bool = True
-    """Whether a work object that nothing in the run moves, but something should, stands where its
-    `uframe` says; else the run stops there."""
+    """Whether to place a work object at its `uframe` if the unit that should move it is not in the
+    run; else the run stops there."""
 
     @property
     def cell(self) -> CellInputs:
-        """What of it the cell is given."""
+        """Options that the cell uses."""
         return CellInputs(
             answers=self.answers,
             answers_are_typed=self.answers_are_typed,

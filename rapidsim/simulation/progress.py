@@ -1,4 +1,4 @@
-"""How far a run is while it goes on; asked from another thread, it changes nothing."""
+"""Progress of a run; it may be read from another thread and does not affect the run."""
 
 from __future__ import annotations
 
@@ -11,31 +11,31 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class Progress:
-    """What robots were given so far."""
+    """Progress of a run: moves and time so far."""
 
     moves: int
-    """Those whose times are known."""
+    """Number of moves with known times."""
     places: int
-    """At how many places of the text these moves stand."""
+    """Number of distinct instructions that made these moves."""
     planned: int
-    """Those besides that are planned at once, or wait for the end of their block."""
+    """Number of further moves, being planned or waiting for the end of their block."""
     time_s: float = 0.0
-    """Virtual time up to which the first task has come, as far as that is planned."""
+    """Virtual time that the first task has reached, as far as it is planned."""
     place: Span | None = None
-    """The statement that it executes; None before there is one."""
+    """Statement that the first task executes; None before its first."""
 
 
 class MoveCounter:
-    """Counts the moves of tasks; looks at each only once, however often it is asked."""
+    """Counter of the moves of tasks; it visits each move only once in all calls."""
 
     def __init__(self, runs: Sequence[TaskRun]) -> None:
-        """Take the tasks of a run."""
+        """Create a counter for the tasks of a run."""
         self._runs = runs
         self._counted = [0] * len(runs)
         self._places: set[tuple[str, int]] = set()
 
     def __call__(self) -> Progress:
-        """How far it is."""
+        """Return the progress so far."""
         for number, run in enumerate(self._runs):
             moves = run.queue.moves
             for _, move in moves.numbered(self._counted[number]):

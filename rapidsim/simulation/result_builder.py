@@ -1,4 +1,4 @@
-"""What the tasks of a run leave behind, when all of them have ended."""
+"""Build the result of a run after all of its tasks have ended."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ _WORST_FIRST = (End.ERROR, End.TIME_LIMIT, End.STOPPED, End.CYCLE_LIMIT, End.END
 
 @value_class(frozen=True, slots=True)
 class FinishedRun:
-    """A run, and the programs that can still be asked what they have left."""
+    """A run, and its tasks, whose final data can be read."""
 
     simulation: Simulation
     tasks: Mapping[str, Task]
-    """By name; without those that could not be made ready."""
+    """Tasks by name, without those that failed to load."""
 
 
 def build_result(
@@ -52,19 +52,19 @@ def build_result(
     time_s: float,
     options: RunOptions,
 ) -> FinishedRun:
-    """What tasks that have ended leave behind.
+    """Build the result of a run from its tasks, which have ended.
 
     Args:
         runs: The tasks.
-        outcomes: How each of them ended.
-        cell: What they shared; nobody waits for others in it any more.
-        time_s: When the run ended.
+        outcomes: Outcome of each task.
+        cell: The state that they shared; no task waits for others any more.
+        time_s: End of the run [s].
         options: Inputs and limits of the run.
     """
     simulation = _simulation(runs, outcomes, cell, time_s, options)
     simulation = with_gripper_findings(simulation, options.io.grippers)
     if options.geometry is not None:
-        # Few cells have bodies; what measures them is imported for those.
+        # Few cells have bodies; the collision check is imported for those only.
         from rapidsim.simulation.collisions import with_collisions  # noqa: PLC0415
 
         simulation = with_collisions(simulation, options.geometry)
@@ -85,7 +85,7 @@ def _simulation(
     time_s: float,
     options: RunOptions,
 ) -> Simulation:
-    """Collect what the tasks leave behind."""
+    """Build the result without findings on grippers and collisions."""
     robots = tuple(
         _robot_run(run, outcome)
         for run, outcome in zip(runs, outcomes, strict=True)
@@ -142,7 +142,7 @@ def _simulation(
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
         lacked_files=cell.home.lacks,
-        # Now, not when each task ended: others may have gone on with what they share.
+        # Now, not at the end of each task: others may have changed shared data since.
         persistents=deduplicated(
             one
             for outcome in outcomes
@@ -163,7 +163,7 @@ def _simulation(
 
 
 def _traps(program: Program) -> frozenset[str]:
-    """The folded names of the traps of a task."""
+    """Return the folded names of the traps of a task."""
     routines = (routine for module in program.modules for routine in module.routines)
     return frozenset(one.name.key for one in routines if isinstance(one, tree.Trap))
 
@@ -183,7 +183,7 @@ def _robot_run(run: TaskRun, outcome: TaskOutcome) -> RobotRun:
 
 
 def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
-    """What all tasks met that was not simulated, each routine once."""
+    """Return the routines called by all tasks that were not simulated, each once, with counts."""
     counts: dict[tuple[str, str, bool], int] = {}
     for run in runs:
         for one in run.journal.not_simulated():
@@ -196,11 +196,11 @@ def _not_simulated(runs: Sequence[TaskRun]) -> tuple[Unsimulated, ...]:
 
 
 def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
-    """Time under way: moves that touch or overlap count once, those of several robots too.
+    """Return the time in motion [s]: overlapping moves, also of several robots, count once.
 
     Args:
-        moves: Of all robots.
-        until_s: The end of the run [s]; a robot that is stopped there comes to rest after it.
+        moves: Moves of all robots.
+        until_s: The end of the run [s]; a robot that is stopped there is at rest only later.
     """
     total_s = 0.0
     reached_s = 0.0
@@ -213,7 +213,7 @@ def _motion_s(moves: Sequence[ExecutedMove], until_s: float) -> float:
 
 
 def _sorted_events(journal: Journal, moves: tuple[ExecutedMove, ...]) -> tuple[Event, ...]:
-    """What was noted, and the corners that became stops because the next move came too late."""
+    """Events by time, with the corners that became stops because the next move was late."""
     failures = tuple(
         Event(
             move.end_s,

@@ -1,4 +1,4 @@
-"""What a run adds to the findings when it is over: how it ended, and what it did not do."""
+"""Findings at the end of a run: its cause, and features that were not simulated."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ _SHOWN_CALLS = 5
 
 
 def fatal_answer(fatal: FatalError, place: Place) -> AnsweredError:
-    """The error that nothing caught, as the run lists it; see `fatal_finding`."""
+    """Return the uncaught error as the run lists it; see `fatal_finding`."""
     routine, span, _ = _stack_place(fatal.stack, place)
     error = fatal.error
     raised = Place(span, routine)
@@ -51,7 +51,7 @@ def fatal_answer(fatal: FatalError, place: Place) -> AnsweredError:
 
 
 def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
-    """The error that nothing caught, with the call chain as related places, innermost first.
+    """Return the uncaught error, with the call chain as related places, innermost first.
 
     Args:
         fatal: The error.
@@ -67,31 +67,31 @@ def fatal_finding(fatal: FatalError, place: Place) -> Diagnostic:
 
 
 def stopped_finding(stopped: Stopped, place: Place) -> Diagnostic:
-    """Where the program stopped itself, with the call chain as related places."""
+    """Return the stop of a program by itself, with the call chain as related places."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(ProgramStopped(stopped.reason), span, callers, routine=routine)
 
 
 def not_allowed_finding(stopped: NotAllowed, place: Place) -> Diagnostic:
-    """The instruction that a controller stops at, with the call chain as related places."""
+    """Return the instruction at which a controller stops, with the call chain as related places."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(UncaughtError(stopped.reason), span, callers, routine=routine)
 
 
 def not_declared_finding(stopped: NotDeclared, place: Place) -> Diagnostic:
-    """The instruction that names what is missing, with the call chain as related places."""
+    """Return the instruction that uses a missing declaration, with the call chain."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(NotDeclaredHere(stopped.reason), span, callers, routine=routine)
 
 
 def not_followed_finding(stopped: NotSimulated, place: Place) -> Diagnostic:
-    """The instruction that would follow a conveyor, with the call chain as related places."""
+    """Return the instruction that would follow a conveyor, with the call chain."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(ConveyorNotFollowed(stopped.reason), span, callers, routine=routine)
 
 
 def impossible_move_finding(stopped: MoveImpossible, place: Place) -> Diagnostic:
-    """The move that nothing can make possible, with the call chain as related places."""
+    """Return the impossible move, with the call chain as related places."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(stopped.violation, span, callers, routine=routine, assumed=stopped.assumed)
 
@@ -101,10 +101,10 @@ def endless_wait_finding(
     waiting: tuple[str, Place],
     other_waits: Sequence[tuple[str, Place]] = (),
 ) -> Diagnostic:
-    """The wait that nothing can end.
+    """Return the wait that nothing can end.
 
     Args:
-        stopped: Why.
+        stopped: The reason.
         waiting: The task and the statement that waits.
         other_waits: Further tasks that wait, which could have ended it.
     """
@@ -113,7 +113,7 @@ def endless_wait_finding(
         routine, span, callers = _stack_place(rapid_stack(stopped), place)
         return Diagnostic(EndlessWait(stopped.reason, stopped.cure), span, callers, routine=routine)
     if not other_waits or stopped.cure is not None:
-        # What it waits for lies outside the cell, whatever the other tasks do.
+        # What it waits for is outside the cell, whatever the other tasks do.
         violation = EndlessWait(stopped.reason, stopped.cure)
         return Diagnostic(violation, place.span, routine=place.routine)
     each = [
@@ -126,30 +126,30 @@ def endless_wait_finding(
 
 
 def trap_storm_finding(stopped: TrapStorm, place: Place) -> Diagnostic:
-    """Where the program was when interrupts came too fast, with the call chain."""
+    """Return the statement at which interrupts came too fast, with the call chain."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(TrapStorms(stopped.reason), span, callers, routine=routine)
 
 
 def zone_finding(stopped: ZoneReached, place: Place) -> Diagnostic:
-    """The statement during which the robot came to a zone that stops it."""
+    """Return the statement during which the robot reached a zone that stops it."""
     return Diagnostic(WorldZoneReached(stopped.reason), place.span, routine=place.routine)
 
 
 def time_limit_finding(stopped: TimeLimitReached, place: Place) -> Diagnostic:
-    """Where the program was when its time was up, with the call chain as related places."""
+    """Return the statement at the time limit, with the call chain as related places."""
     routine, span, callers = _stack_place(rapid_stack(stopped), place)
     return Diagnostic(CutOff(stopped.reason), span, callers, routine=routine)
 
 
 def motion_finding(error: MotionError) -> Diagnostic:
-    """The move that turned out not to be possible when its path was planned."""
+    """Return the move that proved impossible when its path was planned."""
     place = error.queued.place
     return Diagnostic(path_violation(error), place.span, routine=place.routine)
 
 
 def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
-    """One finding for each routine that was met and not simulated, where it was met first."""
+    """Return one finding for each routine that was not simulated, at its first call."""
     return tuple(
         not_simulated_finding(one.name, one.treated_as, journal.first_met(one))
         for one in journal.not_simulated()
@@ -157,7 +157,7 @@ def not_simulated_findings(journal: Journal) -> tuple[Diagnostic, ...]:
 
 
 def backward_findings(program: Program) -> tuple[Diagnostic, ...]:
-    """One note for a program with BACKWARD clauses, on the first routine that has one."""
+    """Return one note for a program with BACKWARD clauses, at the first routine that has one."""
     places = [
         (item.name.text, module.span(item.name))
         for module in program.modules
@@ -178,7 +178,7 @@ def _first_line(place: Place) -> str:
 def _stack_place(
     stack: tuple[CallFrame, ...], place: Place
 ) -> tuple[str, Span, tuple[Related, ...]]:
-    """Routine and place that a stack ends in, and who called it; `place` where it is empty."""
+    """Routine and span at the top of a stack, and its callers; those of `place` if it is empty."""
     if not stack:
         return place.routine, place.span, ()
     *outer, last = stack

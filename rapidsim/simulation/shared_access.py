@@ -1,4 +1,4 @@
-"""Shared data are read and written in the order of virtual time."""
+"""Access to shared data in the order of virtual time."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ from rapidsim.values import value_class
 
 
 class CurrentTask(Protocol):
-    """Who knows which task runs."""
+    """A scheduler that knows the running task."""
 
     @property
     def current(self) -> object:
-        """The clock of the task that runs; None while none does."""
+        """Clock of the running task; None if no task runs."""
         ...
 
 
 @value_class(frozen=True, slots=True)
 class ScheduledAccess:
-    """Implements `shared_persistents.SharedAccessObserver` for tasks that take turns."""
+    """Implementation of `shared_persistents.SharedAccessObserver` for scheduled tasks."""
 
     turns: CurrentTask
 
     def synchronise(self) -> None:
-        """Let every other task come up to the time of the statement that runs."""
+        """Synchronise all other tasks to the time of the running statement."""
         task = self.turns.current
         if isinstance(task, TaskClock):
             task.synchronise()
 
     def notify(self) -> None:
-        """Shared data have changed."""
+        """Notify other tasks of a change of shared data."""
         task = self.turns.current
         if isinstance(task, TaskClock):
             task.notify_tasks()

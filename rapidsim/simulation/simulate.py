@@ -1,4 +1,4 @@
-"""Run programs on robots: set the virtual controller up, run main, collect what happened."""
+"""Run programs on robots: set up the virtual controller, run main, build the result."""
 
 from __future__ import annotations
 
@@ -39,10 +39,10 @@ def simulate(program: Program, robot: Robot, *, options: RunOptions) -> Simulati
         options: Inputs and limits.
 
     Returns:
-        What happened. A program that stops with an error is a result, not an exception.
+        The result. A program that stops with an error is a result, not an exception.
 
     Raises:
-        InputError: If how fast the arm's axes turn is not known.
+        InputError: If the speed limits of the arm's axes are unknown.
     """
     if options.external_axes:
         robot = replace(robot, external=options.external_axes)
@@ -66,13 +66,13 @@ def run_tasks(
     """Run the programs of several tasks on one clock.
 
     Args:
-        setups: The tasks; those at one time run in this order.
-        options: Inputs and limits; what they say of a robot or a task does not count here.
-        watch: Is given, before anything runs, what tells how far the run is.
+        setups: The tasks; those due at the same time run in this order.
+        options: Inputs and limits; those of a single robot or task have no effect here.
+        watch: Receives a function that returns the progress, before the run.
 
     Raises:
-        InputError: If how fast the axes of an arm turn is not known, or no task moves one; if a
-            contact is to end a run that cannot be rehearsed.
+        InputError: If the speed limits of an arm's axes are unknown, or no task moves an arm; if a
+            contact is to end a run of which no dry run is possible.
     """
     if options.geometry is None or not options.geometry.stops:
         return _run(setups, options, watch)
@@ -81,7 +81,7 @@ def run_tasks(
     hits = () if collisions is None else collisions.hits
     if not hits or hits[0].time_s >= options.max_time_s:
         return _run(setups, again, watch)
-    # A run is a function of its inputs: cut off at the first contact it is the same up to there.
+    # A run is a function of its inputs: until the first contact it equals the dry run.
     ended = _run(setups, replace(again, max_time_s=hits[0].time_s), watch)
     return replace(ended, simulation=stopped_by_contact(ended.simulation))
 

@@ -1,4 +1,4 @@
-"""The values of a program's data before it runs."""
+"""Initial values of a program's data."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from rapidsim.language.errors import Stopped
 
 
 def start_values(program: Program) -> Callable[[DataSymbol], object]:
-    """Initialise the data of a program and run nothing.
+    """Initialise the data of a program without running it.
 
     Returns:
-        The value of module data by its symbol.
+        A function from the symbol of module data to its value.
 
     Raises:
-        InputError: If an initial value cannot be computed without a robot that stands somewhere.
+        InputError: If an initial value cannot be computed without a running controller.
     """
     try:
         task = load(program, uniform_controller(_NotRunning()))
@@ -36,7 +36,7 @@ def start_values(program: Program) -> Callable[[DataSymbol], object]:
 
 
 class _NotRunning:
-    """A controller on which nothing runs: whatever an initial value asks of it ends the attempt."""
+    """Controller on which nothing runs: any access by an initial value ends the attempt."""
 
     def __init__(self) -> None:
         self.ticks_left = 0

@@ -1,4 +1,4 @@
-"""One task of a run: what it is given, its controller, running it to its end."""
+"""One task of a run: its setup, its controller, and its execution to the end."""
 
 from __future__ import annotations
 
@@ -58,28 +58,28 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class TaskSetup:
-    """What a task is given."""
+    """Inputs of a task."""
 
     name: str
     program: Program
     robot: Robot | None = None
-    """None where the task moves nothing."""
+    """None if the task moves no robot."""
     start_joints_deg: tuple[float, ...] | None = None
-    """Joints at the start [deg]. None takes the start of the arm's entry, as a rule all zero with
+    """Joints at the start [deg]. None for the start of the arm's entry, usually all zero with
     axis 5 at 30 degrees; if the first move is a line or arc, the arm begins above it."""
     world_from_base: Transform | None = None
-    """Where the robot stands; None for the world's origin."""
+    """Pose of the robot's base; None for the world's origin."""
     kind: TaskKind = TaskKind.NORMAL
     written: frozenset[str] | None = None
-    """Folded names of the persistents that the program may write; None where nobody has looked."""
+    """Folded names of the persistents that the program may write; None if not determined."""
     entry: str | None = None
-    """The procedure it begins with; None takes that of the run's options."""
+    """Procedure that it begins with; None for that of the run's options."""
     queue: QueueSettings | None = None
-    """Its message queue; None where nobody describes it."""
+    """Message queue of the task; None if it is not described."""
     robot_label: str | None = None
-    """What the station calls its robot; None where it does not say."""
+    """Name of its robot in the station; None if there is none."""
     is_base_known: bool = True
-    """False if the robot is on a unit whose axes are not known, or nobody knows where on a body."""
+    """False if the robot is on a unit with unknown axes, or its pose on a body is unknown."""
 
     @property
     def counts(self) -> bool:
@@ -88,19 +88,19 @@ class TaskSetup:
 
     @property
     def place(self) -> Transform:
-        """Where the robot stands."""
+        """Pose of the robot's base."""
         return self.world_from_base or Transform.identity()
 
 
 @value_class(frozen=True, slots=True)
 class TaskOutcome:
-    """How a task ended."""
+    """Outcome of a task."""
 
     end: End
     findings: tuple[Diagnostic, ...] = ()
     failed_moves: tuple[FailedMove, ...] = ()
     task: Task | None = None
-    """The program with the values it left; None where it could not be made ready."""
+    """The program with its final values; None if it failed to load."""
 
 
 @value_class(frozen=True, slots=True)
@@ -116,13 +116,13 @@ class TaskRun:
 def prepare(
     setup: TaskSetup, placeholder: Robot, cell: Cell, journal: Journal, options: RunOptions
 ) -> TaskRun:
-    """Set a task's controller up at time zero.
+    """Set up a task's controller at time zero.
 
     Args:
         setup: The task.
-        placeholder: An arm that never moves, for a task that has none.
-        cell: What it shares with other tasks.
-        journal: Where it reports.
+        placeholder: An arm that never moves, for a task without a robot.
+        cell: The state shared with other tasks.
+        journal: Receives its reports.
         options: Limits and the motion model.
     """
     unit = unit_of(setup, placeholder, cell, journal, options)
@@ -133,7 +133,7 @@ def prepare(
 def unit_of(
     setup: TaskSetup, placeholder: Robot, cell: Cell, journal: Journal, options: RunOptions
 ) -> MechanicalUnit:
-    """The robot of a task, which stands where it starts; see `prepare`."""
+    """Return the robot of a task at its start position; see `prepare`."""
     robot = setup.robot or placeholder
     start = _start_waypoint(robot, setup.start_joints_deg)
     return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.check))
@@ -142,13 +142,13 @@ def unit_of(
 def new_task_run(
     setup: TaskSetup, unit: MechanicalUnit, cell: Cell, journal: Journal, options: RunOptions
 ) -> TaskRun:
-    """A task with a new controller: of what its program did, only where its robot is stays.
+    """Create a task with a new controller; of the previous program only the position remains.
 
     Args:
         setup: The task.
         unit: Its robot.
-        cell: What it shares with other tasks.
-        journal: Where it reports.
+        cell: The state shared with other tasks.
+        journal: Receives its reports.
         options: Limits and the motion model.
     """
     resolver = Resolver(
@@ -174,10 +174,10 @@ def new_task_run(
 
 
 def require_limits(robot: Robot, options: RunOptions) -> None:
-    """Refuse an arm that cannot be timed before the program runs.
+    """Reject an arm that cannot be timed before the program runs.
 
     Raises:
-        InputError: If how fast its axes turn is not known.
+        InputError: If the speed limits of its axes are unknown.
     """
     try:
         limits_of(robot, options.model)
@@ -195,18 +195,18 @@ def run_to_end(
     options: RunOptions,
     other_waits: Callable[[], Sequence[tuple[str, Place]]] = tuple,
 ) -> TaskOutcome:
-    """Load a task, run its main as often as asked and let its robot come to rest.
+    """Load a task, run its main for the requested cycles and bring its robot to rest.
 
     Args:
         run: The task.
-        load: Makes its program ready to run.
+        load: Loads its program.
         options: Limits of the run.
-        other_waits: The tasks that wait where this one waits forever, and where.
+        other_waits: Returns the tasks that wait when this one waits indefinitely, and where.
     """
     task: Task | None = None
     try:
         task = load()
-        # Traps and procedures of the path run while the arm comes to rest, too.
+        # Traps and procedures of the path also run while the arm comes to rest.
         with running():
             end = _run_cycles(task, run, options)
             while not _came_to_rest(run.controller):
@@ -223,12 +223,12 @@ def outcome_of(
     run: TaskRun,
     other_waits: Callable[[], Sequence[tuple[str, Place]]] = tuple,
 ) -> TaskOutcome:
-    """What became of a task that ended otherwise than by its end; its robot does what is left.
+    """Return the outcome of a task that an error ended; its robot completes its moves.
 
     Args:
-        error: What ended it.
+        error: The error that ended it.
         run: The task.
-        other_waits: The tasks that wait where this one waits forever, and where.
+        other_waits: Returns the tasks that wait when this one waits indefinitely, and where.
     """
     outcome = _outcome_of(error, run, other_waits)
     if not isinstance(error, TimeLimitReached | WaitsForever):
@@ -247,7 +247,7 @@ def _outcome_of(
         case MotionError():
             return _failed_motion(error, run)
         case TimeLimitReached():
-            # What the robot would do after the run is not part of it, but for its coming to rest.
+            # Motion after the run is not part of it, apart from its stop.
             controller.coordination.stop_robot(controller.clock.pointer_s())
             return TaskOutcome(End.TIME_LIMIT, (time_limit_finding(error, place),))
         case WaitsForever():
@@ -262,7 +262,7 @@ def _outcome_of(
 
 
 def _abandoned(error: FatalError | Stopped, run: TaskRun) -> TaskOutcome:
-    """What became of a task whose program stopped while its robot may still have had moves."""
+    """Return the outcome of a task whose program stopped, perhaps with moves still queued."""
     controller = run.controller
     place = controller.clock.place
     mark = run.journal.error_mark(controller.clock.moment())
@@ -286,7 +286,7 @@ def _abandoned(error: FatalError | Stopped, run: TaskRun) -> TaskOutcome:
 
 
 def _failed_motion(error: MotionError, run: TaskRun) -> TaskOutcome:
-    """A move that turned out not to be possible when its path was planned."""
+    """Return the outcome of a task with a move that proved impossible when its path was planned."""
     finding = motion_finding(error)
     if not run.setup.is_base_known:
         finding = replace(finding, assumed=True)
@@ -296,7 +296,7 @@ def _failed_motion(error: MotionError, run: TaskRun) -> TaskOutcome:
 
 
 def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
-    """Run main again and again; module data keep their values from one cycle to the next."""
+    """Run main repeatedly; module data keep their values from one cycle to the next."""
     entry = run.setup.entry or options.entry
     if run.setup.kind is not TaskKind.NORMAL:
         while True:
@@ -310,7 +310,7 @@ def _run_cycles(task: Task, run: TaskRun, options: RunOptions) -> End:
 
 
 def _came_to_rest(controller: VirtualController) -> bool:
-    """Let the robot come to rest; not yet, where ExitCycle in a trap ends a cycle that is over."""
+    """Bring the robot to rest; False if ExitCycle in a trap interrupts it after the last cycle."""
     with suppress(CycleEnded):
         controller.motion.finish()
         return True
@@ -318,26 +318,26 @@ def _came_to_rest(controller: VirtualController) -> bool:
 
 
 def start_joints(robot: Robot, degrees: tuple[float, ...] | None) -> Array:
-    """Joints (n,) [rad] before the first move; without degrees those that the arm's entry names."""
+    """Joints (n,) [rad] before the first move; the start of the arm's entry if degrees are None."""
     wanted = robot.start if degrees is None else np.radians(np.array(degrees))
     joints: Array = np.clip(wanted, robot.lower, robot.upper)
     return joints
 
 
 def _start_waypoint(robot: Robot, degrees: tuple[float, ...] | None) -> Waypoint:
-    """Where arm and external axes stand before the first move, as the flange with no tool."""
+    """Waypoint of arm and external axes before the first move, with the flange as TCP."""
     joints = start_joints(robot, degrees)
     external = np.array([_start_of(axis) for axis in robot.external])
     return Waypoint(joints, robot.kinematics.forward(joints), external)
 
 
 def _start_of(axis: ExternalAxis) -> float:
-    """Where an external axis stands before the first move [m or rad]: 0, or as near as it can."""
+    """Position of an external axis before the first move [m or rad]: `start`, within its limits."""
     return min(max(axis.start, axis.lower), axis.upper)
 
 
 def _entry_place(program: Program, entry: str) -> Place:
-    """Where the program pointer stands before the first statement."""
+    """Position of the program pointer before the first statement."""
     routine = program.routines.get(entry.lower())
     if routine is not None:
         return Place(routine.module.span(routine.node.name), routine.name)

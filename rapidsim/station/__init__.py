@@ -1,1 +1,1 @@
-"""The station file: the robot, its motion model, and its surroundings."""
+"""Station file: the robot, its motion model, and its surroundings."""

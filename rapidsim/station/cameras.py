@@ -1,4 +1,4 @@
-"""The tables [[camera]]: what a camera finds in successive pictures.
+"""The tables [[camera]]: objects that a camera detects in successive pictures.
 
 [[camera]]
 name = "cam1"
@@ -23,7 +23,7 @@ _FOUND_KEYS = ("name", "position", "quaternion", *_VALUES, "string1", "string2",
 
 
 def read_cameras(reader: Reader, tables: Table) -> tuple[CameraScript, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     scripts = []
     for path, table in reader.tables(tables, "camera"):
         reader.note_unknown_keys(path, table, _KEYS)

@@ -1,4 +1,4 @@
-"""The names that a station declares for its programs."""
+"""Names that a station declares for its programs."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _TYPE_OF_KIND = {signal.name.removeprefix("signal"): signal for signal in SIGNAL
 
 
 def declared_names(station: Station) -> CellNames:
-    """The signals, mechanical units and tasks of a station."""
+    """Return the signals, mechanical units and tasks of a station."""
     numbered = (f"ROB_{number}" for number in range(1, len(station.robots) + 1))
     labelled = (robot.label for robot in station.robots if robot.label)
     conveyors = (conveyor.unit for conveyor in station.io.conveyors)

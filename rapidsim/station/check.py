@@ -1,4 +1,4 @@
-"""The table [check] of a station file, or of pyproject.toml: what `rapidsim check` looks for."""
+"""The table [check] of a station file, or of pyproject.toml: settings of `rapidsim check`."""
 
 from __future__ import annotations
 
@@ -20,38 +20,37 @@ _KEYS = (
 
 @value_class(frozen=True, slots=True)
 class CheckSettings:
-    """Selectors are codes, prefixes of codes, or names of rules."""
+    """Settings of a check. Selectors are codes, prefixes of codes, or names of rules."""
 
     file: Path | None = None
-    """Where the settings stand; None for the defaults."""
+    """File of the settings; None for the defaults."""
     select: tuple[str, ...] = ()
-    """The rules that are looked for; none means those that are on by default."""
+    """Rules to check; empty for those that are on by default."""
     extend_select: tuple[str, ...] = ()
-    """Rules besides."""
+    """Additional rules."""
     ignore: tuple[str, ...] = ()
-    """Rules that are left out."""
+    """Excluded rules."""
     per_file_ignores: tuple[tuple[str, tuple[str, ...]], ...] = ()
-    """Patterns such as `*Data.mod`, and the rules that are left out in files whose name or path
-    fits."""
+    """Patterns such as `*Data.mod`, with the rules excluded in files whose name or path matches."""
     fail_on: Severity | None = None
-    """The lowest severity that sets exit code 1; None takes warnings."""
+    """Lowest severity that sets exit code 1; None for warnings."""
     baseline: Path | None = None
-    """A file of findings that are known."""
+    """File of known findings."""
     cycle_budget_s: float | None = None
-    """Time that one cycle of main may take; `check` tells, `run` fails."""
+    """Time limit [s] of one cycle of main; beyond it `check` reports a finding, `run` fails."""
     assume_missing: bool = False
-    """Whether what nothing declares is assumed to exist."""
+    """Whether undeclared names are assumed to exist."""
     strict: bool = False
-    """Whether what is unknown, not simulated or not checked fails too."""
+    """Whether unknown, unsimulated and unchecked parts fail, too."""
 
     @property
     def fails_from(self) -> Severity:
-        """The lowest severity that fails a check."""
+        """Lowest severity that fails a check."""
         return self.fail_on or Severity.WARNING
 
 
 def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettings:
-    """Read the table; errors are noted."""
+    """Read the table; errors are collected in the reader."""
     reader.note_unknown_keys(path, check, _KEYS)
     ignores = reader.table(check, "per-file-ignores", f"{path}.per-file-ignores")
     baseline = reader.text(check, path, "baseline")
@@ -73,10 +72,10 @@ def read_check(reader: Reader, check: Table, path: str = "check") -> CheckSettin
 
 
 def find_project_settings(paths: Iterable[str]) -> CheckSettings | None:
-    """The table [tool.rapidsim.check] of the nearest pyproject.toml that has one.
+    """Return the table [tool.rapidsim.check] of the nearest pyproject.toml that has one; else None.
 
     Raises:
-        InputError: If it has unknown keys or values of the wrong kind.
+        InputError: If it has unknown keys or values of the wrong type.
     """
     for path in paths:
         if path == "-" or not (place := Path(path)).exists():

@@ -1,4 +1,4 @@
-"""The file with which a service checks the programs at each change: `rapidsim init --ci`."""
+"""File with which a CI service checks the programs at each change: `rapidsim init --ci`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pathlib import Path
 GITHUB, GITLAB = "github", "gitlab"
 PLACES = {GITHUB: Path(".github", "workflows", "rapid.yml"), GITLAB: Path(".gitlab-ci.yml")}
 IGNORED = ("*.rrd", "*.home/")
-"""What runs leave behind, as lines of a .gitignore."""
+"""Files that runs write, as lines of a .gitignore."""
 
 _INSTALL = "pip install git+https://github.com/OWNER/rapidsim"
 _GITHUB = """name: RAPID
@@ -41,21 +41,21 @@ _GITLAB = """rapid:
 
 
 def repository_of(folder: Path) -> Path | None:
-    """The top folder of the repository of a folder; None if it is in none."""
+    """Return the top folder of the repository of a folder; None if it is in no repository."""
     return next((one for one in (folder, *folder.parents) if (one / ".git").exists()), None)
 
 
 def ci_text(service: str, paths: Sequence[str]) -> str:
-    """The text of the file.
+    """Return the text of the file.
 
     Args:
         service: `github` or `gitlab`.
-        paths: What is checked and run, from the top of the repository.
+        paths: Paths to check and run, from the top of the repository.
     """
     named = shlex.join(f"./{path}" if path.startswith("-") else path for path in paths)
     kind = "github" if service == GITHUB else "junit"
     to = "" if service == GITHUB else " > rapidsim.xml"
-    # A string of JSON is one of YAML, whatever is in the names.
+    # A JSON string is a YAML string, whatever characters the names contain.
     check = json.dumps(f"rapidsim check {named} --output-format {kind}{to}")
     run = json.dumps(f"rapidsim run {named} --no-record")
     text = _GITHUB if service == GITHUB else _GITLAB
@@ -63,7 +63,7 @@ def ci_text(service: str, paths: Sequence[str]) -> str:
 
 
 def ignored_lines(repository: Path) -> tuple[str, ...]:
-    """The lines that its .gitignore lacks."""
+    """Return the lines that its .gitignore lacks."""
     file = repository / ".gitignore"
     try:
         known = file.read_text(encoding="utf-8", errors="replace").split() if file.is_file() else []

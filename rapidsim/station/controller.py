@@ -18,14 +18,14 @@ _KEYS = ("robotware", "stubs")
 
 
 def read_stubs(reader: Reader, controller: Table) -> tuple[Path, ...]:
-    """The stub modules; errors are noted."""
+    """Read the stub modules; errors are collected in the reader."""
     names = reader.texts(controller, "controller", "stubs")
     files = (reader.inside(name, "controller.stubs") for name in names)
     return tuple(file for file in files if file is not None)
 
 
 def read_robotware_of(reader: Reader, controller: Table) -> RobotWare | None:
-    """The RobotWare version; None if the file does not give it."""
+    """Read the RobotWare version; None if the file does not specify it."""
     reader.note_unknown_keys("controller", controller, _KEYS)
     text = reader.text(controller, "controller", "robotware")
     if text is None:

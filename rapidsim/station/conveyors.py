@@ -1,4 +1,4 @@
-"""The tables [[conveyor]]: when objects arrive.
+"""The tables [[conveyor]]: times at which objects arrive.
 
 [[conveyor]]
 unit = "CNV1"
@@ -19,7 +19,7 @@ _KEYS = ("unit", "speed", "at", "every", "length")
 
 
 def read_conveyors(reader: Reader, tables: Table) -> tuple[ConveyorScript, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     scripts = []
     for path, table in reader.tables(tables, "conveyor"):
         reader.note_unknown_keys(path, table, _KEYS)

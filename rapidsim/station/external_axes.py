@@ -1,4 +1,4 @@
-"""The tables [[external_axis]]: tracks, positioners and other axes besides the arm's."""
+"""The tables [[external_axis]]: tracks, positioners and other axes in addition to the arm's."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ def read_external_axes(
     acceleration_time: float,
     defaults: Sequence[ExternalAxis] = (),
 ) -> tuple[ExternalAxis, ...]:
-    """Read the tables; errors are noted.
+    """Read the tables; errors are collected in the reader.
 
     Args:
         reader: Reads the file.
-        station: The whole file.
-        acceleration_time: How long an axis without `acceleration` takes to reach its speed [s].
-        defaults: The axes of a backup. Those of other letters stay; a key that a table lacks has
-            the value of the axis of its unit and, where it gives one, its letter.
+        station: Top-level table.
+        acceleration_time: Time [s] in which an axis without `acceleration` reaches its speed.
+        defaults: The axes of a backup. Those with other letters remain; a key that a table lacks
+            has the value of the axis of its unit and, if the table has a letter, of its letter.
 
     Returns:
         The axes in the order of their letters.
@@ -55,7 +55,7 @@ def read_external_axes(
 
 
 def _axis_of(table: Table, defaults: Sequence[ExternalAxis]) -> ExternalAxis | None:
-    """The axis of a backup that a table describes; None if there is none."""
+    """Return the axis of a backup that a table describes; None if it describes no such axis."""
     unit, letter = str(table.get("name", "")).lower(), table.get("axis")
     axes = [axis for axis in defaults if axis.unit.lower() == unit]
     if letter is None:
@@ -64,7 +64,7 @@ def _axis_of(table: Table, defaults: Sequence[ExternalAxis]) -> ExternalAxis | N
 
 
 def read_frame(reader: Reader, table: Table, path: str) -> Transform:
-    """A frame [mm] as a transform [m]; the identity if it is missing."""
+    """Read a frame [mm] as a transform [m]; the identity if it is missing."""
     reader.note_unknown_keys(path, table, _FRAME_KEYS)
     position = reader.numbers(table, path, "position", 3) or (0.0, 0.0, 0.0)
     quaternion = reader.numbers(table, path, "quaternion", 4) or (1.0, 0.0, 0.0, 0.0)

@@ -1,4 +1,4 @@
-"""The table [gripper], or several [[gripper]]: signals of a gripper, and what it holds.
+"""The table [gripper], or several [[gripper]]: signals of a gripper, and its load.
 
 [gripper]
 close = "doGrip = 1"
@@ -6,7 +6,7 @@ closed = "diGripped = 1"
 at = "stand"
 load = 2.5
 
-And [[smart_gripper]]: what the fingers of the servo gripper of an IRB 14000 meet.
+And [[smart_gripper]]: the object between the fingers of the servo gripper of an IRB 14000.
 
 [[smart_gripper]]
 task = "T_ROB_R"
@@ -24,7 +24,7 @@ _STAND, _ANYWHERE = "stand", "anywhere"
 
 
 def read_grippers(reader: Reader, tables: Table) -> tuple[Gripper, ...]:
-    """Read the table or the list; errors are noted."""
+    """Read the table or the list; errors are collected in the reader."""
     if isinstance(tables.get("gripper"), dict):
         listed = [("gripper", reader.table(tables, "gripper"))]
     else:
@@ -48,7 +48,7 @@ def read_grippers(reader: Reader, tables: Table) -> tuple[Gripper, ...]:
 
 
 def read_smart_grippers(reader: Reader, tables: Table) -> tuple[DescribedFingers, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     described = []
     for path, table in reader.tables(tables, "smart_gripper"):
         reader.note_unknown_keys(path, table, ("task", "object"))

@@ -16,13 +16,13 @@ from rapidsim.station.toml_reader import UNITS_M
 
 
 def with_meshes(arm: Robot, folder: Path, unit_m: float | None, *, in_base: bool) -> Robot:
-    """An arm with the shapes of a folder; read once, so that no run fails on a bad file.
+    """Return an arm with the shapes of a folder; read once, so that no run fails on a bad file.
 
     Args:
         arm: The arm.
         folder: The folder with the files.
-        unit_m: Their length unit [m]; None if the format defines it.
-        in_base: Whether all meshes are given in the base frame, with all axes at zero.
+        unit_m: Length unit of the files [m]; None if the format defines it.
+        in_base: Whether all meshes are drawn in the base frame, with all axes at zero.
 
     Raises:
         InputError: If there is not exactly one readable file per link.

@@ -1,4 +1,4 @@
-"""The key `rmq` of [[task]]: the task's message queue."""
+"""The key `rmq` of [[task]]: message queue of the task."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _AS_DELIVERED = QueueSettings()
 def read_queue(
     reader: Reader, path: str, task: Table, default: QueueSettings | None = None
 ) -> QueueSettings | None:
-    """The queue of a [[task]], completed from that of a backup; None if there is neither.
+    """Read the queue of a [[task]], completed from that of a backup; None without either.
 
-    Errors are noted.
+    Errors are collected in the reader.
     """
     if "rmq" not in task:
         return default

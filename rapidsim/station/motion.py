@@ -1,4 +1,4 @@
-"""The tables [motion] and [dynamics]: the parameters of the motion model."""
+"""The tables [motion] and [dynamics]: parameters of the motion model."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ _KEYS = (
     "zone_share",
 )
 _EXACT_BEFORE = "stop"
-"""What version 0.1 called the rule `exact`."""
+"""Name of the rule `exact` in version 0.1."""
 _OF_DYNAMICS = ("torque", "wrist")
 _MAIN_AXES = 3
 _Word = TypeVar("_Word", bound=str)
 
 
 class ConfigurationRule(StrEnum):
-    """The words of `configuration`; see docs/configurations.md."""
+    """Values of `configuration`; see docs/configurations.md."""
 
     COMPLIANT = "compliant"
     EXACT = "exact"
@@ -55,7 +55,7 @@ class ConfigurationRule(StrEnum):
 def read_motion(
     reader: Reader, motion: Table, dynamics: Table
 ) -> tuple[MotionModel, tuple[str, ...]]:
-    """Read both tables; errors are noted, missing values keep their defaults.
+    """Read both tables; errors are collected in the reader, missing values keep their defaults.
 
     Returns:
         The model, and remarks on settings that no longer have an effect.
@@ -64,7 +64,7 @@ def read_motion(
     reader.note_unknown_keys("dynamics", dynamics, _OF_DYNAMICS)
 
     def word(key: str, fallback: object, default: _Word) -> _Word:
-        """One of the words of a `Literal`."""
+        """Return the value of a key, which must be one of the words of a `Literal`."""
         words: tuple[_Word, ...] = get_args(fallback)
         found = reader.text(motion, "motion", key)
         if found is None:
@@ -119,7 +119,7 @@ def read_motion(
 
 
 def read_configuration_rule(reader: Reader, motion: Table) -> ConfigurationRule:
-    """Read `configuration`: what meets a stored one, and what becomes of a move that misses it."""
+    """Read `configuration`: the tolerance of a stored one, and the effect of a violation."""
     written = reader.text(motion, "motion", "configuration") or ConfigurationRule.COMPLIANT
     if written == _EXACT_BEFORE:
         return ConfigurationRule.EXACT
@@ -144,7 +144,7 @@ def _above_zero(reader: Reader, motion: Table, key: str, subject: str) -> tuple[
 
 
 def _factors(reader: Reader, dynamics: Table) -> tuple[float, float, float] | None:
-    """Factors on the torques of the main axes."""
+    """Return the factors on the torques of the main axes."""
     numbers = reader.numbers(dynamics, "dynamics", "torque", _MAIN_AXES)
     if numbers is None:
         return None

@@ -1,4 +1,4 @@
-"""The tables [[object]], [[attach]] and [collisions]: the bodies of the cell, and what is checked.
+"""The tables [[object]], [[attach]] and [collisions]: bodies of the cell, and the checked pairs.
 
 [[object]]
 name = "table"
@@ -50,7 +50,7 @@ _COLOUR = re.compile("#[0-9a-fA-F]{6}")
 
 
 def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
-    """Read the tables; None if there are none. Errors are noted."""
+    """Read the tables; None if there are no such tables. Errors are collected in the reader."""
     if not {"object", "attach", "collisions"} & station.keys():
         return None
     objects: dict[str, CellObject] = {}
@@ -77,7 +77,7 @@ def read_geometry(reader: Reader, station: Table) -> CellGeometry | None:
 
 
 def _settings(reader: Reader, table: Table, geometry: CellGeometry) -> CellGeometry:
-    """The table [collisions]."""
+    """Read the table [collisions]."""
     reader.note_unknown_keys(
         "collisions", table, ("clearance", "stop-on-collision", "own-links", "ignore")
     )

@@ -1,10 +1,9 @@
-"""Reads the station file `rapidsim.toml`: robot, motion model, tasks, signals and their drivers.
+"""Read the station file `rapidsim.toml`: robot, motion model, tasks, signals and their drivers.
 
-Every key is checked and all errors are reported at once; features that this version does not
-support are errors that say so, never ignored. A file for `--io` contains only the tables of
-signals.
+Every key is checked and all errors are reported at once; unsupported features are errors with a
+clear message, never ignored. A file for `--io` contains only the tables of signals.
 
-Each key that is missing has the value of the controller backup, where there is one.
+Each missing key has the value of the controller backup, if there is one.
 """
 
 from __future__ import annotations
@@ -64,11 +63,11 @@ def read_station(file: Path, backup: Station = NO_BACKUP) -> Station:
     """Read a station file.
 
     Args:
-        file: Where it is.
+        file: Path of the file.
         backup: The values of missing keys.
 
     Raises:
-        InputError: If it is missing, not TOML, or contains something unknown, of the wrong kind or
+        InputError: If it is missing, not TOML, or contains something unknown, of the wrong type or
             not simulated yet; all such errors at once.
     """
     table = read_toml(file)
@@ -121,7 +120,7 @@ def read_io(file: Path) -> CellIo:
 
 
 def _starts_at(reader: Reader, clock: Table) -> datetime | None:
-    """`[clock] start`: what the controller's clock shows at time zero, as TOML writes dates."""
+    """Read `[clock] start`: the controller's clock at time zero, in TOML's notation of dates."""
     reader.note_unknown_keys("clock", clock, ("start",))
     start = clock.get("start")
     if start is None or isinstance(start, datetime):
@@ -133,7 +132,7 @@ def _starts_at(reader: Reader, clock: Table) -> datetime | None:
 def _geometry(reader: Reader, table: Table) -> CellGeometry | None:
     if not table.keys() & set(_GEOMETRY_KEYS):
         return None
-    # Most stations have none, and what reads shapes takes a while to import.
+    # Most stations have no shapes, and reading shapes takes a while to import.
     from rapidsim.station.objects import read_geometry  # noqa: PLC0415
 
     return read_geometry(reader, table)

@@ -25,58 +25,57 @@ _KEYS_OF_SEVERAL = ("name", *_KEYS)
 
 @value_class(frozen=True, slots=True)
 class StationRobot:
-    """What a station says about its robot."""
+    """A robot of a station."""
 
     name: str | None = None
-    """A name of the catalogue or the path of a URDF file; None where the file names no robot."""
+    """Name in the catalogue or path of a URDF file; None if the file names no robot."""
     scale: float | None = None
-    """What the lengths of that URDF file are multiplied by, so that they are m."""
+    """Factor on the lengths of that URDF file that converts them to m."""
     start_joints_deg: tuple[float, ...] | None = None
     world_from_base: Transform = field(default_factory=Transform.identity)
     label: str | None = None
-    """What [[task]] tables call it; None where the file does not say."""
+    """Name in [[task]] tables; None if not specified."""
     unknown: str | None = None
-    """What a backup calls an arm that the catalogue does not have."""
+    """Type in a backup of an arm that the catalogue lacks."""
     axis_count: int | None = None
-    """Number of axes that a backup lists; None if it lists none."""
+    """Number of axes that a backup lists; None if it lists no axes."""
     bounds: tuple[tuple[float, float] | None, ...] = ()
-    """Of each axis what a backup lets it do [rad, m of one that slides], None where it does not
-    say."""
+    """Range of each axis in a backup [rad, or m of a prismatic axis]; None if not specified."""
     carried_by: str | None = None
-    """The mechanical unit that moves its base, where what its axes do is not known."""
+    """Mechanical unit that moves its base, if the motion of its axes is unknown."""
     shapes: Path | None = None
-    """The folder of the user's own meshes of its links."""
+    """Folder of the user's own meshes of its links."""
     shapes_unit_m: float | None = None
-    """What they count in [m]; None where the file does not say."""
+    """Length unit of the meshes [m]; None if not specified."""
     shapes_in_base: bool = False
-    """Whether all are drawn in the base frame, with all axes at zero."""
+    """Whether all meshes are drawn in the base frame, with all axes at zero."""
     external: tuple[ExternalAxis, ...] = ()
-    """Axes beside it, where it is not the first: those of the first are the station's."""
+    """Its external axes, if it is not the first robot: those of the first are the station's."""
 
     def has_bounds_of(self, name: str) -> bool:
-        """Whether the axis bounds apply to an arm: to this one, or to one that stands in for it."""
+        """Whether the axis bounds apply to an arm: to this one, or to a substitute for it."""
         return self.name is None or entry_name(self.name) == entry_name(name)
 
     @property
     def can_be_guessed(self) -> bool:
-        """Whether an arm of the catalogue may stand in: the targets of six axes mean the same."""
+        """Whether another arm may be a substitute: targets of six axes are equivalent."""
         return self.axis_count in (None, _USUAL_AXES)
 
     @property
     def is_special(self) -> bool:
-        """Whether shapes or bounds of axes are given, which are those of one arm."""
+        """Whether shapes or bounds of axes are specified, which apply to one arm only."""
         return self.shapes is not None or any(one is not None for one in self.bounds)
 
     def fitted(self, arm: Robot) -> Robot:
-        """The arm with the configured shapes and axis bounds.
+        """Return the arm with the configured shapes and axis bounds.
 
         Raises:
-            InputError: If the shapes do not fit such an arm, or cannot be read.
+            InputError: If the shapes do not fit the arm, or cannot be read.
         """
         arm = self._bounded(arm)
         if self.shapes is None:
             return arm
-        # Most stations have none, and what reads shapes takes a while to import.
+        # Most stations have no shapes, and reading shapes takes a while to import.
         from rapidsim.station.link_meshes import with_meshes  # noqa: PLC0415
 
         return with_meshes(arm, self.shapes, self.shapes_unit_m, in_base=self.shapes_in_base)
@@ -94,13 +93,13 @@ class StationRobot:
 def read_robots(
     reader: Reader, station: Table, defaults: Sequence[StationRobot] = ()
 ) -> tuple[StationRobot, ...]:
-    """Read [robot], or each [[robot]]; empty if there is neither. Errors are noted.
+    """Read [robot] or each [[robot]]; empty if missing. Errors are collected in the reader.
 
     Args:
         reader: Reads the file.
         station: The top-level table.
-        defaults: The robots of a backup. A table describes the one with its `name`, else the first
-            that no other table describes; a key that it lacks has that robot's value.
+        defaults: The robots of a backup. A table describes the robot with its `name`, else the
+            first that no other table describes; a key that it lacks has that robot's value.
     """
     if "robot" not in station:
         return tuple(defaults)
@@ -122,7 +121,7 @@ def read_robots(
 
 
 def _places(tables: Sequence[tuple[str, Table]], defaults: Sequence[StationRobot]) -> list[int]:
-    """The place of the robot that each table describes."""
+    """Return the index of the robot that each table describes."""
     labels = [robot.label.lower() for robot in defaults if robot.label]
     named: dict[int, int] = {}
     for number, (_, table) in enumerate(tables):
@@ -136,7 +135,7 @@ def _places(tables: Sequence[tuple[str, Table]], defaults: Sequence[StationRobot
 def dropped_bounds(
     robots: Sequence[StationRobot], defaults: Sequence[StationRobot]
 ) -> Iterator[str]:
-    """Remarks on axis bounds of a backup that belong to another arm."""
+    """Yield remarks on axis bounds of a backup that belong to another arm."""
     for robot, backup in zip(robots, defaults, strict=False):
         if any(backup.bounds) and not robot.bounds:
             yield f"joint limits of the backup are those of {backup.name}, not of {robot.name}"

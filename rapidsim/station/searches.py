@@ -17,7 +17,7 @@ _KEYS = ("wobj", "name", "position", "quaternion")
 
 
 def read_searches(reader: Reader, tables: Table) -> tuple[PartPose, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     parts = []
     for path, table in reader.tables(tables, "search"):
         reader.note_unknown_keys(path, table, _KEYS)

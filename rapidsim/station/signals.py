@@ -34,13 +34,13 @@ _KINDS = ", ".join(kind.value for kind in SignalKind)
 def read_signals(
     reader: Reader, signals: Table, defaults: Sequence[SignalDeclaration] = ()
 ) -> tuple[SignalDeclaration, ...]:
-    """Read the table; errors are noted.
+    """Read the table; errors are collected in the reader.
 
     Args:
         reader: Reads the file.
         signals: The table.
-        defaults: The signals of a backup: those the table does not name stay, and a key that one of
-            its signals lacks has their value. Signals of the table come last.
+        defaults: The signals of a backup: signals not in the table remain, and a key that a signal
+            of the table lacks has the backup's value. Signals of the table are last.
     """
     backup = {signal.name.lower(): signal for signal in defaults}
     declared: dict[str, SignalDeclaration] = {}
@@ -62,9 +62,9 @@ def read_signals(
 def read_crosses(
     reader: Reader, tables: Table, defaults: Sequence[CrossConnection] = ()
 ) -> tuple[CrossConnection, ...]:
-    """Read the list; errors are noted, circular connections too.
+    """Read the list; errors, also circular connections, are collected in the reader.
 
-    Those of a backup come first, except for the signals that the list connects.
+    Connections of a backup are first, except for the signals that the list connects.
     """
     crosses = []
     for path, table in reader.tables(tables, "cross"):
@@ -84,7 +84,7 @@ def read_crosses(
 
 
 def read_when(reader: Reader, table: Table, path: str, key: str) -> Condition | None:
-    """A condition on signals; None if it is missing or wrong."""
+    """Read a condition on signals; None if it is missing or invalid."""
     text = reader.text(table, path, key)
     if text is None:
         return None
@@ -101,7 +101,7 @@ def _signal(
     reader.note_unknown_keys(path, table, _KEYS)
     text = reader.text(table, path, "type") or ("" if backup is None else backup.kind.value)
     if text.lower() not in list(SignalKind):
-        reader.wrong(f"{path}.type", f"`{text}` is not a type of signal; there are {_KINDS}")
+        reader.wrong(f"{path}.type", f"unknown signal type `{text}`; expected {_KINDS}")
         return None
     kind = SignalKind(text.lower())
     if backup is not None and backup.kind is not kind:
@@ -124,7 +124,7 @@ def _signal(
 def _status(
     reader: Reader, path: str, table: Table, backup: SignalDeclaration | None
 ) -> Status | None:
-    """What a system output shows."""
+    """Read the status that a system output shows; None for other signals."""
     text = reader.text(table, path, "system")
     if text is None and backup is not None and backup.status is not None:
         return backup.status
@@ -147,7 +147,7 @@ def _limits(
     table: Table,
     backup: SignalDeclaration | None,
 ) -> tuple[float | None, float | None]:
-    """The least and greatest value of a signal; analog ones may have none."""
+    """Return the lowest and highest value of a signal; analog ones may have no limits."""
     allowed: tuple[str, ...] = ()
     limits: tuple[float | None, float | None] = (0.0, 1.0)
     known = (None, None) if backup is None else (backup.lowest, backup.highest)
@@ -176,12 +176,12 @@ def _limits(
 
 
 def follows_itself(cross: CrossConnection, crosses: Sequence[CrossConnection]) -> bool:
-    """Whether a signal depends on itself through some of the connections."""
+    """Whether a signal depends on itself through connections."""
     return cross.result.lower() in _sources(cross.result.lower(), crosses)
 
 
 def _sources(signal: str, crosses: Sequence[CrossConnection]) -> set[str]:
-    """Folded names of all signals that a signal follows, directly or not."""
+    """Return the folded names of all signals that a signal depends on, directly or not."""
     found: set[str] = set()
     open_names = [signal]
     while open_names:

@@ -6,7 +6,7 @@ repeat = true
 steps = [{ expect = "TRIG", after = 0.2, send = "12.5,3.0,90\r\n" }]
 
 With `connect = 5000` in place of `accept` the peer is a client of the program's server. With
-`udp = true` it sends and takes datagrams: what a step sends is one.
+`udp = true` it exchanges datagrams: one for each `send` of a step.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _LARGEST_PORT = 65535
 
 
 def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     scripts = []
     for path, table in reader.tables(tables, "socket"):
         reader.note_unknown_keys(path, table, _KEYS)
@@ -62,10 +62,10 @@ def read_sockets(reader: Reader, tables: Table) -> tuple[SocketScript, ...]:
 
 
 def _place(reader: Reader, table: Table, path: str, key: str) -> tuple[str, int]:
-    """Address and port: `5000`, or `"192.168.125.5:5000"`."""
+    """Read address and port: `5000`, or `"192.168.125.5:5000"`."""
     value = table[key]
     address, _, digits = value.rpartition(":") if isinstance(value, str) else ("", "", str(value))
-    # Five digits and no others: int() takes neither a thousand of them nor superscripts.
+    # At most five ASCII digits: int() fails on superscripts and on thousands of digits.
     if not _PORT.fullmatch(digits) or not 1 <= int(digits) <= _LARGEST_PORT:
         example = 'a port is needed, as in 5000 or "192.168.125.5:5000"'
         reader.wrong(f"{path}.{key}", f"{example}; ports are 1 to {_LARGEST_PORT}")

@@ -1,6 +1,6 @@
-"""The content of a station file `rapidsim.toml`, and where it is looked for.
+"""Content of a station file `rapidsim.toml`, and the search for the file.
 
-Most programs that are checked have none, so nothing here needs NumPy; `read.py` does.
+Most programs that are checked have no such file, so this module needs no NumPy; `read.py` does.
 """
 
 from __future__ import annotations
@@ -33,67 +33,67 @@ _MODULE_FOLDERS = ("RAPID", "PROGMOD", "SYSMOD")
 
 @value_class(frozen=True, slots=True)
 class Station:
-    """The content of a station file; without one, all defaults."""
+    """Content of a station file; without one, all defaults."""
 
     file: Path | None = None
     robots: tuple[StationRobot, ...] = ()
-    """In the order of the file; none without one."""
+    """Robots in the order of the file; empty without a file."""
     external_axes: tuple[ExternalAxis, ...] = ()
-    """Those of the first robot."""
+    """External axes of the first robot."""
     model: MotionModel = field(default_factory=MotionModel)
     nearest_configuration: bool = False
-    """Whether moves go on to the nearest configuration where the stored one cannot be had."""
+    """Whether moves continue to the nearest configuration if the stored one is unreachable."""
     exact_configuration: bool = False
-    """Whether a stored configuration is not met where an axis is one quarter turn off."""
+    """Whether a stored configuration is not met if an axis is one quarter turn off."""
     tasks: tuple[StationTask, ...] = ()
-    """In the order of the file; without any there is one, with the first robot."""
+    """Tasks in the order of the file; if empty there is one, with the first robot."""
     io: CellIo = field(default_factory=CellIo)
     robotware: RobotWare | None = None
-    """What the controller has; None where nobody says, and all that any version has is known."""
+    """RobotWare version; None if unspecified, so that the features of all versions are known."""
     stubs: tuple[Path, ...] = ()
-    """Modules that stand for libraries which the program lacks; all tasks have them."""
+    """Modules in place of libraries that the program lacks; all tasks have them."""
     configured: Configured = field(default_factory=dict)
-    """The system parameters of a backup."""
+    """System parameters of a backup."""
     starts_at: datetime | None = None
-    """Date and time of day at which a run begins; None where the file does not say."""
+    """Date and time of day at the start of a run; None if not specified."""
     check: CheckSettings = field(default_factory=CheckSettings)
-    """What `check` looks for."""
+    """Settings of `check`."""
     geometry: CellGeometry | None = None
-    """What stands in the cell; None where nothing says, and no contact is looked for."""
+    """Bodies of the cell; None if unspecified, and no contacts are checked."""
     robot_source: str | None = None
-    """What names the robots, in words; None where that is the file."""
+    """Description of the source of the robots; None if it is the file."""
     other_units: tuple[str, ...] = ()
-    """Mechanical units beside the robots of which only the names are known."""
+    """Further mechanical units, of which only the names are known."""
     remarks: tuple[str, ...] = ()
-    """What is said of the cell and left out."""
+    """Notes on unsupported station entries."""
 
     @property
     def robot(self) -> str | None:
-        """The first robot, by name or URDF file; None if the file names none."""
+        """First robot, by name or URDF file; None if the file names none."""
         return self.robots[0].name if self.robots else None
 
     @property
     def start_joints_deg(self) -> tuple[float, ...] | None:
-        """The start position of the first robot; None if the file gives none."""
+        """Start position of the first robot; None if the file does not specify it."""
         return self.robots[0].start_joints_deg if self.robots else None
 
     @property
     def world_from_base(self) -> Transform | None:
-        """The base frame of the first robot; None if it is the world frame."""
+        """Base frame of the first robot; None if it is the world frame."""
         return self.robots[0].world_from_base if self.robots else None
 
     @property
     def task(self) -> str:
-        """The name of the first task."""
+        """Name of the first task."""
         return self.tasks[0].name if self.tasks else DEFAULT_TASK
 
     def robot_number(self, task: str) -> int:
-        """Which of the robots a task moves; the first if the file does not say."""
+        """Return the number of the robot that a task moves; the first if not specified."""
         numbers = {one.name.lower(): one.robot_number for one in self.tasks}
         return numbers.get(task.lower()) or 0
 
     def entry(self, task: str) -> str | None:
-        """The procedure that a task begins with; None if not specified."""
+        """Return the entry procedure of a task; None if not specified."""
         return {one.name.lower(): one.entry for one in self.tasks}.get(task.lower())
 
     @property
@@ -103,16 +103,16 @@ class Station:
 
     @property
     def units(self) -> tuple[str, ...]:
-        """Names of the mechanical units besides the robot."""
+        """Names of the mechanical units other than the robots."""
         further = (axis for robot in self.robots for axis in robot.external)
         simulated = (axis.unit for axis in (*self.external_axes, *further))
         return tuple(dict.fromkeys((*simulated, *self.other_units)))
 
 
 def find_station(paths: Iterable[str]) -> Path | None:
-    """The station file next to the first path that is a file or folder, or in a folder above.
+    """Return the station file next to the first path that exists, or in a folder above it.
 
-    One in the folder of its modules (RAPID, PROGMOD, SYSMOD) is next to a folder, too.
+    A file in the module folder (RAPID, PROGMOD, SYSMOD) of a folder counts as next to it, too.
 
     Raises:
         InputError: If it is a link to another folder.

@@ -18,7 +18,7 @@ _LEAST_PERIOD_S = 0.001
 
 
 def read_stimuli(reader: Reader, tables: Table) -> tuple[Stimulus, ...]:
-    """Read the list; errors are noted."""
+    """Read the list; errors are collected in the reader."""
     stimuli = []
     for path, table in reader.tables(tables, "stimulus"):
         reader.note_unknown_keys(path, table, _KEYS)

@@ -1,4 +1,4 @@
-"""How a controller treats a task."""
+"""Type of a task, which determines its treatment by a controller."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ class TaskKind(StrEnum):
     """The type of a task in the configuration of a controller."""
 
     NORMAL = "normal"
-    """It is started and stopped; the run lasts as long as any of these."""
+    """Started and stopped by the user; the run lasts until all of these have ended."""
     STATIC = "static"
-    """It runs in the background and starts again from main when it has ended."""
+    """Runs in the background and restarts from main when it has ended."""
     SEMISTATIC = "semistatic"
-    """As `STATIC`; a controller starts it anew when it is switched on."""
+    """Like `STATIC`; a controller restarts it from main when it is switched on."""

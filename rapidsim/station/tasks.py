@@ -8,7 +8,7 @@ robot = "right"            # the `name` of a [[robot]]; else the next robot that
 name = "T_BACK"
 modules = ["background.mod"]
 type = "semistatic"        # or "static"; "normal" by default
-motion = false             # it moves nothing; the default if no robot is left
+motion = false             # moves nothing; the default if no robot remains
 entry = "watch"            # the procedure it begins with; "main" by default
 check_references = false   # unresolved references are allowed (-BindRef 0)
 rmq = { type = "remote", mode = "synchronous", size = 400, messages = 5 }
@@ -37,24 +37,24 @@ class StationTask:
 
     name: str = DEFAULT_TASK
     modules: tuple[Path, ...] = ()
-    """Modules, program files or folders; the first task has those a command names besides."""
+    """Modules, program files or folders; the first task also has those of the command line."""
     kind: TaskKind = TaskKind.NORMAL
     motion: bool | None = None
-    """None where the file does not say."""
+    """None if not specified."""
     robot: str | None = None
-    """Name of its robot; None where the file names none."""
+    """Name of its robot; None if the file names none."""
     robot_number: int | None = None
-    """Which of the station's robots it moves, from 0; None where it moves none."""
+    """Number of its robot in the station, from 0; None if it moves none."""
     entry: str | None = None
-    """The procedure it begins with; None where the file does not say."""
+    """Entry procedure; None if not specified."""
     unseen: tuple[str, ...] = ()
-    """Modules that a backup's configuration loads into it and that are not in the backup."""
+    """Modules that a backup's configuration loads into it and that the backup lacks."""
     queue: QueueSettings | None = None
-    """Its message queue; None where nobody describes it."""
+    """Message queue of the task; None if it is not described."""
     refers_late: bool = False
-    """Whether it is loaded with references that nothing declares."""
+    """Whether it is loaded with unresolved references."""
     is_system: bool = False
-    """Whether it is the controller's own, such as that of its safety board: no run has it."""
+    """Whether it is a task of the controller itself, such as of its safety board: no run has it."""
 
 
 _NO_TASK = StationTask()
@@ -66,13 +66,13 @@ def read_tasks(
     robots: Sequence[str | None],
     defaults: Sequence[StationTask] = (),
 ) -> tuple[StationTask, ...]:
-    """Read the tables; what is wrong is noted.
+    """Read the tables; errors are collected in the reader.
 
     Args:
         reader: Reads the file.
         station: The top-level table.
         robots: The names of the robots; None for one without a name.
-        defaults: The tasks of a backup: they come first, in their order, and a key that a table of
+        defaults: The tasks of a backup: they are first, in their order, and a key that a table of
             their name lacks has their value.
     """
     backup = {task.name.lower(): task for task in defaults}
@@ -134,7 +134,7 @@ def _kind(reader: Reader, path: str, task: Table) -> TaskKind:
 def _with_robots(
     reader: Reader, tasks: Sequence[StationTask], robots: Sequence[str | None]
 ) -> tuple[StationTask, ...]:
-    """Give tasks the robots they name, then those that are left in order."""
+    """Assign tasks the robots they name, then the remaining robots in order."""
     taken: dict[int, str] = {}
     numbers: dict[str, int] = {}
     names = [name.lower() if name else None for name in robots]

@@ -1,4 +1,4 @@
-"""A draft station file: what is known of a cell, as TOML."""
+"""Template of a station file: the known facts about a cell, as TOML."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ class TemplateRobot:
     """An arm of the cell."""
 
     label: str | None = None
-    """Its name, where there are several."""
+    """Its name, if there are several arms."""
     model: str | None = None
-    """None where nothing names an arm that the catalogue has."""
+    """None if no arm of the catalogue is named."""
     remark: str = NOT_NAMED
 
 
@@ -49,7 +49,7 @@ class TemplateTask:
 
     name: str
     modules: tuple[str, ...]
-    """Paths from where the file will lie, with `/`."""
+    """Paths relative to the folder of the file, with `/`."""
     kind: TaskKind = TaskKind.NORMAL
     moves: bool = True
     robot: str | None = None
@@ -64,44 +64,44 @@ class SuggestedStimulus:
     signal: str
     value: float
     after: str | None = None
-    """The output that the program sets before, as a condition; None where it sets none."""
+    """Output that the program sets before, as a condition; None if it sets no output."""
 
 
 @value_class(frozen=True, slots=True)
 class Suggestions:
-    """Tables that a user may want, written as comments: they change nothing."""
+    """Tables that a user may want, written as comments without effect."""
 
     arm: str | None = None
-    """Why the arm should be named."""
+    """Reason why the arm should be named."""
     signals: tuple[SignalDeclaration, ...] = ()
     """Signals that programs use and a backup does not declare."""
     missing: tuple[str, ...] = ()
-    """Other names that they use and nothing declares, each with what it may be."""
+    """Other undeclared names that they use, each with its possible meaning."""
     stimuli: tuple[SuggestedStimulus, ...] = ()
     undriven: tuple[str, ...] = ()
     """Other inputs that nothing sets."""
     objects: bool = False
-    """Whether the programs move something that could collide."""
+    """Whether the programs move an arm that could collide."""
 
 
 @value_class(frozen=True, slots=True)
 class StationTemplate:
-    """What is known of a cell."""
+    """Content of a template."""
 
     remarks: tuple[str, ...] = ()
-    """What stands at the top as comments."""
+    """Comments at the top."""
     robots: tuple[TemplateRobot, ...] = ()
-    """None where a backup says it all."""
+    """Arms; empty if a backup describes them all."""
     tasks: tuple[TemplateTask, ...] = ()
-    """None where there is one, or a backup says it all."""
+    """Tasks; empty if there is only one, or a backup describes them all."""
     signals: tuple[SignalDeclaration, ...] = ()
     missing: tuple[str, ...] = ()
-    """Names of routines, types and data that nothing declares, each with what it may be."""
+    """Undeclared names of routines, types and data, each with its possible meaning."""
     suggestions: Suggestions = field(default_factory=Suggestions)
 
 
 def draft_text(draft: StationTemplate) -> str:
-    """The text of the file."""
+    """Return the text of the file."""
     blocks = [
         [f"# {remark}" for remark in draft.remarks],
         *(list(_robot(robot, several=len(draft.robots) > 1)) for robot in draft.robots),
@@ -117,7 +117,7 @@ def draft_text(draft: StationTemplate) -> str:
 
 
 def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
-    """A block of lines per suggestion."""
+    """Yield a block of lines per suggestion."""
     if suggestions.arm is not None:
         yield (f"The arm: {suggestions.arm}.", "[robot]", 'model = "..."')
     if suggestions.signals:
@@ -138,7 +138,7 @@ def _suggested(suggestions: Suggestions) -> Iterator[Sequence[str]]:
     if suggestions.undriven:
         yield (f"Other inputs that nothing sets: {', '.join(suggestions.undriven)}",)
         if not suggestions.stimuli:
-            # A loop that only looks at them ends no run: one that comes and goes shows how.
+            # A loop that polls them does not end a run: the example is a pulse.
             first = _key(suggestions.undriven[0])
             yield ("[[stimulus]]", "at = 1.0", "pulse = 0.5", f"set = {{ {first} = 1 }}")
     if suggestions.objects:

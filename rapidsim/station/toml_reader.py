@@ -1,4 +1,4 @@
-"""Reads values from the tables of a TOML file and collects errors, by key."""
+"""Typed access to the tables of a TOML file, which collects errors by key."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from rapidsim.values import value_class
 
 Table = Mapping[str, object]
 UNITS_M = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "inch": 0.0254}
-"""Units of length [m] that drawings count in."""
+"""Units of length [m] of drawings."""
 
 
 @value_class(frozen=True, slots=True)
 class Reader:
-    """Reads one file; a wrong value is noted and treated as missing."""
+    """Reader of one file; an invalid value is recorded as an error and treated as missing."""
 
     file: Path
     _mistakes: list[tuple[str, str | None]] = field(default_factory=list)
 
     def wrong(self, key: str, message: str, help: str | None = None) -> None:
-        """Note an error."""
+        """Record an error."""
         self._mistakes.append((f"{self.file}: {key}: {message}", help))
 
     def inside(self, name: str, key: str) -> Path | None:
-        """The path of a file named in this one; None if it is outside this one's folder."""
+        """Return the path of a file named in this one; None if it is outside this file's folder."""
         folder = self.file.parent
         try:
             require_inside([folder / name], [folder])
@@ -39,10 +39,10 @@ class Reader:
         return folder / name
 
     def finish(self) -> None:
-        """End reading.
+        """Raise the errors that were recorded.
 
         Raises:
-            InputError: With all errors, if there were any.
+            InputError: With all errors, if there are any.
         """
         if not self._mistakes:
             return
@@ -52,7 +52,7 @@ class Reader:
         raise InputError("\n".join(lines))
 
     def note_unknown_keys(self, path: str, table: Table, keys: Iterable[str]) -> None:
-        """Note the unknown keys of a table."""
+        """Record the unknown keys of a table as errors."""
         keys = tuple(keys)
         for key in table:
             if key not in keys:
@@ -60,7 +60,7 @@ class Reader:
                 self.wrong(f"{path}.{key}" if path else key, "no such key", help)
 
     def table(self, values: Table, key: str, path: str | None = None) -> Table:
-        """A table; empty if it is missing."""
+        """Return a table; empty if it is missing."""
         table = values.get(key, {})
         if not isinstance(table, dict):
             self.wrong(path or key, f"a table is needed, as in [{path or key}]")
@@ -68,7 +68,7 @@ class Reader:
         return table
 
     def tables(self, values: Table, key: str) -> Iterator[tuple[str, Table]]:
-        """The tables of a list, each with its path for messages: `stimulus 2`."""
+        """Return the tables of a list, each with its path for messages: `stimulus 2`."""
         tables = values.get(key, [])
         if not isinstance(tables, list) or not all(isinstance(one, dict) for one in tables):
             self.wrong(key, f"they are written as [[{key}]]")
@@ -77,7 +77,7 @@ class Reader:
             yield (f"{key} {number}" if len(tables) > 1 else key), table
 
     def text(self, values: Table, path: str, key: str) -> str | None:
-        """A string; None if it is missing."""
+        """Return a string; None if it is missing."""
         value = values.get(key)
         if value is not None and not isinstance(value, str):
             self.wrong(f"{path}.{key}", "text in quotes is needed")
@@ -85,7 +85,7 @@ class Reader:
         return value
 
     def texts(self, values: Table, path: str, key: str) -> tuple[str, ...]:
-        """A list of strings; empty if it is missing."""
+        """Return a list of strings; empty if it is missing."""
         value = values.get(key, [])
         if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
             self.wrong(f"{path}.{key}", "a list of texts is needed")
@@ -93,7 +93,7 @@ class Reader:
         return tuple(value)
 
     def flag(self, values: Table, path: str, key: str) -> bool:
-        """A flag; False if it is missing."""
+        """Return a flag; False if it is missing."""
         value = values.get(key, False)
         if not isinstance(value, bool):
             self.wrong(f"{path}.{key}", "true or false is needed")
@@ -101,7 +101,7 @@ class Reader:
         return value
 
     def number(self, values: Table, path: str, key: str) -> float | None:
-        """A number; None if it is missing."""
+        """Return a number; None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -111,7 +111,7 @@ class Reader:
         return float(value)
 
     def not_negative(self, values: Table, path: str, key: str) -> float | None:
-        """A non-negative number; None if it is missing."""
+        """Return a non-negative number; None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -121,7 +121,7 @@ class Reader:
         return float(value)
 
     def positive(self, values: Table, path: str, key: str) -> float | None:
-        """A positive number; None if it is missing."""
+        """Return a positive number; None if it is missing."""
         value = self.not_negative(values, path, key)
         if value == 0.0:
             self.wrong(f"{path}.{key}", "a number above 0 is needed")
@@ -131,7 +131,7 @@ class Reader:
     def numbers(
         self, values: Table, path: str, key: str, count: int | None
     ) -> tuple[float, ...] | None:
-        """A list of numbers, `count` of them unless that is None; None if it is missing."""
+        """Return a list of `count` numbers (None: any number); None if it is missing."""
         value = values.get(key)
         if value is None:
             return None
@@ -146,7 +146,7 @@ class Reader:
 
 
 def read_toml(file: Path) -> Table:
-    """The top-level table of a TOML file.
+    """Return the top-level table of a TOML file.
 
     Raises:
         InputError: If it is missing or not TOML.
@@ -168,5 +168,5 @@ def is_number(value: object) -> TypeGuard[float]:
     try:
         return math.isfinite(value)
     except OverflowError:
-        # An integer that no float holds.
+        # An integer that exceeds the range of a float.
         return False

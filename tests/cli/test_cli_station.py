@@ -128,7 +128,7 @@ def test_an_arm_in_millimetres_runs_and_is_checked_when_it_is_scaled(in_millimet
         ("[[task]]\n[[task]]", "there are two tasks T_ROB1", None),
         ("task = 3", "task: they are written as [[task]]", None),
         ("[signals]\ndi1 = 3", "signals.di1: a table is needed", None),
-        ('[signals]\ndi1 = { type = "dj" }', "`dj` is not a type of signal", None),
+        ('[signals]\ndi1 = { type = "dj" }', "unknown signal type `dj`", None),
         ('[signals]\ngo1 = { type = "go", width = 40 }', "go1.width: a whole number", None),
         ('[signals]\ndi1 = { type = "di", min = 1 }', "di1.min: a di has no such key", None),
         ('[signals]\ngo1 = { type = "go", width = 2, value = 4 }', "4 is outside", None),

@@ -59,7 +59,7 @@ def test_a_dialog_may_end_without_an_answer(controller: RecordingController) -> 
     controller.nobody = True
     controller.call("UIMessageBox", message="?", max_time=5.0, break_flag=flag)
     assert flag.value == errors.ERR_TP_MAXTIME
-    with pytest.raises(RapidError, match="nobody answered within 5 s"):
+    with pytest.raises(RapidError, match="no answer within 5 s"):
         controller.call("UINumEntry", message="?", max_time=5.0)
     assert controller.call("UINumEntry", init_value=3.0, max_time=5.0, break_flag=flag) == 3.0
 

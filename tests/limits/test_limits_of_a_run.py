@@ -184,7 +184,7 @@ def test_a_socket_without_permission(tmp_path: Path) -> None:
     body = '    SocketCreate s;\n    SocketConnect s,"127.0.0.1",80;'
     it = run(main(body, "  VAR socketdev s;"), tmp_path)
     assert it.code == 1
-    assert "nobody answers at 127.0.0.1:80 within 60 s" in it.out
+    assert "nothing listens at 127.0.0.1:80 within 60 s" in it.out
     assert "--allow-network" in it.out
 
 

@@ -38,9 +38,7 @@ def test_a_program_that_stops_itself_says_where(statement: str, name: str) -> No
     assert len(it.run.moves) == 1
     found = it.only("R107")
     assert found.severity == "note"
-    assert (
-        found.violation.message == f"`{name}` stopped the program here, and nothing restarts it"
-    )
+    assert found.violation.message == f"`{name}` stopped the program here, and nothing restarts it"
     assert (found.routine, found.span and found.span.line) == ("inner", 17)
     assert calls(found) == [("called from main", 8)]
 

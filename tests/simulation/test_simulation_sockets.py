@@ -120,7 +120,7 @@ def test_without_a_peer_and_without_permission_the_run_says_so() -> None:
     it = ran(CLIENT)
     assert it.end == "error"
     error, warning = it.only("R101"), it.only("R112")
-    told = "nobody answers at 192.168.125.5:5000 within 3 s (ERR_SOCK_TIMEOUT)"
+    told = "nothing listens at 192.168.125.5:5000 within 3 s (ERR_SOCK_TIMEOUT)"
     assert error.violation.message == told
     assert "--allow-network" in (warning.violation.help or "")
     assert it.run.time_s == pytest.approx(3.0)

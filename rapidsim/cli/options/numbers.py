@@ -65,7 +65,7 @@ def numbers(*counts: int) -> Callable[[str], tuple[float, ...]]:
         found = tuple(_number(part.strip(), text) for part in parts)
         if counts and len(found) not in counts:
             wanted = " or ".join(map(str, counts))
-            raise click.BadParameter(f"`{text}` has {len(found)} numbers, not {wanted}")
+            raise click.BadParameter(f"expected {wanted} numbers, got {len(found)}")
         return found
 
     return read

@@ -1,1 +1,1 @@
-"""What is known at each statement of a program without running it."""
+"""Static analysis of the values at each statement of a program."""

@@ -1,9 +1,10 @@
 """Abstract interpreter of a program, which collects the moves whose arguments are static.
 
 Calls are followed from main with their arguments, so a move is known together with its predecessor.
-Both branches of an unknown condition are taken; a loop with known bounds is executed iteration by
-iteration, any other once from its entry and once for all further iterations. Routines without a
-caller are entries, too. Data that may have been written in between are forgotten, never guessed.
+Both branches of an unknown condition are interpreted; a loop with known bounds is executed
+iteration by iteration, any other once from its entry and once for all further iterations. Routines
+without a caller are entries, too. Values that may have been overwritten are forgotten, never
+guessed.
 """
 
 from __future__ import annotations
@@ -42,11 +43,11 @@ from rapidsim.reach.dataflow.transfer_functions import InstructionEffect, perfor
 from rapidsim.syntax import tree
 
 MOST_STATEMENTS = 100_000
-"""After so many beyond one walk through the text, loops and calls are no longer followed."""
+"""After this many statements beyond the text itself, loops and calls are no longer followed."""
 MOST_ROUNDS = 2000
-"""Rounds of a loop with moves that are walked one by one."""
+"""Largest number of iterations that are interpreted, for a loop with moves."""
 MOST_IDLE_ROUNDS = 100
-"""The same for loops without moves."""
+"""Largest number of iterations that are interpreted, for a loop without moves."""
 DEEPEST_CALL = 12
 ENTRY = "main"
 
@@ -61,7 +62,7 @@ _START = KnownSettings()
 
 @dataclass(eq=False)
 class AbstractInterpreter:
-    """Walks through the routines of a program, tracking what is known."""
+    """Abstract interpreter of the routines of a program."""
 
     program: Program
     effects: ProgramEffects
@@ -70,23 +71,23 @@ class AbstractInterpreter:
     moves: list[KnownMove] = field(default_factory=list)
     unknown: dict[MoveStatement, str] = field(default_factory=dict)
     unreached: dict[MoveStatement, str] = field(default_factory=dict)
-    """As `unknown`, where no way through the program leads there; it counts if nothing else does.
+    """Reasons why moves on no path of the program are unknown; used if no path reaches them.
     """
     _index: dict[object, int] = field(default_factory=dict)
     _stack: list[AbstractFrame] = field(default_factory=list)
     _entered: set[RoutineSymbol] = field(default_factory=set)
     _constants: dict[Symbol, Known] = field(default_factory=dict)
     _body_effects: dict[int, tuple[tree.Body, Effects]] = field(default_factory=dict)
-    """By identity, with the bodies: some are cut out of others, and must stay for that."""
+    """Effects by identity, with the bodies: some are slices of others, and must stay alive."""
     _turns: list[list[State]] = field(default_factory=list)
-    """For each loop that is walked, what was known where CONTINUE ended its turn."""
+    """For each active loop, the states at which CONTINUE ended its iteration."""
     _run_ends: dict[int, int] = field(default_factory=dict)
-    """By the move before a run, the last move of the run."""
+    """By the move before bulk statements, the last of their moves."""
     _unreachable: set[int] = field(default_factory=set)
     _is_unreachable: int = 0
-    """Above 0 while statements are walked that this way through the program does not reach."""
+    """Above 0 while interpreting statements that the current path does not reach."""
     _from_start: bool = False
-    """Whether data not written on this way hold their initial values for sure."""
+    """Whether data not written on the current path certainly have their initial values."""
     _steps_remaining: int = MOST_STATEMENTS
 
     def __post_init__(self) -> None:
@@ -95,7 +96,7 @@ class AbstractInterpreter:
     # --- routines
 
     def walk_all(self) -> None:
-        """Walk main first, then what nothing calls, then the rest."""
+        """Interpret main first, then routines that nothing calls, then the rest."""
         main = self.program.routines.get(ENTRY)
         if main is not None:
             self._from_start = True
@@ -121,7 +122,7 @@ class AbstractInterpreter:
         self._walk_body(routine)
 
     def _walk_clauses(self, routine: RoutineSymbol) -> None:
-        """Error handlers and their like: they may be entered from anywhere in the body."""
+        """Interpret error handlers and similar clauses, entered from anywhere in the body."""
         _, *others = clauses(routine.node)
         for body in others:
             if not self._effects_of(body).moves:
@@ -137,7 +138,7 @@ class AbstractInterpreter:
             self._from_start = from_start
 
     def _walk_body(self, routine: RoutineSymbol) -> Known:
-        """Walk a routine from the current state to what is known after it; its result."""
+        """Interpret a routine from the current state; return its result."""
         self._entered.add(routine)
         frame = AbstractFrame(routine)
         self._stack.append(frame)
@@ -150,7 +151,7 @@ class AbstractInterpreter:
         return NotStatic(f"`{routine.name}` returns what depends on the run")
 
     def call(self, symbol: RoutineSymbol, arguments: Sequence[tree.Argument]) -> Known:
-        """Follow a call of a routine of the program; the result of a function."""
+        """Follow a call of a routine of the program; return the result of a function."""
         stacked = any(frame.routine is symbol for frame in self._stack)
         if stacked or len(self._stack) >= DEEPEST_CALL or self._steps_remaining < 0:
             self._forget_effects(self.effects.of_routine(symbol), _BY_CALL)
@@ -186,7 +187,7 @@ class AbstractInterpreter:
     # --- data
 
     def read(self, symbol: Symbol) -> Known:
-        """The value of data at the current statement."""
+        """Return the value of data at the current statement."""
         value = self.state.values.get(symbol)
         if value is not None:
             volatile = not isinstance(value, NotStatic) and symbol in self.effects.volatile
@@ -240,14 +241,14 @@ class AbstractInterpreter:
             self._statement(statement)
 
     def _unreached(self, rest: tree.Body) -> None:
-        """Statements after a RETURN or the like; a label may make them live again."""
+        """Handle statements after a RETURN or similar; a label may make them reachable again."""
         label = next((k for k, one in enumerate(rest) if isinstance(one, tree.Label)), len(rest))
         self._walk_unreachable(rest[:label], ())
         if label < len(rest):
             self._execute(rest[label:])
 
     def _walk_unreachable(self, body: tree.Body, decided_by: Iterable[tree.Expression]) -> None:
-        """Collect the moves of skipped statements, without the data that decided so."""
+        """Collect the moves of skipped statements, without the data that decided on the skip."""
         if not body or id(body[0]) in self._unreachable or not self._effects_of(body).moves:
             return
         self._unreachable.add(id(body[0]))
@@ -308,7 +309,7 @@ class AbstractInterpreter:
     def _choose(
         self, branches: Sequence[tuple[tree.Expression, tree.Body]], else_body: tree.Body
     ) -> None:
-        """IF: one way where the conditions are known, all ways that are possible elsewhere."""
+        """Interpret an IF: one branch if the conditions are known, else all possible branches."""
         ends: list[State] = []
         for position, (condition, body) in enumerate(branches):
             known = self._evaluator.value(condition)
@@ -385,7 +386,7 @@ class AbstractInterpreter:
         self._repeat(body, surely=known is True, endless=known is True and constant)
 
     def _repeat(self, body: tree.Body, *, surely: bool, endless: bool = False) -> None:
-        """A loop of unknown length: its first round, then one that stands for all others."""
+        """Interpret a loop of unknown length: its first iteration, then one for all others."""
         effects = self._effects_of(body)
         entry = self.state.copy()
         after_first: int | None = entry.last
@@ -404,7 +405,7 @@ class AbstractInterpreter:
         self.state.alive = not endless
 
     def _turn(self, body: tree.Body) -> None:
-        """Walk the body of a loop once, up to its end or to a CONTINUE."""
+        """Interpret the body of a loop once, up to its end or to a CONTINUE."""
         self._turns.append([])
         self._execute(body)
         self.state = joined([*self._turns.pop(), self.state])
@@ -487,7 +488,7 @@ class AbstractInterpreter:
         self.state.last = index
 
     def _record_run(self, call: tree.Call) -> None:
-        """What a run behind a move does: the same as that move, to targets of its own."""
+        """Record the moves of bulk statements: equal to the move before, except for targets."""
         before = self.state.last
         assert before is not None
         run, rows = self.runs[call]

@@ -1,4 +1,4 @@
-"""The moves of a run of alike statements, computed from its columns."""
+"""Moves of bulk statements, computed from their columns."""
 
 from __future__ import annotations
 
@@ -18,33 +18,33 @@ from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.syntax import tree
 
 Runs: TypeAlias = Mapping[tree.Call, tuple[tree.BulkStatements, Sequence[tree.BulkRow]]]
-"""The runs of a program with their statements, by the statement in the tree before each."""
+"""Bulk statements of a program with their rows, by the statement in the tree before each."""
 
 
 def runs_of(program: Program) -> Runs:
-    """The runs of a program."""
+    """Return the bulk statements of a program."""
     runs = (run for module in program.modules for run in module.runs)
     return {run.like: (run, tuple(run.rows())) for run in runs if isinstance(run.like, tree.Call)}
 
 
 def with_rows(call: tree.Call, runs: Runs) -> tuple[MoveStatement, ...]:
-    """A statement of the tree, with those of the run after it that it stands for."""
+    """Return a statement of the tree, followed by the rows that it represents."""
     return (call, *runs[call][1]) if call in runs else (call,)
 
 
 def moves_of_run(
     run: tree.BulkStatements, rows: Sequence[tree.BulkRow], like: KnownMove, first: int
 ) -> Iterator[KnownMove]:
-    """The moves of a run.
+    """Yield the moves of bulk statements.
 
     Args:
-        run: The run.
-        rows: The statements of the run.
+        run: The bulk statements.
+        rows: Their rows.
         like: The move of the statement before them.
-        first: The index that the first of them will have.
+        first: Index of their first move.
 
     Raises:
-        RunNotFollowedError: If that move goes elsewhere than its statement says.
+        RunNotFollowedError: If the target of that move differs from the text of its statement.
     """
     move = like.move
     went = np.array([number for part in move.to for number in part])
@@ -56,7 +56,7 @@ def moves_of_run(
 def _moves(
     rows: Iterable[tree.BulkRow], targets: Iterable[RobTarget], like: KnownMove, first: int
 ) -> Iterator[KnownMove]:
-    # As `replace` does, which takes several times as long.
+    # Equivalent to `replace`, which takes several times as long.
     same = {one.name: getattr(like.move, one.name) for one in fields(Move)}
     move_to = partial(Move, **same)
     module, routine = like.module, like.routine

@@ -1,4 +1,4 @@
-"""CirPathMode in a program that is not running: how the tool turns on arcs, as far as certain."""
+"""CirPathMode in static analysis: reorientation of the tool on arcs, as far as it is certain."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from rapidsim.reach.dataflow.known_moves import KnownMove
 
 
 def is_wrist_driven(known_move: KnownMove, robot: Robot) -> bool:
-    """Whether two wrist axes certainly lead a move, which then ends elsewhere than at its target.
+    """Whether two wrist axes certainly orient a move, which then ends elsewhere than at its target.
 
-    Only runs examine moves of a carried work object, so those are not considered here.
+    Moves of a carried work object are examined in runs only, so they are not considered here.
     """
     if known_move.move.interpolation is not Interpolation.CIRCLE:
         return False
@@ -21,7 +21,7 @@ def is_wrist_driven(known_move: KnownMove, robot: Robot) -> bool:
 
 
 def may_be_wrist_driven(known_move: KnownMove, robot: Robot) -> bool:
-    """Whether two wrist axes lead a move, or may do so."""
+    """Whether two wrist axes orient a move, or may do so."""
     unsure = "circle_path" in known_move.uncertain
     arc = known_move.move.interpolation is Interpolation.CIRCLE
     return (arc and unsure) or is_wrist_driven(known_move, robot)

@@ -1,7 +1,7 @@
-"""A controller without a robot, on which single instructions are executed.
+"""Controller without a robot, on which single instructions are executed.
 
-It has settings, accepts moves, ignores what does not affect them, and refuses whatever only a run
-could answer.
+It has settings, records moves, ignores calls that do not affect them, and rejects all calls whose
+result requires a run.
 """
 
 from __future__ import annotations
@@ -19,18 +19,18 @@ _NOWHERE = Place(Span(Source("", ""), 0, 0), "")
 
 
 class NeedsRunError(Exception):
-    """An instruction asked something of the controller that only a run can answer."""
+    """An instruction needs a result of the controller that requires a run."""
 
 
 class ControllerStub:
-    """Stands in for the controller: keeps settings, accepts moves, knows nothing of a robot."""
+    """Stub of the controller: stores settings and records moves, but has no robot."""
 
     def __init__(self, settings: MotionSettings, places_parts: bool = False) -> None:
-        """Begin with the settings where the instruction stands.
+        """Create a stub with the settings at an instruction.
 
         Args:
             settings: These settings.
-            places_parts: Whether the station says where parts are that a torch searches.
+            places_parts: Whether the station places the parts that a torch searches.
         """
         self.settings = settings
         self._places_parts = places_parts
@@ -46,29 +46,29 @@ class ControllerStub:
         self.moves.append(move)
 
     def correct(self, identity: Callable[[], int], move: Move, put: Callable[[], None]) -> None:
-        """Ignore corrections by a sensor, which are not known; the programmed move is checked."""
+        """Ignore corrections by a sensor, which are unknown; the programmed move is checked."""
         del identity, move
         put()
 
     def part_pose(self, search: str) -> Pose | None:
-        """None, for a part that is where it was taught; a run knows where others are."""
+        """Return None, for a part at its taught position; other positions require a run."""
         del search
         if self._places_parts:
             raise NeedsRunError("part_pose")
         return None
 
     def not_simulated(self, routine: str, treated_as: str, *, is_unknown: bool = False) -> None:
-        """Nothing; the run that executes it reports it."""
+        """Do nothing: the run that executes the routine reports it."""
 
     def wait(self, seconds: float, *, in_position: bool = False) -> None:
-        """Nothing; time does not affect the moves."""
+        """Do nothing: time does not affect the moves."""
 
     def write_signal(self, name: str, value: float, *, delay_s: float = 0.0) -> None:
-        """Nothing; outputs do not affect the moves."""
+        """Do nothing: outputs do not affect the moves."""
 
     def require_within(self, name: str, value: float) -> None:
-        """Nothing; whether an output can have the value is told when it runs."""
+        """Do nothing: an invalid value of an output is reported by a run."""
 
     def __getattr__(self, name: str) -> NoReturn:
-        """Refuse all else."""
+        """Reject all other requests."""
         raise NeedsRunError(name)

@@ -12,11 +12,11 @@ from rapidsim.language.types import ArrayOf, resolved
 from rapidsim.syntax import tree
 
 MOST_ELEMENTS = 20_000
-"""Of an array that is followed; larger ones take longer than they are worth."""
+"""Largest array whose elements are tracked; larger ones are not worth the time."""
 
 
 def empty_data(symbol: DataSymbol) -> Known:
-    """The value of data declared without one."""
+    """Return the initial value of data declared without a value."""
     of = resolved(symbol.type)
     if isinstance(of, ArrayOf) and prod(size or 1 for size in of.dimensions) > MOST_ELEMENTS:
         return NotStatic(f"`{symbol.name}` is too large an array to be followed")
@@ -24,7 +24,7 @@ def empty_data(symbol: DataSymbol) -> Known:
 
 
 def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
-    """The whole value of the data at the root of a path, after an assignment to the path."""
+    """Return the value of the data at the root of a path, after an assignment to the path."""
     if isinstance(path, tree.DataReference) or isinstance(value, NotStatic):
         return value
     outer = path.array if isinstance(path, tree.Index) else path.record
@@ -44,7 +44,7 @@ def replaced(evaluator: Evaluator, path: tree.DataPath, value: Known) -> Known:
 
 
 def _with_element(array: Known, places: Sequence[Known], value: Known) -> Known:
-    """An array with one element replaced; unknown where the place is not known or not there."""
+    """Array with one element replaced; unknown if the index is unknown or out of range."""
     place, *inner = places
     if isinstance(place, NotStatic):
         return place

@@ -1,4 +1,4 @@
-"""The moves of a program, as far as they are known without running it."""
+"""Moves of a program that are known statically."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from rapidsim.syntax.bulk_rows import statement_of
 from rapidsim.values import value_class
 
 MoveStatement: TypeAlias = tree.Call | tree.BulkRow
-"""A move instruction where it is written, in the tree or in a run of alike ones."""
+"""A move instruction in the text: in the tree, or a row of bulk statements."""
 
 
 def in_tree(call: MoveStatement) -> tree.Call:
-    """The statement in the tree equivalent to a move, except for the numbers of its target."""
+    """Return the tree's statement equivalent to a move, except for the numbers of its target."""
     return call.like if isinstance(call, tree.BulkRow) else call
 
 
@@ -30,15 +30,15 @@ class KnownMove:
     move: Move
     settings: MotionSettings
     uncertain: frozenset[str]
-    """Fields of the settings that may hold something else."""
+    """Fields of the settings that may have another value."""
     previous: int | None
-    """Index of the move at whose end it starts; None where that is not known."""
+    """Index of the move at whose end it starts; None if unknown."""
     begins: bool = False
     """Whether it is the first move of a run of main."""
 
     @property
     def span(self) -> Span:
-        """The source span of the instruction."""
+        """Source span of the instruction."""
         return self.module.span(self.call)
 
     @property
@@ -52,12 +52,12 @@ class KnownMove:
 
 @value_class(frozen=True, slots=True, eq=False)
 class WalkedProgram:
-    """The moves of a program, as far as they are known."""
+    """Moves of a program that are known statically."""
 
     written: tuple[tuple[MoveStatement, tree.Module], ...]
     """Every move instruction of the text."""
     moves: tuple[KnownMove, ...]
     unknown: Mapping[MoveStatement, str]
-    """Why a move is not known in at least one of the ways the program comes to it."""
+    """Reasons why moves are unknown on at least one path of the program."""
     settings_set: frozenset[str]
     """Fields of the settings that some instruction of the program sets."""

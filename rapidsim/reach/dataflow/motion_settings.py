@@ -1,7 +1,7 @@
-"""Motion settings of a program that is not running: which are certain, and which may differ.
+"""Motion settings in static analysis: certain ones, and ones that may differ in a run.
 
-Instructions such as ConfL, VelSet and PDispSet are the library's own; they are run against a
-`Recorder`.
+Instructions such as ConfL, VelSet and PDispSet are the library's own; they are executed on a
+`ControllerStub`.
 """
 
 from __future__ import annotations
@@ -12,23 +12,23 @@ from rapidsim.language.moves import MotionSettings
 from rapidsim.values import value_class
 
 DISPLACEMENTS = frozenset({"displacement", "axis_offsets"})
-"""Settings without which no target is known."""
+"""Settings without which all targets are unknown."""
 
 
 @value_class(frozen=True, slots=True)
 class KnownSettings:
-    """The settings in force at a statement."""
+    """Settings in effect at a statement."""
 
     settings: MotionSettings = field(default_factory=MotionSettings)
     uncertain: frozenset[str] = frozenset()
-    """Fields that may hold something else."""
+    """Fields that may have another value."""
 
     def forgetting(self, fields: frozenset[str]) -> KnownSettings:
-        """These settings after something that may have set some fields."""
+        """Return these settings after an effect that may have set some fields."""
         return KnownSettings(self.settings, self.uncertain | fields) if fields else self
 
     def joined(self, other: KnownSettings) -> KnownSettings:
-        """The settings where two control-flow paths join."""
+        """Return the settings at the join of two control-flow paths."""
         differing = frozenset(
             name
             for name in MotionSettings.__dataclass_fields__

@@ -1,4 +1,4 @@
-"""All moves of a program: those known from a walk through its text, and why the others are not."""
+"""All moves of a program: statically known ones, and the reasons why others are unknown."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from rapidsim.syntax.garbage_collection import gc_paused
 
 @gc_paused()
 def walk_program(program: Program) -> WalkedProgram:
-    """Walk through all routines of a program that move the robot.
+    """Interpret all routines of a program that move the robot.
 
     Raises:
-        RunNotFollowedError: If the moves of a run are not known, or not as written. Its statements
-            must then be in the tree.
+        RunNotFollowedError: If the moves of bulk statements are unknown, or differ from the text.
+            Their rows must then be in the tree.
     """
     runs = runs_of(program)
     written = tuple(

@@ -1,6 +1,6 @@
-"""Which data each routine may write, which routines move the robot, and what may change any time.
+"""Side effects of routines: data that they may write, moves, and data that may change any time.
 
-Everything here is conservative: data not listed as written certainly keep their value.
+All results are conservative: data not listed as written certainly keep their value.
 """
 
 from __future__ import annotations
@@ -38,22 +38,22 @@ _CALLS_BY_NAME = Trait.CALL_BY_NAME | Trait.CALL_ON_THE_WAY
 
 @value_class(slots=True)
 class _DirectEffects:
-    """What a stretch of a program does itself, without what it calls."""
+    """Effects of statements themselves, without those of the routines that they call."""
 
     writes: set[Symbol] = field(default_factory=set)
     calls: set[RoutineSymbol] = field(default_factory=set)
     gives: list[tuple[Symbol, RoutineSymbol, ParameterSymbol]] = field(default_factory=list)
-    """Data given by reference, to which parameter of which routine."""
+    """Data passed by reference, with the routine and its parameter."""
     settings: set[str] = field(default_factory=set)
     """Fields of `MotionSettings` that its instructions set."""
     moves: bool = False
     calls_anything: bool = False
-    """It calls a routine whose name only the run knows."""
+    """Whether it calls a routine whose name is known only at run time."""
 
 
 @value_class(frozen=True, slots=True)
 class Effects:
-    """The possible effects of a part of a program, including everything it calls."""
+    """Possible effects of a part of a program, including all routines that it calls."""
 
     writes: frozenset[Symbol]
     settings: frozenset[str]
@@ -62,7 +62,7 @@ class Effects:
 
 @value_class(frozen=True, eq=False)
 class ProgramEffects:
-    """The effects of all routines of a program."""
+    """Effects of all routines of a program."""
 
     program: Program
     _locals: dict[RoutineSymbol, frozenset[Symbol]] = field(default_factory=dict)
@@ -79,13 +79,13 @@ class ProgramEffects:
 
     @cached_property
     def everything(self) -> Effects:
-        """The effects of all routines together."""
+        """Combined effects of all routines."""
         found = [self._routine_effects[routine] for routine in self.routines]
         return _united(found)
 
     @cached_property
     def volatile(self) -> frozenset[Symbol]:
-        """Data that may change at any statement: traps, error handlers and the like write them."""
+        """Data that may change at any statement: traps, error handlers and similar write them."""
         aside: list[Effects] = [self.everything] if self._has_named_call else []
         for routine in self.routines:
             node = routine.node
@@ -97,7 +97,7 @@ class ProgramEffects:
 
     @cached_property
     def _has_named_call(self) -> bool:
-        """Whether a procedure, by its name, runs somewhere on the path."""
+        """Whether a move calls a procedure, by its name, somewhere on the path."""
         called = (
             self.program.symbol_of.get(node)
             for routine in self.routines
@@ -106,15 +106,15 @@ class ProgramEffects:
         return any(Trait.CALL_ON_THE_WAY in does(one) for one in called)
 
     def of_routine(self, routine: RoutineSymbol) -> Effects:
-        """The effects of calling a routine, including those on its parameters."""
+        """Return the effects of calling a routine, including those on its parameters."""
         return self._routine_effects[routine]
 
     def of_bodies(self, *bodies: tree.Body) -> Effects:
-        """The effects of some statement lists."""
+        """Return the effects of lists of statements."""
         return self._with_calls(self._direct(statements(*bodies)), self._routine_effects)
 
     def locals_of(self, routine: RoutineSymbol) -> frozenset[Symbol]:
-        """The parameters of a routine, and the data and counters declared in it."""
+        """Return the parameters of a routine, and the data and counters declared in it."""
         if routine not in self._locals:
             found: set[Symbol] = set(routine.parameters)
             for node in statements(*clauses(routine.node)):
@@ -125,7 +125,7 @@ class ProgramEffects:
         return self._locals[routine]
 
     def variables_in(self, expressions: Iterable[tree.Expression]) -> list[Symbol]:
-        """The non-constant data that expressions read."""
+        """Return the non-constant data that expressions read."""
         found: list[Symbol] = []
         for node in descendants(*expressions):
             if isinstance(node, tree.DataReference):
@@ -137,17 +137,17 @@ class ProgramEffects:
         return found
 
     def is_written(self, symbol: Symbol) -> bool:
-        """Whether anything in the program may write the data."""
+        """Whether the program may write the data."""
         return symbol in self.everything.writes
 
     @cached_property
     def called(self) -> frozenset[RoutineSymbol]:
-        """The routines that a routine calls by name."""
+        """Routines that another routine calls by name."""
         return frozenset(one for direct in self._by_routine.values() for one in direct.calls)
 
     @cached_property
     def _by_routine(self) -> dict[RoutineSymbol, _DirectEffects]:
-        """What each routine does itself."""
+        """Effects of each routine without those of the routines that it calls."""
         return {
             routine: self._direct(statements(*clauses(routine.node))) for routine in self.routines
         }
@@ -197,7 +197,7 @@ class ProgramEffects:
     def _add_call(self, node: tree.Node, effects: _DirectEffects) -> None:
         callee = self.program.symbol_of.get(node)
         if self.program.loads_modules and not isinstance(callee, RoutineSymbol | LibrarySymbol):
-            # The routine may be one of a module that is loaded while the program runs.
+            # The routine may be in a module that is loaded at run time.
             effects.writes.update(self._all_data)
             effects.settings.update(MotionSettings.__dataclass_fields__)
             effects.moves = True
@@ -230,7 +230,7 @@ class ProgramEffects:
         if Trait.WRITE_BY_NAME in library.traits:
             effects.writes.update(self._all_data)
         parameters = library.signature.parameters
-        # Tools and work objects are given as PERS and only read.
+        # Tools and work objects are PERS parameters and only read.
         written = [
             one for one in parameters if one.mode in (ParameterMode.INOUT, ParameterMode.VAR)
         ]
@@ -267,21 +267,21 @@ class ProgramEffects:
 
 
 def _can_change(symbol: Symbol | None) -> TypeGuard[DataSymbol]:
-    """Whether it is data, and somebody may write it; nobody writes `v200` or `tool0`."""
+    """Whether the symbol is writable data; predefined data such as `v200` and `tool0` are not."""
     if not isinstance(symbol, DataSymbol):
         return False
     return symbol.node is not None and symbol.storage is not Storage.CONST
 
 
 def root_of(path: tree.DataPath) -> tree.DataReference:
-    """The name a path begins with."""
+    """Return the name at the start of a path."""
     while not isinstance(path, tree.DataReference):
         path = path.array if isinstance(path, tree.Index) else path.record
     return path
 
 
 def _own_calls(statement: tree.Statement) -> Iterator[tree.Node]:
-    """The calls of a statement, those of statements inside it left out."""
+    """Yield the calls of a statement, without those of statements inside it."""
     match statement:
         case tree.If(branches=branches):
             roots: list[tree.Node] = [branch.condition for branch in branches]

@@ -1,4 +1,4 @@
-"""What is known at a statement, and what remains where control-flow paths join."""
+"""State of the abstract interpreter at a statement, and its join where control-flow paths meet."""
 
 from __future__ import annotations
 
@@ -12,40 +12,40 @@ from rapidsim.reach.dataflow.motion_settings import KnownSettings
 
 _MISSING = object()
 BEGINNING: Final = -1
-"""In place of the index of a move: none has been made yet."""
+"""Value in place of the index of a move: no move has been made yet."""
 
 
 @dataclass(slots=True)
 class State:
-    """What is known before a statement."""
+    """Abstract state before a statement."""
 
     values: dict[Symbol, Known] = field(default_factory=dict)
-    """Data that hold something else than at the entry, or may."""
+    """Data whose values differ, or may differ, from those at the entry."""
     settings: KnownSettings = field(default_factory=KnownSettings)
     last: int | None = None
-    """Index of the move at whose end the robot stands, or BEGINNING; None where it is not known."""
+    """Index of the move at whose end the robot is, or BEGINNING; None if unknown."""
     alive: bool = True
-    """Whether the program can come here."""
+    """Whether the statement is reachable."""
 
     def copy(self) -> State:
-        """An independent copy."""
+        """Return an independent copy."""
         return State(dict(self.values), self.settings, self.last, self.alive)
 
     def forget(self, symbols: Iterable[Symbol], reason: str) -> None:
-        """Forget the value of data; `reason` is a format string for the name of each."""
+        """Forget the values of data; `reason` is a format string for the name of each."""
         for symbol in symbols:
             self.values[symbol] = NotStatic(reason.format(name=symbol.name))
 
     def without(self, symbols: frozenset[Symbol]) -> State:
-        """The state after the data of a routine have gone out of scope."""
+        """Return the state after the data of a routine have gone out of scope."""
         kept = {symbol: value for symbol, value in self.values.items() if symbol not in symbols}
         return State(kept, self.settings, self.last, self.alive)
 
 
 def joined(states: Iterable[State]) -> State:
-    """What is known where several paths join; those that end before are ignored.
+    """Join the states of several paths; those that end before are ignored.
 
-    If all of them end before, the data keep what they held at the ends: the statements that follow
+    If all of them end before, the data keep their values at the ends: the statements that follow
     are examined, too, and a label may be reached by GOTO.
     """
     every = list(states)
@@ -67,7 +67,7 @@ def joined(states: Iterable[State]) -> State:
 
 @dataclass(eq=False)
 class AbstractFrame:
-    """A routine that is being walked."""
+    """Abstract frame of a routine that is being interpreted."""
 
     routine: RoutineSymbol
     returns: list[State] = field(default_factory=list)

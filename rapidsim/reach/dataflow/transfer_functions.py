@@ -1,4 +1,4 @@
-"""Executes an installed instruction on known values: its own Python function, without a robot."""
+"""Execution of an installed instruction on known values by its Python function, without a robot."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ from rapidsim.values import value_class
 
 _TRIGGER = TYPES["triggdata"]
 _ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
-"""What happens on the way of a move changes nothing about it."""
+"""Value of all triggers: events along the path of a move do not affect it."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class InstructionEffect:
-    """The effect of an instruction on the data passed to it by reference."""
+    """Effect of an instruction on the data passed to it by reference."""
 
     written: tuple[tuple[tree.DataPath, Known], ...] = ()
     continues: bool = True
-    """Whether the program goes on with the next statement; not after ExitCycle and its like."""
+    """Whether the next statement is executed; False after ExitCycle and similar instructions."""
 
 
 def perform(
@@ -40,13 +40,13 @@ def perform(
     evaluator: Evaluator,
     recorder: ControllerStub,
 ) -> InstructionEffect | str:
-    """Execute an instruction; or say why that takes a run.
+    """Execute an instruction; return its effect, or the reason why it requires a run.
 
     Args:
         routine: The instruction.
         arguments: The arguments of its call.
-        evaluator: Knows the values of the arguments, as far as possible.
-        recorder: Receives the settings and moves it makes.
+        evaluator: Evaluates the arguments as far as possible.
+        recorder: Receives the settings and moves of the instruction.
     """
     signature = routine.signature
     if any(parameter.deferred for parameter in signature.parameters):
@@ -65,7 +65,7 @@ def perform(
     options: dict[str, object] = {}
     for parameter in there:
         key = parameter.name.lower()
-        # In a box of its own: some instructions write to it.
+        # In its own box: some instructions write to it.
         value = values[key] if key in values else Box(_ANY_TRIGGER)
         if key in values and by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):

@@ -1,4 +1,4 @@
-"""The moves in a program's text, executed or not."""
+"""Move instructions in a program's text, executed or not."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ NO_WOBJ = "wobj0"
 
 
 class RunNotFollowedError(Exception):
-    """The moves of a run are not known as written, so they must be examined one by one."""
+    """The moves of bulk statements are unknown or not as written: examine them one by one."""
 
 
 def written_moves(files: Sequence[tree.File]) -> tuple[Span, ...]:
-    """The source positions of all move instructions; files may have errors."""
+    """Return the source positions of all move instructions; files may have errors."""
     runs: dict[tree.Statement, tree.BulkStatements] = {
         run.like: run for file in files for module in file.modules for run in module.runs
     }
@@ -64,7 +64,7 @@ def _wobj(call: tree.Call) -> str:
 
 
 def _targets(program: Program, call: tree.Call) -> Iterator[str]:
-    """The targets that stand in the arguments, in calls of functions such as Offs too."""
+    """Yield the targets in the arguments, also in calls of functions such as Offs."""
     values = (one.value for one in call.arguments if isinstance(one, tree.RequiredArgument))
     for part in descendants(*values):
         symbol = program.symbol_of.get(part) if isinstance(part, tree.DataReference) else None

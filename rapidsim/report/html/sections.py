@@ -149,7 +149,15 @@ def cycle_time(simulation: Simulation) -> str:
         )
         + '<h3>By line</h3><div class="scrolled">'
         + table(
-            ("line", "move or wait", ">times", ">path [mm]", ">path deviation [mm]", ">time [s]", ""),
+            (
+                "line",
+                "move or wait",
+                ">times",
+                ">path [mm]",
+                ">path deviation [mm]",
+                ">time [s]",
+                "",
+            ),
             [
                 _share_row(
                     share, lines[0], _off_curve(share, deviations), named=True, several=several
@@ -187,7 +195,7 @@ def _slow_sections(simulation: Simulation) -> str:
         )
         for one in found[:_MOST_STRETCHES]
     ]
-    heads = ("lines", "held by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
+    heads = ("lines", "limited by", ">moves", ">programmed [mm/s]", ">mean [mm/s]", ">time [s]",
              ">lost [s]", "")  # fmt: skip
     left = len(found) - len(rows)
     more = f'<p class="aside">{left} shorter stretches not shown</p>' if left else ""

@@ -30,7 +30,7 @@ def long_program_text(simulation: Simulation) -> RenderableType | None:
     regions = by_comment((*simulation.moves, *simulation.waits))
     parts: list[RenderableType] = []
     if stretches:
-        table = _table("below speed", ">time", ">lost", ">mm/s", ">of", "held by")
+        table = _table("below speed", ">time", ">lost", ">mm/s", ">of", "limited by")
         for one in stretches[:_SHOWN]:
             table.add_row(
                 lines_of(one),

@@ -1,1 +1,1 @@
-"""The protocols: addresses, sessions, bodies, websockets."""
+"""HTTP protocols: addresses, sessions, representations, websockets."""

@@ -1,6 +1,6 @@
 """Robot Web Services over HTTP: admission, requests, answers.
 
-The engine decides what becomes of a request. Both generations share sessions and subscriptions.
+The engine decides the outcome of a request. Both generations share sessions and subscriptions.
 """
 
 from __future__ import annotations
@@ -34,18 +34,18 @@ from rapidsim.server.messages import (
 from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND
 
 MOST_BYTES: Final = 64 * 2**20
-"""Of a body."""
+"""Largest body [bytes]."""
 MOST_GROUPS: Final = 64
-"""Subscriptions at one time."""
+"""Largest number of subscriptions at one time."""
 MOST_RESOURCES: Final = 1000
-"""Of one group."""
+"""Largest number of resources of one group."""
 _PARTING_S: Final = 1.0
-"""How long [s] a client may take to confirm that its websocket is closed."""
+"""Time [s] in which a client must confirm that its websocket is closed."""
 _LAST_S: Final = 0.2
-"""So long [s] on the wall what is under way at the end may take, once to end by itself and once
-more to be broken off."""
+"""Wall-clock time [s] for active requests at the end, once to finish and once more after they are
+cancelled."""
 _NO_SPEAKING: Final = b"Client cannot send data."
-"""What a controller says to a client that sends on a websocket where it must not."""
+"""Message of a controller to a client that sends on a websocket although it must not."""
 
 Handler = Callable[[web.Request], Awaitable[web.StreamResponse]]
 _SESSION: Final = web.RequestKey("session", Session)
@@ -58,7 +58,7 @@ _QUIET.disabled = True
 
 
 def runner_of(app: web.Application) -> web.AppRunner:
-    """The server of an application."""
+    """Return the server of an application."""
     return web.AppRunner(
         app, handle_signals=False, access_log=None, shutdown_timeout=_LAST_S, logger=_QUIET
     )
@@ -66,7 +66,7 @@ def runner_of(app: web.Application) -> web.AppRunner:
 
 @dataclass(eq=False)
 class _Group:
-    """What one websocket is told."""
+    """A subscription group and the events for its websocket."""
 
     number: int
     session: int
@@ -77,12 +77,12 @@ class _Group:
 
 @dataclass(eq=False)
 class HttpFrontend:
-    """The part of Robot Web Services that one server takes."""
+    """HTTP frontend of Robot Web Services."""
 
     link: Link
     guard: Guard
     noted: Callable[[str], None]
-    """Called with lines for whoever started the server."""
+    """Called with lines for the console."""
     most_sessions: int = 70
     idle_s: float = 300.0
     sessions: Sessions = field(init=False)
@@ -91,11 +91,11 @@ class HttpFrontend:
     _ending: set[asyncio.Task[object]] = field(default_factory=set)
 
     def __post_init__(self) -> None:
-        """Begin without sessions."""
+        """Start without sessions."""
         self.sessions = Sessions(self.most_sessions, self.idle_s, self._session_ended)
 
     def app(self, dialect: Dialect) -> web.Application:
-        """The application of a generation, whose one handler takes every request."""
+        """Return the application of a generation, whose one handler handles every request."""
         app = web.Application(middlewares=[self._admitted], client_max_size=MOST_BYTES)
         app[_DIALECT] = dialect
         app.router.add_route("*", "/{tail:.*}", self._handled)
@@ -103,7 +103,7 @@ class HttpFrontend:
         return app
 
     def notify(self, notification: Notification) -> None:
-        """Hand a change to the websocket of its group."""
+        """Pass a change to the websocket of its group."""
         if not isinstance(notification, ChangeEvent):
             return
         group = self._groups.get(notification.group)
@@ -113,12 +113,12 @@ class HttpFrontend:
 
     @property
     def counts(self) -> tuple[int, int]:
-        """How many sessions and subscriptions there are."""
+        """Number of sessions and of subscriptions."""
         return len(self.sessions), len(self._groups)
 
     @web.middleware
     async def _admitted(self, request: web.Request, handler: Handler) -> web.StreamResponse:
-        """Let a request in that means this server and comes from somebody who may."""
+        """Admit requests that address this server and come from an authenticated user."""
         if not self.guard.admits(request.headers):
             return web.Response(status=403, text="this server has another name\n")
         session = self.sessions.find(request.cookies)
@@ -141,7 +141,7 @@ class HttpFrontend:
         except (UnicodeError, ValueError):
             return web.Response(status=400, text="the request cannot be read\n")
         except ConnectionError:
-            # Who has sent half a request hears nothing of it.
+            # The client has disconnected in mid-request and does not receive this.
             return web.Response(status=400)
         except web.HTTPException:
             raise
@@ -213,7 +213,7 @@ class HttpFrontend:
     async def _subscribe(self, request: web.Request) -> web.StreamResponse:
         dialect = request.app[_DIALECT]
         form = {key: str(value) for key, value in (await request.post()).items()}
-        # Whatever the numbers are, a resource is what has a priority.
+        # A value is a resource if its key has a priority, whatever its number.
         resources = tuple(value for key, value in form.items() if f"{key}-p" in form)
         if not resources or len(resources) > MOST_RESOURCES or len(self._groups) >= MOST_GROUPS:
             refusal = ErrorAnswer(*BAD_PARAMETER, "none, or too many, subscriptions")
@@ -261,7 +261,7 @@ class HttpFrontend:
             await self.link.request(Unsubscribe(group.number))
 
     def _session_ended(self, number: int) -> None:
-        """Release what a session holds, and end its subscriptions."""
+        """Release the resources held by a session, and end its subscriptions."""
 
         async def end() -> None:
             for group in [one for one in self._groups.values() if one.session == number]:
@@ -273,7 +273,7 @@ class HttpFrontend:
         task.add_done_callback(self._ending.discard)
 
     async def _close(self, app: web.Application) -> None:
-        """Let the websockets end."""
+        """End the websockets."""
         del app
         for group in self._groups.values():
             group.is_over = True
@@ -281,7 +281,7 @@ class HttpFrontend:
 
 
 async def _send(group: _Group, socket: web.WebSocketResponse) -> None:
-    """Send what a group is told, in order, until it is over."""
+    """Send the events of a subscription group in order until it ends."""
     while True:
         await group.changed.wait()
         group.changed.clear()

@@ -11,14 +11,14 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class BasicAuthentication:
-    """The users that are admitted."""
+    """Users that are admitted with Basic authentication."""
 
     users: Mapping[str, str]
     """Passwords by name."""
     challenge: str = 'Basic realm="validusers@robapi.abb"'
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """The user that a header names; None if not admitted; see `dialect.Users`."""
+        """Return the user of a header; None if not admitted; see `dialect.Users`."""
         del method, target
         scheme, _, rest = header.partition(" ")
         try:
@@ -26,6 +26,6 @@ class BasicAuthentication:
         except (Error, UnicodeDecodeError, ValueError):
             return None
         password = self.users.get(name)
-        # Compared even if there is no such user, so that the time gives nothing away.
+        # Compared even if there is no such user, so that the response time leaks nothing.
         right = hmac.compare_digest(given.encode(), (password or "").encode())
         return name if right and password is not None and scheme.lower() == "basic" else None

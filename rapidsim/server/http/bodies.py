@@ -12,7 +12,7 @@ from rapidsim.server.messages import Answer, ErrorAnswer, Item
 JSON: Final = "application/json"
 XHTML: Final = "application/xhtml+xml"
 _DONE: Final = 294912
-"""What RobotWare 7 calls success."""
+"""Code of success in RobotWare 7."""
 _PARTS: Final = {"sys-options-li": "options"}
 """The name under which JSON has the parts of an item of a class; `attrib` for all others."""
 _BEGIN: Final = (
@@ -22,21 +22,21 @@ _HEAD: Final = f"{_BEGIN}<title>rapidsim</title>"
 
 
 def json_body(answer: Answer, base: str) -> str:
-    """An answer as JSON."""
+    """Return an answer as JSON."""
     links = {"base": {"href": base}, **{one: {"href": one} for one in answer.links}}
     items = [_json_item(one) for one in answer.items]
     return json.dumps({"_links": links, "_embedded": {"_state": items}})
 
 
 def json_refusal(refusal: ErrorAnswer, base: str) -> str:
-    """An error as JSON."""
+    """Return an error as JSON."""
     status = {"code": refusal.code, "msg": refusal.message}
     embedded = {"status": status, "_state": list[object]()}
     return json.dumps({"_links": {"base": {"href": base}}, "_embedded": embedded})
 
 
 def hal_body(answer: Answer, base: str) -> str:
-    """An answer as HAL JSON, as RobotWare 7 writes it."""
+    """Return an answer as HAL JSON, in the format of RobotWare 7."""
     links: dict[str, object] = {"base": {"href": base}}
     if answer.following:
         links["next"] = {"href": answer.following}
@@ -49,13 +49,13 @@ def hal_body(answer: Answer, base: str) -> str:
 
 
 def hal_refusal(refusal: ErrorAnswer, base: str) -> str:
-    """An error as HAL JSON."""
+    """Return an error as HAL JSON."""
     status = {"code": refusal.code, "msg": refusal.message}
     return json.dumps({"_links": {"base": {"href": base}}, "status": status})
 
 
 def xhtml_body(answer: Answer, base: str) -> str:
-    """An answer as a page."""
+    """Return an answer as a page."""
     links = "".join(f'<a href="{_quoted(one)}" rel="{_quoted(one)}"/>' for one in answer.links)
     if answer.following:
         links += f'<a href="{_quoted(answer.following)}" rel="next"/>'
@@ -64,19 +64,19 @@ def xhtml_body(answer: Answer, base: str) -> str:
 
 
 def xhtml_refusal(refusal: ErrorAnswer, base: str) -> str:
-    """An error as a page."""
+    """Return an error as a page."""
     return _page(base, _status(refusal))
 
 
 def later_xhtml_refusal(refusal: ErrorAnswer, base: str) -> str:
-    """The same as RobotWare 7 writes it, whose pages of errors have no title."""
+    """Return an error as a page of RobotWare 7, which has no title."""
     return _page(base, _status(refusal), _BEGIN)
 
 
 def subscribed(group: int, link: str, base: str) -> str:
-    """A new group of subscriptions.
+    """Return the page of a new subscription group.
 
-    Public clients look for this very order of attributes, with nothing behind them.
+    Public clients rely on this exact order of attributes, with none after them.
     """
     href = _quoted(link)
     return _page(
@@ -87,7 +87,7 @@ def subscribed(group: int, link: str, base: str) -> str:
 
 
 def event_text(group: int, items: Iterable[Item]) -> str:
-    """A change as one frame of a websocket: a page in one line, which clients need."""
+    """Return a change as one frame of a websocket: a page in one line, which clients need."""
     shown = "".join(_xhtml_item(one) for one in items)
     return (
         f'{_HEAD}</head><body><div class="state"><a href="subscription/{group}" rel="group"></a>'
@@ -139,5 +139,5 @@ def _quoted(text: str) -> str:
 
 
 def _plain(text: str) -> str:
-    """A text in one line, without characters that a page must not contain."""
+    """Return a text in one line, without characters that a page must not contain."""
     return "".join(one if one >= " " else " " for one in text if one not in "\ufffe\uffff")

@@ -25,10 +25,10 @@ _YEARS: Final = 10
 
 
 def tls_context(folder: Path) -> ssl.SSLContext:
-    """What a server needs to speak TLS.
+    """Return the TLS context of a server.
 
     Args:
-        folder: Where key and certificate are kept; they are created if missing.
+        folder: Folder of key and certificate; they are created if missing.
 
     Raises:
         InputError: If they cannot be made or read.
@@ -47,7 +47,7 @@ def tls_context(folder: Path) -> ssl.SSLContext:
 
 
 def default_folder() -> Path:
-    """The folder for permanent data of this user's programs."""
+    """Return the folder for permanent data of this user's programs."""
     if os.name == "nt":
         base = os.environ.get("LOCALAPPDATA") or str(Path.home())
     else:
@@ -56,7 +56,7 @@ def default_folder() -> Path:
 
 
 def _is_valid(both: Path) -> bool:
-    """Whether there is a certificate that is still valid for a while."""
+    """Whether there is a certificate that is still valid for at least a day."""
     if not both.exists():
         return False
     found = x509.load_pem_x509_certificate(both.read_bytes())
@@ -65,7 +65,7 @@ def _is_valid(both: Path) -> bool:
 
 
 def _make_certificate() -> bytes:
-    """A new key and a certificate for it, as PEM."""
+    """Return a new key and a certificate for it, as PEM."""
     key = ec.generate_private_key(ec.SECP256R1())
     name = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "rapidsim")])
     now = datetime.now(UTC)

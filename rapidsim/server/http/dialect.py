@@ -1,4 +1,4 @@
-"""What a server needs to know of a generation of Robot Web Services."""
+"""Protocol of one generation of Robot Web Services, as the HTTP frontend uses it."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ class Users(Protocol):
 
     @property
     def challenge(self) -> str:
-        """The header that asks a client to authenticate."""
+        """Header that requests authentication from a client."""
         ...
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """The user that a header names; None if not admitted.
+        """Return the user of a header; None if not admitted.
 
         Args:
             header: `Authorization` of the request.
-            method: Of the request.
-            target: Its address as it was sent, with the query.
+            method: Method of the request.
+            target: Address of the request as it was sent, with the query.
         """
         ...
 
@@ -53,24 +53,24 @@ class Dialect(Protocol):
         ...
 
     def objection(self, request: web.Request) -> web.Response | None:
-        """The refusal of a request that is not even looked at; None if it is."""
+        """Return the error of a request that is rejected before dispatch; else None."""
         ...
 
     def represent(self, request: web.Request, reply: Reply) -> web.Response:
-        """A reply in the form that was asked for."""
+        """Return a reply in the requested representation."""
         ...
 
     def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
-        """The refusal of a file, which controllers write in a form of its own."""
+        """Return the error of a file request, which controllers write in a special format."""
         ...
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
-        """A new group of subscriptions, with the address of its websocket."""
+        """Return the answer for a new group of subscriptions, with the address of its websocket."""
         ...
 
 
 def base(request: web.Request) -> str:
-    """The root of the address that a client has called."""
+    """Return the root of the address that a client has requested."""
     return f"{request.scheme}://{request.host}/"
 
 
@@ -81,7 +81,7 @@ def represent(
     refusal: Callable[[ErrorAnswer, str], str],
     content_type: str,
 ) -> web.Response:
-    """A reply in a form, given the writers of its answers and refusals."""
+    """Return a reply in a representation, with its writers of answers and errors."""
     if isinstance(reply, ErrorAnswer):
         text = refusal(reply, base(request))
     elif reply.content is not None:

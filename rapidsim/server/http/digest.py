@@ -1,4 +1,4 @@
-"""Digest authentication as controllers ask for it (RFC 7616 with MD5).
+"""Digest authentication as controllers require it (RFC 7616 with MD5).
 
 A nonce stays valid as long as the process lives and may be reused: a public client computes the
 header of its websocket from the last one.
@@ -22,7 +22,7 @@ _PARAMETER: Final = re.compile(r'(\w+)\s*=\s*(?:"((?:[^"\\]|\\.)*)"|([^\s,]+))')
 
 @value_class(frozen=True, slots=True)
 class DigestAuthentication:
-    """The users that are admitted."""
+    """Users that are admitted with Digest authentication."""
 
     users: Mapping[str, str]
     """Passwords by name."""
@@ -31,19 +31,19 @@ class DigestAuthentication:
 
     @property
     def challenge(self) -> str:
-        """The header that asks a client to authenticate."""
+        """Header that requests authentication from a client."""
         return (
             f'Digest realm="{REALM}", domain="/", qop="auth", nonce="{self._nonce}", '
             f'opaque="{self._opaque}", algorithm="MD5", stale="FALSE"'
         )
 
     def user(self, header: str, method: str, target: str) -> str | None:
-        """The user that a header names; None if not admitted.
+        """Return the user of a header; None if not admitted.
 
         Args:
             header: `Authorization` of the request.
-            method: Of the request.
-            target: Its address as it was sent, with the query.
+            method: Method of the request.
+            target: Address of the request as it was sent, with the query.
         """
         scheme, _, rest = header.partition(" ")
         if scheme.lower() != "digest":

@@ -1,4 +1,4 @@
-"""Changes that wait for a slow reader."""
+"""Queue of changes for a slow reader."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import Final
 from rapidsim.server.messages import ChangeEvent, Item
 
 MOST_WAITING: Final = 1000
-"""Of one reader; as many resources as it can subscribe to, so the newest of each has room."""
+"""Largest number of changes for one reader: one for each resource that it can subscribe to."""
 
 
 @dataclass(slots=True, eq=False)
 class EventQueue:
-    """A queue that forgets what is out of date.
+    """A queue that drops outdated changes.
 
-    If it is full, the oldest change that a newer one of the same resource follows is dropped: the
-    reader misses intermediate values, but always hears of the last one of each resource.
+    If it is full, the oldest change with a newer one of the same resource is dropped: the reader
+    misses intermediate values, but always receives the last one of each resource.
     """
 
     most: int = MOST_WAITING
@@ -25,11 +25,11 @@ class EventQueue:
     _of_resource: Counter[str] = field(default_factory=Counter)
 
     def __len__(self) -> int:
-        """How many changes wait."""
+        """Number of queued changes."""
         return len(self._changes)
 
     def add(self, change: ChangeEvent) -> None:
-        """Let a change wait."""
+        """Append a change."""
         self._changes.append(change)
         self._of_resource[change.resource] += 1
         if len(self._changes) > self.most:
@@ -39,7 +39,7 @@ class EventQueue:
             self._take(next(repeated, 0))
 
     def next(self) -> tuple[Item, ...]:
-        """The oldest change, which waits no more."""
+        """Remove and return the oldest change."""
         return self._take(0).items
 
     def _take(self, index: int) -> ChangeEvent:

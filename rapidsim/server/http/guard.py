@@ -1,8 +1,8 @@
-"""Keeps browsers on the same computer from being a way in.
+"""Protection against requests of web pages through browsers on the same computer.
 
-A page from elsewhere can let a browser send requests here, and a name that resolves to this
-computer (DNS rebinding) makes them look as if they came from here. Both give themselves away by
-the headers Host and Origin, which a page cannot choose.
+A page of another site can make a browser send requests to this server, and a name that resolves to
+this computer (DNS rebinding) makes them look local. Both are revealed by the headers Host and
+Origin, which a page cannot choose.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class Guard:
-    """The names this server goes by: numeric addresses, which nobody can point elsewhere."""
+    """Admits requests to localhost, the host, and numeric addresses, which cannot be rebound."""
 
     host: str
-    """The host it was told to listen on."""
+    """Host that the server listens on."""
 
     def admits(self, headers: Mapping[str, str]) -> bool:
-        """Whether a request may come from a client that means this server."""
+        """Whether a request addresses this server and is not sent by a page of another site."""
         host = headers.get("Host", "").lower()
         name = _name(host)
         if name not in ("localhost", self.host.lower()) and not _is_address(name):
@@ -44,7 +44,7 @@ def _is_address(host: str) -> bool:
 
 
 def _name(host: str) -> str:
-    """The host of a header, without its port."""
+    """Return the host of a header, without its port."""
     if host.startswith("["):
         return host.partition("]")[0].lstrip("[")
     return host.partition(":")[0]

@@ -1,7 +1,7 @@
-"""The page for people, at `/ui` of either generation: what it shows, and what its buttons do.
+"""Operator page at `/ui` of either generation: its content, and the actions of its buttons.
 
-It is one document with its own script and style, and loads nothing else. What it asks to
-be done goes the way of Robot Web Services 1.0, so the journal has it, and only by POST.
+It is one document with its own script and style, and loads nothing else. Its actions are
+requests of Robot Web Services 1.0, so the journal records them, and use POST only.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ async def serve_operator_page(
     """Answer a request below `/ui`.
 
     Args:
-        request: Of a browser.
-        rest: What stands behind `/ui/`.
-        session: Of who asks.
-        move_request: Asks the engine.
+        request: Request of a browser.
+        rest: Address after `/ui/`.
+        session: Session of the client.
+        move_request: Sends a message to the engine.
     """
     match request.method, rest:
         case "GET", name if name in _FILES:

@@ -1,4 +1,4 @@
-"""Robot Web Services 1.0, RobotWare 6: JSON where the query asks for it, else XHTML."""
+"""Robot Web Services 1.0, RobotWare 6: JSON if the query requests it, else XHTML."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from rapidsim.server.messages import ErrorAnswer, Reply
 
 @dataclass(frozen=True, slots=True)
 class Rws1Dialect:
-    """Implements `dialect.Dialect`."""
+    """Implementation of `dialect.Dialect` for RobotWare 6."""
 
     users: Users
     generation: int = 1
@@ -29,7 +29,7 @@ class Rws1Dialect:
     clients_may_speak: bool = True
 
     def objection(self, request: web.Request) -> web.Response | None:
-        """There is none: no header is looked at."""
+        """Return None: no header is checked."""
         del request
         return None
 
@@ -40,12 +40,12 @@ class Rws1Dialect:
         return represent(request, reply, xhtml_body, xhtml_refusal, XHTML)
 
     def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
-        """XHTML whatever was asked for, as controllers do."""
+        """Return XHTML for any requested representation, as controllers do."""
         body = xhtml_refusal(refusal, base(request))
         return web.Response(status=refusal.status, text=body, content_type=XHTML)
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
-        """XHTML whatever was asked for."""
+        """Return XHTML for any requested representation."""
         link = f"ws://{request.host}/poll/{group}"
         body = subscribed(group, link, base(request))
         return web.Response(status=201, headers={"Location": link}, text=body, content_type=XHTML)

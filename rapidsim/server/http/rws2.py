@@ -1,7 +1,7 @@
-"""Robot Web Services 2.0, RobotWare 7: over TLS; the header `Accept` chooses the form of answers.
+"""Robot Web Services 2.0, RobotWare 7: over TLS; the header `Accept` selects the representation.
 
-Reading answers in HAL JSON or XHTML, writing in XHTML; both name their version, and so
-must whoever writes.
+Reads answer in HAL JSON or XHTML, writes in XHTML; both name their version, and so must the content
+type of a write.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ _HAL: Final = "application/hal+json"
 _XHTML: Final = "application/xhtml+xml"
 _FORM: Final = "application/x-www-form-urlencoded;v=2.0"
 _ACCEPTED: Final = re.compile(r"(application/(?:hal\+json|xhtml\+xml)|\*/\*)(?:;v=(2\.\d))?")
-"""A form of answers; only one that takes any may leave out the version."""
+"""A representation; only the wildcard may omit the version."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rws2Dialect:
-    """Implements `dialect.Dialect`."""
+    """Implementation of `dialect.Dialect` for RobotWare 7."""
 
     users: Users
     generation: int = 2
@@ -40,7 +40,7 @@ class Rws2Dialect:
     clients_may_speak: bool = False
 
     def objection(self, request: web.Request) -> web.Response | None:
-        """Refuses requests for forms of another version."""
+        """Reject requests for representations of another version."""
         is_file = request.path.startswith("/fileservice/")
         if request.method == "GET":
             is_socket = request.path.startswith("/poll/")
@@ -55,20 +55,20 @@ class Rws2Dialect:
     def represent(self, request: web.Request, reply: Reply) -> web.Response:
         """See `Dialect`."""
         form, version = _accepted(request) or (_XHTML, "2.0")
-        # Writing answers in XHTML, whatever form is asked for.
+        # Writes answer in XHTML, for any requested representation.
         if form == _HAL and (request.method == "GET" or isinstance(reply, ErrorAnswer)):
             return represent(request, reply, hal_body, hal_refusal, f"{_HAL};v={version}")
         return represent(request, reply, xhtml_body, later_xhtml_refusal, f"{_XHTML};v={version}")
 
     def file_refused(self, request: web.Request, refusal: ErrorAnswer) -> web.Response:
-        """JSON that calls itself HTML where a file is missing, as controllers do."""
+        """Return JSON labelled as HTML if a file is missing, as controllers do."""
         if refusal.status != HTTPStatus.NOT_FOUND:
             return self.represent(request, refusal)
         body = hal_refusal(refusal, base(request))
         return web.Response(status=refusal.status, text=body, content_type="text/html")
 
     def subscribed(self, request: web.Request, group: int) -> web.Response:
-        """With both addresses: that of the websocket and that of the group."""
+        """Return both addresses: that of the websocket and that of the group."""
         link = f"wss://{request.host}/poll/{group}"
         body = subscribed(group, link, base(request))
         headers = {"Location": link, "Content-Type": f"{_XHTML};v=2.0"}
@@ -76,7 +76,7 @@ class Rws2Dialect:
 
 
 def _accepted(request: web.Request) -> tuple[str, str] | None:
-    """The first accepted form that exists, with its version; None if there is none."""
+    """Return the first accepted representation that exists, with its version; else None."""
     header = _squeezed(request.headers.get("Accept", "*/*"))
     for one in header.split(","):
         matched = _ACCEPTED.match(one)

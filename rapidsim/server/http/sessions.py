@@ -1,4 +1,4 @@
-"""The sessions of clients: limited in number, recognised by either of two cookies."""
+"""Sessions of clients: limited in number, recognised by either of two cookies."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ NUMBER: Final = "ABBCX"
 
 @dataclass(slots=True)
 class Session:
-    """One client."""
+    """Session of one client."""
 
     number: int
     user: str
@@ -25,12 +25,12 @@ class Session:
 
 @dataclass(slots=True)
 class Sessions:
-    """All of them."""
+    """All sessions."""
 
     most: int
-    """The most at one time."""
+    """Largest number of sessions at one time."""
     idle_s: float
-    """A session that is unused for so long [s] ends."""
+    """Time [s] without use after which a session ends."""
     ended: Callable[[int], None]
     """Called with the number of each session that ends."""
     now_s: Callable[[], float] = monotonic
@@ -39,11 +39,11 @@ class Sessions:
     _numbers: count[int] = field(default_factory=lambda: count(1))
 
     def __len__(self) -> int:
-        """How many there are."""
+        """Number of sessions."""
         return len(self._live)
 
     def begin(self, user: str) -> Session | None:
-        """A new session; None if there are too many."""
+        """Begin a session; None if there are too many."""
         self._drop_idle()
         if len(self._live) >= self.most:
             return None
@@ -59,7 +59,7 @@ class Sessions:
         return session
 
     def find(self, cookies: Mapping[str, str]) -> Session | None:
-        """The session that a request belongs to, by any of its cookies."""
+        """Return the session of a request, by any of its cookies; None if no session has them."""
         self._drop_idle()
         for pair in cookies.items():
             session = self._by_cookie.get(pair)

@@ -1,1 +1,1 @@
-"""The resources of a controller by address; one description of each, for all protocols."""
+"""Resources of a controller by address, with one description of each for all protocols."""

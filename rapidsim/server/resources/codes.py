@@ -1,4 +1,4 @@
-"""Errors as controllers answer them, status and number: recorded answers of RobotWare 6.16."""
+"""Error codes of controllers, status and number: recorded answers of RobotWare 6.16."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ NOT_HELD: Final = (403, -1073445859)
 NOT_ALLOWED: Final = (403, -1073445867)
 READ_ONLY: Final = (403, -1073445881)
 
-# What RobotWare 7 answers where 6.16 says "not found" or "no such symbol".
+# Codes of RobotWare 7 for "not found" and "no such symbol" of 6.16.
 LATER_NO_SYMBOL: Final = (404, -1073442816)
 LATER_NO_MODULE: Final = (400, -1073442813)
 LATER_NO_FILE: Final = (404, -1073438713)
@@ -42,7 +42,7 @@ _OF: Final = {
 def refused(
     reason: tuple[int, int], message: str, later: tuple[int, int] | None = None
 ) -> RefusedRequest:
-    """The refusal of a request; `later` is what RobotWare 7 answers, where that is another."""
+    """Return the error of a request; `later` is the code of RobotWare 7 if it differs."""
     return RefusedRequest(*reason, message, later)
 
 
@@ -51,10 +51,10 @@ _OF_SECOND: Final = {
     RefusalReason.NO_MODULE: LATER_NO_MODULE,
     RefusalReason.NO_SYMBOL: LATER_NO_SYMBOL,
 }
-"""The same in RobotWare 7."""
+"""Codes of RobotWare 7 by reason."""
 
 
 def as_answered(refusal: RequestRefused, generation: int) -> RefusedRequest:
-    """A refusal of the controller as the answer to a request."""
+    """Return a refusal of the controller as the answer to a request."""
     why = (_OF if generation == 1 else _OF_SECOND)[refusal.why]
     return RefusedRequest(*why, refusal.message)

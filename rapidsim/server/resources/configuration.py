@@ -11,7 +11,7 @@ from rapidsim.server.resources.codes import BAD_PARAMETER, NOT_FOUND, refused
 from rapidsim.server.resources.context import RequestContext
 
 _VALUE: Final = re.compile(r"\[(.*),\s*\d+\]", re.DOTALL)
-"""How clients write the value of an attribute: `[value,1]`."""
+"""Format in which clients write the value of an attribute: `[value,1]`."""
 
 
 def domains(context: RequestContext, request: Request) -> Answer:
@@ -91,7 +91,7 @@ def _instance(
 
 
 def _name(number: int, record: Mapping[str, str]) -> str:
-    """The name an instance is addressed by; its index if it has none."""
+    """Return the name by which an instance is addressed; its index if it has none."""
     return record.get("name") or str(number)
 
 

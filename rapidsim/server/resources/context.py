@@ -1,4 +1,4 @@
-"""What every resource is given: the controller, and what sessions hold."""
+"""Context of a request: the controller, and the resources held by sessions."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ T = TypeVar("T")
 
 @dataclass(slots=True)
 class RequestContext:
-    """The controller, and which session holds which mastership."""
+    """The controller, and the holders of masterships."""
 
     live: LiveController
     masters: dict[str, int] = field(default_factory=dict)
-    """The session that holds each domain."""
+    """Session that holds each domain."""
     queues: dict[str, MessageQueue] = field(default_factory=dict)
-    """The message queues of clients, by name, in the case they were created with."""
+    """Message queues of clients, by name, in the case they were created with."""
     owners: dict[str, int] = field(default_factory=dict)
-    """The session that made each of them."""
+    """Session that created each queue."""
     files: FileService = field(init=False)
 
     def __post_init__(self) -> None:
-        """Open the folders of its programs."""
+        """Open the folders of the programs."""
         options = self.live.options
         ramdisk = None if options.ramdisk is None else options.ramdisk.resolve()
         self.files = FileService((options.home or Path("HOME")).resolve(), ramdisk)
@@ -40,10 +40,10 @@ class RequestContext:
     def require_mastership(self, domain: str, request: Request) -> None:
         """Refuse if another session holds a mastership.
 
-        RobotWare 6 takes it implicitly if nobody holds it, RobotWare 7 does not.
+        RobotWare 6 takes it implicitly if no session holds it, RobotWare 7 does not.
 
         Raises:
-            RefusedRequest: If another session holds it, or it must be held and is not.
+            RefusedRequest: If another session holds it, or it is required and not held.
         """
         holder = self.masters.get(domain)
         if holder == request.session:
@@ -54,10 +54,10 @@ class RequestContext:
             raise refused(NOT_HELD, f"this takes the mastership of {domain}")
 
     def require_unclaimed(self, request: Request) -> None:
-        """Refuse to start what another session is master of, as RobotWare 7 does.
+        """Refuse to start programs if another session has the mastership, as RobotWare 7 does.
 
         Raises:
-            RefusedRequest: If it is.
+            RefusedRequest: If another session holds it.
         """
         if (
             request.generation == 2
@@ -66,7 +66,7 @@ class RequestContext:
             raise refused(HELD_BY_ANOTHER, "another session has the mastership of edit")
 
     def release_all(self, session: int) -> None:
-        """Release what a session holds."""
+        """Release all resources held by a session."""
         self.masters = {key: one for key, one in self.masters.items() if one != session}
         for name in [name for name, owner in self.owners.items() if owner == session]:
             self.live.cell.messages.disconnect(name)
@@ -78,10 +78,10 @@ Resource: TypeAlias = Callable[..., Answer]
 
 
 def required_value(form: Fields, name: str) -> str:
-    """A value that a request must give.
+    """Return a required value of a request.
 
     Raises:
-        RefusedRequest: If it does not.
+        RefusedRequest: If it is missing.
     """
     value = form.get(name)
     if value is None:
@@ -90,10 +90,10 @@ def required_value(form: Fields, name: str) -> str:
 
 
 def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
-    """A value that must be one of a set of words; see `required_value`.
+    """Return a value that must be one of a set of words; see `required_value`.
 
     Raises:
-        RefusedRequest: If it is not.
+        RefusedRequest: If it is none of them.
     """
     text = required_value(form, name)
     try:
@@ -103,10 +103,10 @@ def chosen(form: Fields, name: str, words: Callable[[str], T]) -> T:
 
 
 def number(form: Fields, name: str) -> float:
-    """A finite number that a request must give; see `required_value`.
+    """Return a finite number that is required in a request; see `required_value`.
 
     Raises:
-        RefusedRequest: If it is none.
+        RefusedRequest: If it is not a finite number.
     """
     value = chosen(form, name, float)
     if not abs(value) < float("inf"):
@@ -115,10 +115,10 @@ def number(form: Fields, name: str) -> float:
 
 
 def count(form: Fields, name: str, default: int) -> int:
-    """A count that a request may give.
+    """Return an optional count of a request.
 
     Raises:
-        RefusedRequest: If it is none.
+        RefusedRequest: If it is not a count.
     """
     text = form.get(name, str(default))
     if not (text.isascii() and text.isdecimal() and len(text) < 10):

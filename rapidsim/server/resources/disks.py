@@ -1,8 +1,8 @@
-"""The files of a controller: folders by `$NAME`, from which no path leads out.
+"""Files of a controller: folders by `$NAME`, from which no path leads out.
 
-`$HOME` is the home folder; the other disks are folders in it with their names, as for a
-program, unless the RAM disk has a folder of its own. Whatever lies outside, by `..`, an
-absolute path or a link, does not exist.
+`$HOME` is the home folder; the other disks are folders in it with their names, as for a program,
+unless the RAM disk has its own folder. Files outside, by `..`, an absolute path or a link, do not
+exist.
 """
 
 from __future__ import annotations
@@ -26,23 +26,23 @@ from rapidsim.server.resources.codes import (
 from rapidsim.values import value_class
 
 DISKS: Final = ("HOME", "TEMP", "RAMDISK", "BACKUP")
-"""The folders that clients reach by `$NAME`."""
+"""Folders that clients reach by `$NAME`."""
 _STAMP = "%Y-%m-%d T %H:%M:%S"
 
 
 @value_class(frozen=True, slots=True)
 class FileService:
-    """Reads and writes the home folder."""
+    """Access to the files of the disks."""
 
     home: Path
     ramdisk: Path | None = None
     """None if it is in the home folder."""
 
     def read(self, address: str) -> bytes | Answer:
-        """A file's bytes, or the entries of a folder.
+        """Return a file's bytes, or the entries of a folder.
 
         Raises:
-            RefusedRequest: If there is neither.
+            RefusedRequest: If neither exists.
         """
         place = self._place(address)
         try:
@@ -55,10 +55,10 @@ class FileService:
             raise _missing(address) from None
 
     def write(self, address: str, content: bytes) -> bool:
-        """Write a file, whole or not at all; returns whether it is new.
+        """Write a file completely or not at all; return whether it is new.
 
         Raises:
-            RefusedRequest: If it cannot be.
+            RefusedRequest: If it cannot be written.
         """
         place = self._place(address)
         is_new = not place.exists()
@@ -78,10 +78,10 @@ class FileService:
         return is_new
 
     def remove(self, address: str) -> None:
-        """Remove a file, or a folder with everything in it.
+        """Remove a file, or a folder with all its contents.
 
         Raises:
-            RefusedRequest: If there is none, or it is a disk.
+            RefusedRequest: If it does not exist, or is a disk.
         """
         place = self._place(address)
         try:
@@ -95,10 +95,10 @@ class FileService:
             raise _missing(address) from None
 
     def change(self, address: str, action: str, name: str) -> None:
-        """Create a folder in a folder, or rename or copy a file beside itself.
+        """Create a folder in a folder, or rename or copy a file within its folder.
 
         Raises:
-            RefusedRequest: If it cannot be.
+            RefusedRequest: If the change is impossible.
         """
         place = self._place(address)
         if not name or "/" in name:
@@ -131,7 +131,7 @@ class FileService:
         return self.home if disk == "HOME" else self.home / disk
 
     def _place(self, address: str) -> Path:
-        """The place of an address on this computer's disk.
+        """Return the path of an address on this computer's disk.
 
         Raises:
             RefusedRequest: If it is not a file of this controller.
@@ -157,7 +157,7 @@ class FileService:
 
 
 def path_of_programs(address: str) -> str:
-    """An address as programs write it: `$HOME/a.mod` is their `HOME:/a.mod`."""
+    """Convert an address to the notation of programs: `$HOME/a.mod` becomes `HOME:/a.mod`."""
     disk, _, rest = address.partition("/")
     name = disk.lstrip("$").rstrip(":").upper()
     return f"{name}:/{rest}" if name in DISKS else address
@@ -168,7 +168,7 @@ def _leads_away(part: str) -> bool:
 
 
 def _without_case(folder: Path, name: str) -> Path:
-    """A name in a folder, in the case it has there: controllers ignore case."""
+    """Return the path of a name in a folder with its actual case: controllers ignore case."""
     exact = folder / name
     if not exact.exists() and folder.is_dir():
         for one in folder.iterdir():

@@ -35,7 +35,7 @@ def entry(context: RequestContext, request: Request, domain: str, number: str) -
     """One entry.
 
     Raises:
-        RefusedRequest: If there is none of this number.
+        RefusedRequest: If no entry has this number.
     """
     del request
     for one in context.live.log.entries(_domain(domain)):
@@ -45,14 +45,14 @@ def entry(context: RequestContext, request: Request, domain: str, number: str) -
 
 
 def clear(context: RequestContext, request: Request, domain: str) -> Answer:
-    """Forget the entries of a domain."""
+    """Delete the entries of a domain."""
     del request
     context.live.log.clear(_domain(domain))
     return DONE
 
 
 def clear_all(context: RequestContext, request: Request) -> Answer:
-    """Forget all entries."""
+    """Delete all entries."""
     del request
     context.live.log.clear()
     return DONE

@@ -14,20 +14,20 @@ def read(context: RequestContext, request: Request, address: str) -> Answer:
 
 
 def write(context: RequestContext, request: Request, address: str) -> Answer:
-    """Write a file, whole or not at all."""
+    """Write a file completely or not at all."""
     is_new = context.files.write(address, request.content)
     return Answer(status=201 if is_new else 200)
 
 
 def remove(context: RequestContext, request: Request, address: str) -> Answer:
-    """Remove a file, or a folder with everything in it."""
+    """Remove a file, or a folder with all its contents."""
     del request
     context.files.remove(address)
     return DONE
 
 
 def change(context: RequestContext, request: Request, address: str) -> Answer:
-    """Create a folder in a folder, or rename or copy a file beside itself."""
+    """Create a folder in a folder, or rename or copy a file within its folder."""
     form = request.form
     context.files.change(address, form.get("fs-action", ""), form.get("fs-newname", ""))
     return Answer(status=201)

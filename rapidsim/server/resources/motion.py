@@ -33,14 +33,14 @@ def motion_system(context: RequestContext, request: Request) -> Answer:
 
 
 def error_state(context: RequestContext, request: Request) -> Answer:
-    """The state of the motion system: it has no errors of its own here."""
+    """The state of the motion system, which never has errors of its own in rapidsim."""
     del context, request
     fields = {"err-state": "HPJ_OK", "err-count": "0"}
     return Answer((Item("ms-errorstate", "errorstate", fields),))
 
 
 def non_motion_execution(context: RequestContext, request: Request) -> Answer:
-    """Whether programs run without moving the robots, which never happens here."""
+    """Whether programs run without moving the robots, which rapidsim never does."""
     del context, request
     return Answer((Item("ms-nonmotionexecution", "nonmotionexecution", {"mode": "OFF"}),))
 
@@ -56,7 +56,7 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     name, task = _robot(context, unit)
     if request.query.get("resource") == "static":
         axes = len(task.unit.solo_queue.robot.joints)
-        # A client raises an error at an empty text, and takes these words for "none".
+        # A client raises an error at an empty text, and interprets these words as "none".
         fields = {
             "task-name": task.name,
             "is-integrated-unit": "NoIntegratedUnit",
@@ -82,7 +82,7 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
 
 
 def joint_target(context: RequestContext, request: Request, unit: str) -> Answer:
-    """Where the axes of a robot are."""
+    """The current positions of the axes of a robot."""
     del request
     name, task = _robot(context, unit)
     now = position.joints(task)
@@ -93,7 +93,7 @@ def joint_target(context: RequestContext, request: Request, unit: str) -> Answer
 
 
 def rob_target(context: RequestContext, request: Request, unit: str) -> Answer:
-    """Where the TCP of a robot is."""
+    """The current pose of the TCP of a robot."""
     query = request.query
     name, task = _robot(context, unit)
     frame = _frame(query.get("coordinate", ""))
@@ -108,7 +108,7 @@ def rob_target(context: RequestContext, request: Request, unit: str) -> Answer:
 
 
 def cartesian(context: RequestContext, request: Request, unit: str) -> Answer:
-    """Where the flange of a robot is, in its base."""
+    """The current Cartesian pose of the TCP of a robot, by default of its flange in its base."""
     name, task = _robot(context, unit)
     query = request.query
     tool, wobj = query.get("tool") or "tool0", query.get("wobj") or "wobj0"
@@ -132,7 +132,7 @@ def axes(context: RequestContext, request: Request, unit: str) -> Answer:
 
 
 def base_frame(context: RequestContext, request: Request, unit: str) -> Answer:
-    """Where a robot stands in the world."""
+    """The pose of a robot's base in the world."""
     del request
     name, task = _robot(context, unit)
     place = task.setup.place

@@ -1,6 +1,6 @@
-"""The controller as the page for people shows it, as JSON.
+"""State of the controller on the operator page, as JSON.
 
-Looking changes nothing: it is not in the journal, and in lock-step no time passes.
+A read has no effect: it is not in the journal, and in lock-step no time passes.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ from rapidsim.simulation.live.signals import limits
 from rapidsim.simulation.live.states import RequestRefused, TaskState
 
 _ENTRIES: Final = 50
-"""How many entries of the event log are shown."""
+"""Number of entries of the event log that are shown."""
 
 
 def looked(context: RequestContext, read_state: ReadState) -> Answer:
-    """The state of the controller, or the text of a module.
+    """Return the state of the controller, or the text of a module.
 
     Raises:
         RefusedRequest: If there is no such module.
@@ -138,7 +138,7 @@ def _text(task: LiveTask, module: str) -> dict[str, object]:
 
 
 def _place(task: LiveTask, place: Place) -> list[object] | None:
-    """Module and line of a place in the program of a task; the first line of a text is 1."""
+    """Return module and line of a place in the program of a task; the first line of a text is 1."""
     for one in program_memory.modules(task):
         if one.source.file == place.span.file and one.start <= place.span.start <= one.end:
             first = one.source.text.count("\n", 0, one.start)

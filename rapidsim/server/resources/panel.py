@@ -25,7 +25,7 @@ def state(context: RequestContext, request: Request) -> Answer:
 
 
 def state_item(context: RequestContext) -> Item:
-    """The same, as it is shown."""
+    """Return the state of the controller as an item."""
     return Item("pnl-ctrlstate", "ctrlstate", {"ctrlstate": context.live.motors.value})
 
 
@@ -42,12 +42,12 @@ def mode(context: RequestContext, request: Request) -> Answer:
 
 
 def mode_item(context: RequestContext) -> Item:
-    """The same, as it is shown."""
+    """Return the operating mode as an item."""
     return Item("pnl-opmode", "opmode", {"opmode": context.live.mode.value})
 
 
 def set_mode(context: RequestContext, request: Request) -> Answer:
-    """Turn the mode key, as a virtual controller lets clients do."""
+    """Turn the mode key, which a virtual controller allows clients."""
     asked = request.form.get("opmode", "").lower()
     if asked not in _MODES:
         raise refused(BAD_PARAMETER, f"`opmode` cannot be `{asked}`")
@@ -62,12 +62,12 @@ def speed_ratio(context: RequestContext, request: Request) -> Answer:
 
 
 def speed_item(context: RequestContext) -> Item:
-    """The same, as it is shown."""
+    """Return the speed ratio as an item."""
     return Item("pnl-speedratio", "speedratio", {"speedratio": str(context.live.speed_ratio)})
 
 
 def set_speed_ratio(context: RequestContext, request: Request) -> Answer:
-    """Set the speed ratio of the moves to come."""
+    """Set the speed ratio of later moves."""
     context.require_mastership("rapid", request)
     percent = number(request.form, "speed-ratio")
     context.live.set_speed_ratio(round(percent))

@@ -16,13 +16,13 @@ _NOT_SIMULATED = frozenset({"stepback", "steplast"})
 
 
 def execution(context: RequestContext, request: Request) -> Answer:
-    """Whether programs are executing, and what happens after the end of main."""
+    """Whether programs are executing, and the cycle mode."""
     del request
     return Answer((execution_item(context),))
 
 
 def execution_item(context: RequestContext) -> Item:
-    """The same, as it is shown."""
+    """Return the state of execution as an item."""
     live = context.live
     executes = "running" if live.executes else "stopped"
     return Item(
@@ -75,7 +75,7 @@ def reset_pointers(context: RequestContext, request: Request, task: str = "") ->
 
 
 def set_cycle(context: RequestContext, request: Request) -> Answer:
-    """Set what happens after the end of main."""
+    """Set the cycle mode."""
     context.live.set_cycle(chosen(request.form, "cycle", Cycle))
     return DONE
 
@@ -107,7 +107,7 @@ def deactivate(context: RequestContext, request: Request, task: str | None = Non
 
 
 def pointers(context: RequestContext, request: Request, task: str) -> Answer:
-    """Where the program pointer of a task is."""
+    """The position of the program pointer of a task."""
     del request
     found = context.live.task(task)
     place = found.place
@@ -143,7 +143,7 @@ def module(
     """One module of a task, or with `resource=module-text` its text.
 
     Raises:
-        RefusedRequest: If there is none of this name.
+        RefusedRequest: If no module has this name.
     """
     if request.query.get("resource") == "module-text":
         return module_text(context, request, module, task)
@@ -173,7 +173,7 @@ def load_module(context: RequestContext, request: Request, task: str) -> Answer:
 
 
 def load_program(context: RequestContext, request: Request, task: str) -> Answer:
-    """Load a program from a file in place of the present one."""
+    """Load a program from a file in place of the current one."""
     context.require_mastership("rapid", request)
     program_memory.load_program(
         context.live.stopped_task(task), path_of_programs(request.form.get("progpath", ""))

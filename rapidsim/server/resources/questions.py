@@ -12,7 +12,7 @@ def active(context: RequestContext, request: Request) -> Answer:
     """The questions that wait for an answer.
 
     Raises:
-        RefusedRequest: If there are none.
+        RefusedRequest: If no question waits.
     """
     del request
     found = context.live.pendant.questions.values()
@@ -22,10 +22,10 @@ def active(context: RequestContext, request: Request) -> Answer:
 
 
 def answer(context: RequestContext, request: Request, parameter: str) -> Answer:
-    """Answer the question of the task whose stack an address begins with.
+    """Answer the question of the task whose stack is at the start of an address.
 
     Raises:
-        RefusedRequest: If it asks nothing, or this is not a valid answer.
+        RefusedRequest: If the task has no question, or this is not a valid answer.
     """
     parts = parameter.lower().split("/")
     text = required_value(request.form, "value")
@@ -40,7 +40,7 @@ def answer(context: RequestContext, request: Request, parameter: str) -> Answer:
 
 
 def question_item(question: Question) -> Item:
-    """A question as clients see it; its keys are answered by text or by number, from 1."""
+    """Return a question as clients see it; its keys are answered by text or by number, from 1."""
     stack = f"RAPID/{question.task}"
     fields = {
         "instr": question.instruction,

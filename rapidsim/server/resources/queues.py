@@ -1,4 +1,4 @@
-"""The message queues of clients: created here, read here, and written to by programs too."""
+"""Message queues of clients: created and read here, and also written to by programs."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def send(context: RequestContext, request: Request, queue: str) -> Answer:
     """Put a message into the queue of a task, or of a client.
 
     Raises:
-        RefusedRequest: If there is no such queue, or it does not take the message.
+        RefusedRequest: If there is no such queue, or it does not accept the message.
     """
     form, messages = request.form, context.live.cell.messages
     found = messages.find(queue, is_external=True)
@@ -93,7 +93,7 @@ def queue(context: RequestContext, request: Request, queue: str) -> Answer:
     """A queue of a client.
 
     Raises:
-        RefusedRequest: If there is none.
+        RefusedRequest: If the client has no such queue.
     """
     del request
     if queue not in context.queues:
@@ -102,7 +102,7 @@ def queue(context: RequestContext, request: Request, queue: str) -> Answer:
 
 
 def message_item(queue: str, message: Message, kind: str) -> Item:
-    """A message as clients see it; a public client reads the data before the user-defined value."""
+    """Return a message as clients see it; a public client reads the data before the user value."""
     user = "" if message.user_def == NO_USER_DEF else f"{message.user_def:g}"
     fields = {
         "dipc-slotid": "" if message.sender is None else message.sender.name,

@@ -1,7 +1,7 @@
 """One resource of Robot Web Services: its address and the function that answers.
 
-An address is split at its slashes; `{name}` takes one part, `{name...}` all that are left but for
-what stands behind it. Names compare as they are written.
+An address is split at its slashes; `{name}` matches one part, `{name...}` all remaining parts
+except the parts that follow it. Names are case-sensitive.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rapidsim.server.resources.context import Resource
 
 @dataclass(frozen=True)
 class Route:
-    """A resource, and the functions that answer for it."""
+    """A resource with its method and action, and the function that answers it."""
 
     method: str
     address: str
@@ -23,11 +23,11 @@ class Route:
 
     @cached_property
     def parts(self) -> tuple[str, ...]:
-        """The address, split."""
+        """Parts of the address."""
         return tuple(self.address.split("/"))
 
     def matched(self, parts: list[str]) -> dict[str, str] | None:
-        """The parameters of an address; None if it does not match."""
+        """Return the parameters of an address; None if it does not match."""
         found: dict[str, str] = {}
         for index, part in enumerate(self.parts):
             if part.endswith("...}"):

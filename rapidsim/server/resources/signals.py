@@ -1,4 +1,4 @@
-"""Signals by their names, alone or behind a network and a device; networks and devices."""
+"""Signals by their names, with or without network and device; networks and devices."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.server.resources.io_addresses import SignalAddresses
 from rapidsim.simulation.live import signals as live_signals
 
 _PAGE: Final = 100
-"""The most signals that RobotWare 7 returns at once."""
+"""Largest number of signals that RobotWare 7 returns at once."""
 
 
 def signals(context: RequestContext, request: Request) -> Answer:
@@ -46,7 +46,7 @@ def search(context: RequestContext, request: Request) -> Answer:
 def signal(
     context: RequestContext, request: Request, name: str, network: str = "", device: str = ""
 ) -> Answer:
-    """One signal; a signal without a device answers under any."""
+    """One signal; a signal without a device answers under any device."""
     del request, network, device
     return Answer((signal_item(context, live_signals.find(context.live, name)),))
 
@@ -57,7 +57,7 @@ def set_signal(
     """Change a signal."""
     del network, device
     found = live_signals.find(context.live, name)
-    # Nothing else drives inputs here.
+    # Clients may always write inputs: there are no real devices that drive them.
     is_output = found.kind.value.endswith("o")
     if is_output and not SignalAddresses(context).may_be_written(name):
         raise refused(READ_ONLY, f"the configuration gives clients no access to {found.name}")
@@ -68,7 +68,7 @@ def set_signal(
 def set_device_inputs(
     context: RequestContext, request: Request, network: str, device: str
 ) -> Answer:
-    """Set the inputs that a device maps to given bytes, from the highest bit of each."""
+    """Set the inputs that a device maps to bytes of a request, from the highest bit of each."""
     del network
     named = {one.get("Name", "").lower() for _, one in io_addresses.devices(context)}
     if device.lower() not in named:
@@ -94,7 +94,7 @@ def set_device_inputs(
 
 
 def networks(context: RequestContext, request: Request) -> Answer:
-    """The networks of the configuration, and the one of signals without a device."""
+    """The networks of the configuration, and the network of signals without a device."""
     del request
     fields = {"pstate": "running", "lstate": "started"}
     items = (
@@ -105,7 +105,7 @@ def networks(context: RequestContext, request: Request) -> Answer:
 
 
 def devices(context: RequestContext, request: Request) -> Answer:
-    """The I/O devices of the configuration, or those of one network."""
+    """The I/O devices of the configuration, or of one network."""
     wanted = request.query.get("network", "").lower()
     items = []
     for network, one in io_addresses.devices(context):
@@ -126,7 +126,7 @@ def devices(context: RequestContext, request: Request) -> Answer:
 def signal_item(
     context: RequestContext, declaration: SignalDeclaration, places: SignalAddresses | None = None
 ) -> Item:
-    """A signal as clients see it."""
+    """Return a signal as clients see it."""
     value = value_text(declaration, live_signals.value_of(context.live, declaration.name))
     fields = {
         "name": declaration.name,
@@ -141,6 +141,6 @@ def signal_item(
 
 
 def value_text(declaration: SignalDeclaration, value: float) -> str:
-    """A value as a controller writes it: an integer unless the signal is analog."""
+    """Return a value as a controller writes it: an integer unless the signal is analog."""
     analog = declaration.kind in (SignalKind.AI, SignalKind.AO)
     return f"{value:.10g}" if analog else str(int(value))

@@ -1,4 +1,4 @@
-"""The data of programs by address: `RAPID/task/module/name`; task and module are optional."""
+"""Data of programs by address: `RAPID/task/module/name`; task and module are optional."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ _KINDS: Final = {
 
 
 def value(context: RequestContext, request: Request, symbol: str) -> Answer:
-    """The value of data, as RAPID would write it."""
+    """The value of data, in RAPID's notation."""
     del request
     return Answer((value_item(context, symbol),))
 
 
 def value_item(context: RequestContext, symbol: str) -> Item:
-    """The same, as it is shown."""
+    """Return the value of data as an item."""
     address = symbol.removesuffix(";value")
     task, datum = _find(context, address)
     title = f"RAPID/{address}"
@@ -79,7 +79,7 @@ def search(context: RequestContext, request: Request) -> Answer:
 
 
 def validate(context: RequestContext, request: Request) -> Answer:
-    """Whether a text is a value of a type.
+    """Check that a text is a value of a type.
 
     Raises:
         RefusedRequest: If it is not, or there is no such type.
@@ -92,10 +92,10 @@ def validate(context: RequestContext, request: Request) -> Answer:
 
 
 def _find(context: RequestContext, address: str) -> tuple[LiveTask, TaskDatum]:
-    """Data and their task; if the address names no task, the first that has the data.
+    """Return data and their task; if the address names no task, the first that has the data.
 
     Raises:
-        RefusedRequest: If there are none.
+        RefusedRequest: If there are no such data.
     """
     *outer, name = [part for part in address.split("/") if part]
     for task, module in _places(context, outer):
@@ -107,7 +107,7 @@ def _find(context: RequestContext, address: str) -> tuple[LiveTask, TaskDatum]:
 
 
 def _places(context: RequestContext, outer: list[str]) -> Iterator[tuple[LiveTask, str | None]]:
-    """The places where data may be that are addressed with a task, a module, both or neither."""
+    """Yield the tasks and modules to search for an address with task, module, both or neither."""
     tasks = context.live.tasks
     match outer:
         case []:

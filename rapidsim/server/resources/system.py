@@ -47,7 +47,7 @@ def set_clock(context: RequestContext, request: Request) -> Answer:
 
 
 def disk(context: RequestContext, request: Request, name: str) -> Answer:
-    """The path that a disk's name stands for in addresses of files.
+    """The path of a disk in addresses of files.
 
     Raises:
         RefusedRequest: If there is no such disk.
@@ -113,13 +113,13 @@ def give_mastership(context: RequestContext, request: Request, domain: str | Non
 
 
 def nothing_to_end(context: RequestContext, request: Request) -> Answer:
-    """End a stream; there is none."""
+    """End a stream; rapidsim has none."""
     del context, request
     return DONE
 
 
 def user(context: RequestContext, request: Request) -> Answer:
-    """Who a client is."""
+    """The identity of a client."""
     del context
     return Answer(
         (Item("user-info", "users", {"user-session": str(request.session)}),), links=("rmmp",)
@@ -133,29 +133,29 @@ def register(context: RequestContext, request: Request) -> Answer:
 
 
 def remote_rights(context: RequestContext, request: Request) -> Answer:
-    """Ask for the right to modify in manual mode, which is always granted here."""
+    """Request the right to modify in manual mode, which rapidsim always grants."""
     del context, request
     return Answer(status=202)
 
 
 def rights_granted(context: RequestContext, request: Request) -> Answer:
-    """Whether that right was granted."""
+    """Whether the right to modify in manual mode was granted."""
     del context, request
     return Answer((Item("user-rmmp-poll", "poll", {"status": "GRANTED"}),))
 
 
 def release_rights(context: RequestContext, request: Request) -> Answer:
-    """Release that right."""
+    """Release the right to modify in manual mode."""
     del context, request
     return DONE
 
 
 _SECOND_NAMES: Final = {"edit": ("cfg", "rapid"), "motion": ("motion",)}
-"""The domains of RobotWare 7, by their names in RobotWare 6."""
+"""Domains of RobotWare 6 by their names in RobotWare 7."""
 
 
 def _domains(domain: str | None, request: Request) -> tuple[str, ...]:
-    """The domains that a name stands for; all if there is none."""
+    """Return the domains of a name; all if it is None."""
     if domain is None:
         return MASTERSHIPS
     name = domain.lower()
@@ -182,7 +182,7 @@ def _options(context: RequestContext) -> tuple[Item, ...]:
 
 
 def for_administrators(context: RequestContext, request: Request) -> Answer:
-    """Refuse: how users come in is shown to nobody here, as to the default user of a controller.
+    """Refuse access to the settings of authentication, as to the default user of a controller.
 
     Raises:
         RefusedRequest: Always.

@@ -1,7 +1,7 @@
-"""Every resource of Robot Web Services and the function that answers for it.
+"""Resources of Robot Web Services and the functions that answer them.
 
-Both generations have the same resources. RobotWare 7 has the action in the address where RobotWare
-6 has it in the query, and has given some resources other addresses.
+Both generations have the same resources. RobotWare 7 has the action in the address, RobotWare 6 in
+the query, and some resources have other addresses in RobotWare 7.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ _FIRST: Final = (
     Route("POST", "rw/elog", event_log.clear_all, "clearall"),
     Route("POST", "rw/elog/{domain}", event_log.clear, "clear"),
     Route("POST", f"{_INSTANCES}/{{name}}", configuration.change, "set"),
-    # Older clients leave the prefix out.
+    # Older clients omit the prefix.
     Route("POST", "rw/dipc", queues.create, "dipc-create"),
     Route("POST", "rw/dipc", queues.create, "create"),
     Route("GET", "rw/dipc/{queue}", queues.read, "dipc-read"),
@@ -131,7 +131,7 @@ _FIRST: Final = (
     Route("POST", "rw/dipc/{queue}", queues.send, "dipc-send"),
     Route("POST", "rw/dipc/{queue}", queues.send, "send"),
     Route("POST", "rw/mastership", system.take_mastership, "request"),
-    # A public client leaves the action out.
+    # A public client omits the action.
     Route("POST", "rw/mastership", system.take_mastership),
     Route("POST", "rw/mastership", system.give_mastership, "release"),
     Route("POST", "rw/mastership/{domain}", system.take_mastership, "request"),
@@ -183,13 +183,13 @@ _SECOND: Final = (
     Route("POST", "rw/mastership/{domain}/release", system.give_mastership),
     Route("POST", "users/rmmp/cancel", system.release_rights),
     Route("GET", "uas/ldap/enabled", system.for_administrators),
-    # Older clients ask streams to end; there are none here.
+    # Older clients request the end of streams; rapidsim has none.
     Route("POST", "rw/infostream/disconnectclient", system.nothing_to_end),
     Route("POST", "rw/_istream/streamdisconnect", system.nothing_to_end),
 )
 
 ROUTES: Final[Mapping[int, tuple[Route, ...]]] = {1: (*_FIRST, *_BOTH), 2: (*_SECOND, *_BOTH)}
-"""By generation; if several match an address, the first counts."""
+"""Routes by generation; if several match an address, the first counts."""
 
 
 def answered(context: RequestContext, request: Request) -> Answer:
@@ -220,7 +220,7 @@ def answered(context: RequestContext, request: Request) -> Answer:
 
 
 def _below(routes: tuple[Route, ...], parts: list[str]) -> Iterator[str]:
-    """The names of readable resources below an address that is not one itself."""
+    """Yield the names of readable resources below an address that is no resource itself."""
     for route in routes:
         if (
             route.method == "GET"

@@ -1,1 +1,1 @@
-"""Fitting the motion model to logs of a real controller."""
+"""Fit of the motion model to logs of a real controller."""

@@ -1,17 +1,17 @@
 """Fit the motion model to logs of moves that a real controller made.
 
-What is fitted are factors on the torques of axes 1 to 3 and on the accelerations of the wrist (or,
-where no torques are known, one time for all axes), the smoothing, the dwell at stop points, and the
-share of the limits that is used in zones. All at once: what each log shows of each is weighed.
+The parameters are factors on the torques of axes 1 to 3 and on the accelerations of the wrist (or,
+if no torques are known, one time for all axes), the smoothing, the dwell at stop points, and the
+share of the limits that is used in zones. All are fitted at once and weighted by their evidence.
 
-Each log goes with the program that ran while it was taken. The path does not depend on the model,
-so every row of a log belongs to one place of our path; what the fit makes small is the difference
-of the times at these places. One offset a log is free: nobody knows how long after the start of the
-command a log begins.
+Each log comes with the program that ran while it was taken. The path does not depend on the model,
+so every row of a log has one position on our path; the fit minimises the differences of the times
+at these positions. Each log has one free time offset, since the delay between the start of the
+command and the start of the log is unknown.
 
-Where logs say little about a parameter it stays near what is known, the nearer the better that is:
-what was measured on an arm gives way to strong evidence only, and the result says so. What the best
-fit leaves unexplained counts as noise: where it is much, logs show little.
+A parameter with little evidence in the logs stays near its prior, the closer the better that is
+known: only strong evidence overrides a value measured on an arm, and the result reports it. The
+residuals of the best fit count as noise: large residuals make weak evidence.
 """
 
 from __future__ import annotations
@@ -42,25 +42,25 @@ _STILL_M_S = 0.02
 _MOST_ROWS = 400
 _FARTHEST_RAD = math.radians(1.0)
 _NOISE_S = 3e-3
-"""What logs and planning leave unexplained; a parameter is moved only for more than that."""
+"""Noise of logs and planning [s]; a parameter is changed only by stronger evidence."""
 _ROUNDS = 12
 _STEP = 0.04
 _SMALL = 0.1
-"""A round that changes less than this share of the noise is the last."""
+"""The last round changes the residuals by less than this share of the noise."""
 _SEEN = 0.5
 _LEAST_S = 4e-3
 _LEAST_FACTOR = 0.2
 _MEASURED_SPREAD = 0.04
-"""Of factors on the torques of an arm that was measured."""
+"""Prior spread of factors on the torques of an arm that was measured."""
 _PRIOR_SPREAD = 0.3
-"""Of factors on what is scaled from other arms."""
+"""Prior spread of factors on values scaled from other arms."""
 _CONTRADICTS = 2.0
-"""So many spreads from what was measured."""
+"""Deviation from a measured value, in spreads, that contradicts the measurement."""
 
 
 @value_class(frozen=True, slots=True)
 class LoggedRun:
-    """A program, and what was logged while a controller ran it from the first row's pose."""
+    """A program, and the log of a controller that ran it from the pose of the first row."""
 
     program: Program
     log: JointLog
@@ -71,43 +71,43 @@ class Fitted:
     """One parameter of the motion model."""
 
     name: str
-    """Such as `torque of axis 2`, or its key in the station file."""
+    """Name, such as `torque of axis 2`, or its key in the station file."""
     table: str
-    """The table of the station file that it stands in."""
+    """Table of the station file that contains it."""
     key: str
     value: float
     uncertainty: float
     """Standard deviation."""
     start: float
-    """What it was before."""
+    """Value before the fit."""
     seen: bool
-    """Whether the logs say more about it than was known."""
+    """Whether the logs determine it better than the prior does."""
     contradicts: bool
-    """Whether they say something else than what was measured on this arm."""
+    """Whether the logs contradict the value measured on this arm."""
     in_seconds: bool
 
 
 @value_class(frozen=True, slots=True)
 class LogFit:
-    """How well a log is met, in times at the same places."""
+    """Agreement of the motion model with one log, in times at the same positions."""
 
     name: str
     rows: int
     rms_before_s: float
     rms_after_s: float
     duration_s: float
-    """Of the logged motion."""
+    """Duration of the logged motion."""
     end_before_s: float
     """Our duration less the log's, with the model as it was."""
     end_after_s: float
     rms_left_out_s: float | None
-    """With what all other logs say; None where there is no other."""
+    """Deviation if only the other logs are fitted; None without other logs."""
     end_left_out_s: float | None
 
 
 @value_class(frozen=True, slots=True)
 class Calibration:
-    """What the logs say."""
+    """Result of a fit of the motion model to logs."""
 
     model: MotionModel
     parameters: tuple[Fitted, ...]
@@ -121,7 +121,7 @@ class _Parameter:
     key: str
     start: float
     spread: float
-    """How far from that the value may well be."""
+    """Standard deviation of the prior around `start`."""
     least: float
     put: Callable[[MotionModel, float], MotionModel]
     measured: bool = False
@@ -130,7 +130,7 @@ class _Parameter:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Rows:
-    """The rows of one log in which the arm moves."""
+    """Rows of one log in which the arm moves."""
 
     run: LoggedRun
     times: Array
@@ -143,7 +143,7 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
     Args:
         runs: Logs with their programs.
         robot: The arm.
-        model: Where the fit starts; everything else of it stays.
+        model: Start of the fit; all other fields remain unchanged.
 
     Raises:
         InputError: If a program does not run to its end, or a log does not follow its path.
@@ -170,9 +170,9 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
 
     values, slopes = _least_squares(residuals, known, least)
     before, after = misses(known), misses(values)
-    # What no value explains makes all of them uncertain: other noise, or another law than ours.
+    # Residuals of the best fit raise all uncertainties: other noise, or another law than ours.
     noise_s = max(_NOISE_S, math.sqrt(np.mean([_rms(miss) ** 2 for miss in after])))
-    # What was known before is as certain as it was.
+    # The prior is as certain as before.
     said = slopes[: -len(parameters)] / noise_s
     sigma = np.sqrt(np.diag(np.linalg.inv(said.T @ said + np.diag(spread**-2.0))))
     left_out: list[Array | None] = [None] * len(rows)
@@ -180,7 +180,7 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
         now = residuals(values)
         ends = np.cumsum([len(one.times) for one in rows])
         for number, (one, end) in enumerate(zip(rows, ends.tolist(), strict=True)):
-            # Near the fit one step does: what it would be without the rows of this log.
+            # Near the fit one step suffices to compute the fit without the rows of this log.
             kept = np.ones(len(now), dtype=bool)
             kept[end - len(one.times) : end] = False
             step = -np.linalg.lstsq(slopes[kept], now[kept], rcond=None)[0]
@@ -220,7 +220,7 @@ def calibrate(runs: Sequence[LoggedRun], robot: Robot, model: MotionModel) -> Ca
 
 
 def _parameters(robot: Robot, model: MotionModel) -> tuple[_Parameter, ...]:
-    """What is fitted on an arm; accelerations that the station file gives stay."""
+    """Parameters to fit for an arm, without accelerations that the station file defines."""
     found: list[_Parameter] = []
     arms = torques_of(robot, model)
     for arm in arms:
@@ -315,7 +315,7 @@ def _rows(run: LoggedRun, robot: Robot, model: MotionModel, parameters: int) -> 
 
 
 def _misses(rows: _Rows, robot: Robot, model: MotionModel) -> Array:
-    """Our times less those of the log (k,) [s], with the offset of the log taken out."""
+    """Return our times less those of the log (k,) [s], less their mean, the offset of the log."""
     trajectory = _simulated(rows.run, robot, model).trajectory
     lead = trajectory.time_at_place(rows.places) - rows.times
     misses: Array = lead - lead.mean()
@@ -336,7 +336,7 @@ def _simulated(run: LoggedRun, robot: Robot, model: MotionModel) -> RobotRun:
 
 
 def _least_squares(residuals: Residuals, start: Array, least: Array) -> tuple[Array, Array]:
-    """Values (p,) that make residuals least, and the slopes (r, p) there: damped Gauss-Newton."""
+    """Values (p,) that minimise residuals, and the slopes (r, p) there: damped Gauss-Newton."""
     values, now = start, residuals(start)
     slopes = _slopes(residuals, values, now)
     for _ in range(_ROUNDS):
@@ -349,7 +349,7 @@ def _least_squares(residuals: Residuals, start: Array, least: Array) -> tuple[Ar
             step = 0.5 * step
         else:
             break
-        # In units of what the residuals would not show.
+        # In units of the noise.
         moved = np.linalg.norm(slopes @ (trial - values)) / _NOISE_S
         values, now = trial, then
         if moved < _SMALL:
@@ -359,7 +359,7 @@ def _least_squares(residuals: Residuals, start: Array, least: Array) -> tuple[Ar
 
 
 def _slopes(residuals: Residuals, values: Array, now: Array) -> Array:
-    """How residuals, which are `now` at values (p,), grow with each of them: shape (r, p)."""
+    """Slopes (r, p) of residuals, which are `now` at values (p,), by finite differences."""
     columns = []
     for k, value in enumerate(values):
         step = np.zeros(len(values))

@@ -23,11 +23,11 @@ _FEWEST_ROWS = 10
 
 @value_class(frozen=True, slots=True, eq=False)
 class JointLog:
-    """What was logged; times ascend."""
+    """Logged joint angles with ascending times."""
 
     name: str
     times: Array
-    """Shape (k,) [s], from any zero."""
+    """Shape (k,) [s], from an arbitrary zero."""
     joints: Array
     """Shape (k, n) [rad]."""
 
@@ -36,19 +36,19 @@ def read_joint_log(file: Path, axes: int) -> JointLog:
     """Read a CSV file of times and joint angles.
 
     With a header, the columns named `time` (or `time_s`, `time_ms`, `t`, `timestamp`, and `tm` for
-    the milliseconds of EGM) and `j1` to `jn` (or `joint_1`, `q1`, `axis1`, `rax_1`) are taken
-    wherever they stand, as abb-motion-program-exec and EGM clients write them; without one, the
-    first columns are the time in seconds and the angles. Angles are in degrees, or in radians where
-    names end with `_rad`. Comma, semicolon and tab separate. Of rows with one time and one pose,
-    which EGM sends again where nothing is new, the first counts.
+    the milliseconds of EGM) and `j1` to `jn` (or `joint_1`, `q1`, `axis1`, `rax_1`) are read in any
+    order, as abb-motion-program-exec and EGM clients write them; without one, the first columns are
+    the time in seconds and the angles. Angles are in degrees, or in radians if names end with
+    `_rad`. Comma, semicolon and tab separate. Of rows with equal time and pose, which EGM repeats
+    if nothing has changed, the first counts.
 
     Args:
-        file: The file.
-        axes: How many axes the arm has.
+        file: The CSV file.
+        axes: Number of axes of the arm.
 
     Raises:
-        InputError: If it cannot be read, a column is missing, a value is no finite number, times do
-            not ascend, or there are fewer than 10 rows. Lines are named.
+        InputError: If the file cannot be read, a column is missing, a value is no finite number,
+            times do not ascend, or there are fewer than 10 rows. The message names the line.
     """
     text = input_text(file)
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
@@ -78,7 +78,7 @@ def read_joint_log(file: Path, axes: int) -> JointLog:
 
 
 def _columns(file: Path, titles: Sequence[str], axes: int) -> tuple[list[int], float, bool]:
-    """Where time and joints stand, the unit of time [s], and whether angles are in radians."""
+    """Columns of time and joints, the unit of time [s], and whether angles are in radians."""
     names = [title.lower().lstrip("# ") for title in titles]
     times = [i for i, name in enumerate(names) if _TIME.fullmatch(name)]
     joints: dict[int, int] = {}

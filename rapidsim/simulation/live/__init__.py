@@ -1,1 +1,1 @@
-"""A controller that stays on: programs start and stop while clients act on it from outside."""
+"""Controller that stays on: clients start and stop programs, and change signals and data."""

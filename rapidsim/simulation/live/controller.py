@@ -1,4 +1,4 @@
-"""A controller that stays on: what an operator, or a client over the network, can do with it.
+"""Controller that stays on: requests of an operator, or of a client over the network.
 
 It knows neither the wall clock nor the network. Its owner advances virtual time (`advance`) and
 makes requests in between, which take effect at the time reached.
@@ -46,9 +46,9 @@ from rapidsim.simulation.task_run import TaskSetup, require_limits, unit_of
 
 _SCREEN_LINES = 100
 _REMEMBERED_S = 10.0
-"""How far back [s] a robot's motion is kept: further than any reader, or smoothing, looks."""
+"""Motion history [s] kept of a robot: more than any reader, or smoothing, needs."""
 LEAST_RATIO = 1
-"""The speed ratio [%] used in place of 0 %: a robot that stands still is not modelled."""
+"""The speed ratio [%] used in place of 0 %, which is not modelled: the robot would not move."""
 
 
 def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
@@ -57,7 +57,7 @@ def _ignore(entry: LogEntry | Event | Diagnostic) -> None:
 
 @dataclass(eq=False)
 class LiveController:
-    """A controller with motors on, in automatic mode, its pointers at main, and nothing started."""
+    """A controller with motors on, in automatic mode, pointers at main, and no program started."""
 
     setups: Sequence[TaskSetup]
     options: RunOptions
@@ -75,27 +75,27 @@ class LiveController:
     """The network of the programs' sockets."""
     sensors: GuidanceSensors = field(default_factory=NoSensors)
     keeps_all: bool = False
-    """Whether all that happened is kept for `finished`, which grows without bound."""
+    """Whether all events and motion are kept for `finished`; memory then grows without bound."""
     cell: Cell = field(init=False)
     pendant: Pendant = field(init=False, default_factory=Pendant)
-    """The questions that wait for an answer."""
+    """Questions that wait for an answer."""
     screen: deque[str] = field(init=False, default_factory=lambda: deque(maxlen=_SCREEN_LINES))
-    """What programs have written on the FlexPendant, the newest line last."""
+    """Lines that programs have written on the FlexPendant, the newest last."""
     external_streams: ExternalStreams = field(init=False)
     mailboxes: OutsideMailboxes = field(init=False)
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
-    """By folded name, in the order of the station."""
+    """Tasks by folded name, in the order of the station."""
     _turns: LiveScheduler = field(init=False)
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
     _forgets_s: float = 0.0
-    """When the robots' past is next forgotten [s]."""
+    """Time [s] at which the robots' history is discarded next."""
     _events: list[Event] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        """Switch on.
+        """Switch the controller on.
 
         Raises:
             InputError: If an arm cannot be timed, or no task moves one.
@@ -155,24 +155,24 @@ class LiveController:
 
     @property
     def date(self) -> datetime:
-        """What the controller's clock shows."""
+        """Date and time that the controller's clock shows."""
         return self.date_at(self.now_s)
 
     def date_at(self, time_s: float) -> datetime:
-        """What the controller's clock shows at a given virtual time [s]."""
+        """Return the date and time that the controller's clock shows at a virtual time [s]."""
         return self.cell.starts_at + timedelta(seconds=math.floor(time_s))
 
     def set_date(self, date: datetime) -> None:
-        """Set the controller's clock; virtual time goes on as it was."""
+        """Set the controller's clock; virtual time is unaffected."""
         self.cell.starts_at = date - timedelta(seconds=math.floor(self.now_s))
 
     @property
     def next_due_s(self) -> float:
-        """When the next thing is due [s]; infinite if nothing is."""
+        """Time [s] of the next event; infinite if there is none."""
         return self._turns.due_s()
 
     def step(self, until_s: float) -> bool:
-        """Do one thing that is due by a time [s]; returns whether there was any."""
+        """Dispatch one event that is due by a time [s]; return whether there was one."""
         stepped = self._turns.step(until_s)
         if not self.keeps_all and self.now_s >= self._forgets_s:
             self._forgets_s = self.now_s + _REMEMBERED_S
@@ -196,24 +196,24 @@ class LiveController:
             self.screen.append(event.message)
 
     def advance(self, until_s: float) -> None:
-        """Advance virtual time to `time_s` [s] and do everything that is due by then."""
+        """Advance virtual time to `until_s` [s] and dispatch all events due by then."""
         while self.step(until_s):
             pass
 
     def settle(self) -> None:
-        """Do everything that is due now."""
+        """Dispatch all events that are due now."""
         self.advance(self.now_s)
 
     # Programs.
 
     @property
     def normal_tasks(self) -> Iterator[LiveTask]:
-        """The active tasks of type NORMAL: those that start and stop together."""
+        """Active tasks of type NORMAL: those that start and stop together."""
         return (one for one in self.tasks.values() if one.is_normal and one.is_active)
 
     @property
     def executes(self) -> bool:
-        """Whether any of these is executing."""
+        """Whether any normal task is executing."""
         return any(one.executes for one in self.normal_tasks)
 
     def start(
@@ -222,8 +222,8 @@ class LiveController:
         """Start the programs, from main or from where they stopped.
 
         Args:
-            cycle: What comes after the end of main; None leaves what holds.
-            how: Until they are stopped, or for a step of each task.
+            cycle: Cycle mode after the end of main; None for the current one.
+            how: Until they are stopped, or for one step of each task.
 
         Raises:
             RequestRefused: In a state that forbids it.
@@ -261,7 +261,7 @@ class LiveController:
         self._show_states()
 
     def reset_pointers(self, name: str = "") -> None:
-        """Put the pointers of all normal tasks to main, or that of one.
+        """Set the program pointers of all normal tasks, or of one, to main.
 
         Raises:
             RequestRefused: While a program executes, or if there is no such task.
@@ -285,7 +285,7 @@ class LiveController:
         self.cell.close()
 
     def finished(self) -> FinishedRun:
-        """What the robots did and what happened, if all of it was kept; after `switch_off`."""
+        """Return the result of the run; requires `keeps_all`, and `switch_off` before."""
         self._journal.restore(self._events)
         runs = [one.run for one in self.tasks.values()]
         outcomes = [one.outcome for one in self.tasks.values()]
@@ -293,7 +293,7 @@ class LiveController:
         return build_result(runs, outcomes, self.cell, self.now_s, self.options)
 
     def put_pointer(self, task: str, module: str, routine: str) -> None:
-        """Put the pointer of a normal task to a routine of a module, or of any.
+        """Set the program pointer of a normal task to a routine of a module, or of any module.
 
         Raises:
             RequestRefused: While a program executes, or if there is no such procedure.
@@ -309,7 +309,7 @@ class LiveController:
         self._show_states()
 
     def stopped_task(self, name: str) -> LiveTask:
-        """A task whose program may be changed: see `program_memory`.
+        """Return a task whose program may be changed: see `program_memory`.
 
         Raises:
             RequestRefused: While a program executes, or if there is no such task.
@@ -318,14 +318,14 @@ class LiveController:
         return self.task(name)
 
     def set_cycle(self, cycle: Cycle) -> None:
-        """Set what happens after the end of main."""
+        """Set the cycle mode after the end of main."""
         self.cycle = cycle
 
     def task(self, name: str) -> LiveTask:
-        """A task by name, in any case.
+        """Return a task by name, in any case.
 
         Raises:
-            RequestRefused: If there is none.
+            RequestRefused: If there is no such task.
         """
         task = self.tasks.get(name.lower())
         if task is None:
@@ -333,10 +333,10 @@ class LiveController:
         return task
 
     def activate(self, name: str | None, *, active: bool) -> None:
-        """Activate or deactivate a normal task; None means all.
+        """Activate or deactivate a normal task, or all if the name is None.
 
         Raises:
-            RequestRefused: If there is none, or while a program executes.
+            RequestRefused: If there is no such task, or while a program executes.
         """
         chosen = list(self.tasks.values()) if name is None else [self.task(name)]
         self._require_stopped()
@@ -345,7 +345,7 @@ class LiveController:
                 task.is_active = active
 
     def task_states(self) -> tuple[TaskState, ...]:
-        """The state of each task, as clients see it."""
+        """States of all tasks, as clients see them."""
         return tuple(task.state() for task in self.tasks.values())
 
     # The panel.
@@ -361,10 +361,10 @@ class LiveController:
         self._show_states()
 
     def set_mode(self, mode: OperatingMode) -> None:
-        """Turn the key: a change of mode stops the programs and switches the motors off.
+        """Turn the mode key, which stops the programs; to or from AUTO the motors are switched off.
 
         Raises:
-            RequestRefused: From automatic to full speed in one go.
+            RequestRefused: Between AUTO and manual full speed: the key passes manual reduced speed.
         """
         if mode is self.mode:
             return
@@ -380,10 +380,10 @@ class LiveController:
         self._show_states()
 
     def set_speed_ratio(self, percent: int) -> None:
-        """Set the speed of the moves to come, in percent of the programmed speed.
+        """Set the speed of later moves, in percent of the programmed speed.
 
         Raises:
-            RequestRefused: Beyond 0..100, or out of automatic mode.
+            RequestRefused: Outside 0..100, or if the mode is not automatic.
         """
         if not 0 <= percent <= 100:
             raise RequestRefused(
@@ -397,20 +397,20 @@ class LiveController:
         for task in self.tasks.values():
             task.set_speed_ratio(self._refresh)
 
-    # From outside.
+    # Inputs from operators and clients.
 
     def answer(self, task: str, text: str) -> None:
         """Answer the question of a task.
 
         Raises:
-            LookupError: If it asks nothing.
+            LookupError: If the task has no open question.
             ValueError: If the text is no answer to it.
         """
         self.pendant.answer(task, text)
         self.wake_programs()
 
     def wake_programs(self) -> None:
-        """Wake the programs: something they may be waiting for has changed from outside."""
+        """Wake the programs after a change from outside that they may be waiting for."""
         self.cell.notify(Moment(Instant(self.now_s)))
         self.settle()
 
@@ -418,7 +418,7 @@ class LiveController:
         """Change a signal now.
 
         Raises:
-            RequestRefused: If traps storm, which stops the programs.
+            RequestRefused: On a trap storm, which stops the programs.
         """
         cause = Cause(self._journal.for_task(CELL_TASK))
         moment = Moment(Instant(self.now_s))
@@ -428,10 +428,10 @@ class LiveController:
             self.stop(StopMode.STOP)
             raise RequestRefused(RefusalReason.STATE, storm.reason) from None
 
-    # What is told by tasks: implements `live_task.TaskSupervisor`.
+    # Notifications from tasks: implements `live_task.TaskSupervisor`.
 
     def stop_all(self, reason: str) -> None:
-        """A program stops all tasks."""
+        """Stop all tasks, as one of the programs requests."""
         for task in self.normal_tasks:
             if task.executes:
                 task.stop(on_path=True)
@@ -439,16 +439,16 @@ class LiveController:
                 self.log.operational(event_log.STOPPED, self.now_s, text, task.name)
 
     def cycle_ended(self) -> bool:
-        """Main has returned; returns whether it starts again at once."""
+        """Return whether main starts again at once after its end."""
         return self.cycle is Cycle.FOREVER and not self._ends_with_cycle
 
     def step_ended(self, task: LiveTask) -> None:
-        """A step has ended: a program stands before its next statement."""
+        """Log that a step has ended."""
         text = f"{task.name} is ready with this step."
         self.log.operational(event_log.STEPPED, self.now_s, text, task.name)
 
     def task_failed(self, task: LiveTask, findings: tuple[Diagnostic, ...], message: str) -> None:
-        """A program cannot continue: all tasks stop, and the event log says why."""
+        """Stop all tasks and log the reason, after the program of one task failed."""
         for one in findings:
             entry = self.log.finding(one, self.now_s, task.name)
             self.cell.error_logged(entry, self.now_s)
@@ -458,7 +458,7 @@ class LiveController:
                 other.stop(on_path=True)
         self._show_states(failed=task.name)
 
-    # Within.
+    # Private.
 
     @property
     def _refresh(self) -> float:
@@ -470,7 +470,7 @@ class LiveController:
 
     def _shared(self) -> SharedPersistents:
         programs = [setup.program for setup in self.setups]
-        # Somebody outside may write all of them.
+        # Clients may write all of them.
         return shared_persistents(programs, ScheduledAccess(self._turns), [None for _ in programs])
 
     def _link_tasks(self) -> None:

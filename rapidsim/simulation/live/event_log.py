@@ -1,7 +1,7 @@
 """The event log of a controller that stays on.
 
 Numbers and their meanings are those of the controller's event messages; those marked so are from
-memory, and stand here once.
+memory, and are defined here only.
 
 Source: Operating manual Trouble shooting, "Event messages".
 """
@@ -20,7 +20,7 @@ from rapidsim.simulation.live.states import Motors, OperatingMode
 from rapidsim.values import value_class
 
 KEPT: Final = 1000
-"""Entries of a domain that are kept, as on a controller."""
+"""Number of entries kept in a domain, as on a controller."""
 COMMON: Final = 0
 """The domain that shows the entries of all others."""
 DOMAINS: Final = (COMMON, 1, 2, 3, 4, 5, 7, 8, 9, 11, 12, 15)
@@ -49,16 +49,16 @@ _TITLES: Final = {
 
 @value_class(frozen=True, slots=True)
 class LogEntry:
-    """One entry."""
+    """One entry of the event log."""
 
     number: int
-    """It grows over all domains."""
+    """Ascends over all domains."""
     domain: int
     type: int
     """1 information, 2 warning, 3 error."""
     code: int
     time_s: float
-    """Virtual."""
+    """Virtual time."""
     title: str
     text: str = ""
     arguments: tuple[str, ...] = ()
@@ -68,24 +68,24 @@ class EventLog:
     """The entries of all domains, the newest first."""
 
     def __init__(self, notify: Callable[[LogEntry], None]) -> None:
-        """Begin empty; `told` is called with each entry."""
+        """Create an empty log; `notify` is called with each entry."""
         self._notify = notify
         self._entries: dict[int, deque[LogEntry]] = {}
         self._last = 0
 
     def entries(self, domain: int) -> Iterator[LogEntry]:
-        """Those of a domain, the newest first."""
+        """Iterate over the entries of a domain, the newest first."""
         return reversed(self._entries.get(domain, ()))
 
     def clear(self, domain: int | None = None) -> None:
-        """Forget the entries of a domain, or of all."""
+        """Delete the entries of a domain, or of all."""
         if domain in {None, COMMON}:
             self._entries.clear()
         else:
             self._entries.pop(domain or COMMON, None)
 
     def operational(self, code: int, time_s: float, text: str, *arguments: str) -> None:
-        """Log what was done with the controller."""
+        """Log an operation of the controller."""
         self._note(1, int(STATE), code, time_s, _TITLES[code], text, arguments)
 
     def execution_error(self, time_s: float, task: str, message: str) -> None:
@@ -95,10 +95,10 @@ class EventLog:
         self._note(1, int(ERROR), EXECUTION_ERROR, time_s, title, text, (task,))
 
     def finding(self, diagnostic: Diagnostic, time_s: float, task: str) -> LoggedError:
-        """Log what stopped a program, under the controller's number where it has one.
+        """Log the finding that stopped a program, under the controller's number if it has one.
 
         Returns:
-            What traps hear of it, in texts as long as a string of RAPID may be.
+            The error that traps receive, with texts no longer than a string of RAPID.
         """
         given = _CF.search(diagnostic.violation.cf or "")
         where = f" ({diagnostic.file}, line {diagnostic.line})" if diagnostic.file else ""
@@ -111,7 +111,7 @@ class EventLog:
         return LoggedError(float(domain), float(number), ERROR, title, texts)
 
     def written(self, entry: LoggedError, time_s: float) -> None:
-        """Log what a program wrote, or what happened to its motion."""
+        """Log an entry that a program wrote, or an event of its motion."""
         domain, arguments = int(entry.domain), (entry.title, *entry.texts)
         code = domain * 10_000 + int(entry.number) % 10_000
         text = " ".join(entry.texts)
@@ -135,4 +135,4 @@ class EventLog:
 
 
 _WITHOUT_NUMBER: Final = 40_000
-"""Used where rapidsim knows no number of the controller for an error of a program."""
+"""Code of a program error for which rapidsim knows no number of the controller."""

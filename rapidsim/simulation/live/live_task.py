@@ -1,4 +1,4 @@
-"""One task of a controller that stays on: its program, its robot, and where its pointer is."""
+"""One task of a controller that stays on: its program, its robot and its program pointer."""
 
 from __future__ import annotations
 
@@ -33,22 +33,22 @@ from rapidsim.syntax import tree
 
 
 class TaskSupervisor(Protocol):
-    """What decides when tasks run."""
+    """Supervisor of tasks: decides on stops, cycles and failures."""
 
     def stop_all(self, reason: str) -> None:
-        """A program stops all tasks."""
+        """Stop all tasks, as one of the programs requests."""
         ...
 
     def cycle_ended(self) -> bool:
-        """Main has returned; returns whether it starts again at once."""
+        """Handle the return of main; return whether it starts again at once."""
         ...
 
     def step_ended(self, task: LiveTask) -> None:
-        """A step has ended: a program stands before its next statement."""
+        """Handle the end of a step: the program is halted before its next statement."""
         ...
 
     def task_failed(self, task: LiveTask, findings: tuple[Diagnostic, ...], message: str) -> None:
-        """A program has stopped and cannot continue: the finding, and the same in one line."""
+        """Handle a program that cannot continue: its findings, and the cause in one line."""
         ...
 
 
@@ -62,7 +62,7 @@ _REACH = {
 
 @dataclass(eq=False)
 class LiveTask:
-    """A task; `begin` puts its pointer to main."""
+    """A task of a live controller; `begin` sets its program pointer to main."""
 
     number: int
     setup: TaskSetup
@@ -77,67 +77,67 @@ class LiveTask:
     task: Task | None = None
     """The program with its data; None if initial values fail."""
     failure: FatalError | None = None
-    """Why it could not be prepared."""
+    """Reason why the program could not be loaded."""
     is_active: bool = True
-    """Whether it takes part when programs are started."""
+    """Whether the task takes part when programs are started."""
     has_pointer: bool = True
-    """Whether the program pointer is somewhere the program can continue from."""
+    """Whether the program pointer is at a statement from which the program can continue."""
     _has_started: bool = False
     _execution: ExecutionMode = ExecutionMode.CONTINUE
     _stepper: Stepper = field(init=False)
     _routine: str = ""
-    """The routine the pointer was set to; empty for the entry."""
+    """Routine that the pointer was set to; empty for the entry."""
     _own_listeners: tuple[SignalListener, ...] = ()
     _findings: tuple[Diagnostic, ...] = ()
     _failed_moves: tuple[FailedMove, ...] = ()
 
     def __post_init__(self) -> None:
-        """Nobody steps yet."""
+        """Create the stepper, which is inactive."""
         self._stepper = Stepper(self._halt)
 
     @property
     def name(self) -> str:
-        """As the station says."""
+        """Name in the station file."""
         return self.setup.name
 
     @property
     def is_normal(self) -> bool:
-        """Whether it is of type NORMAL; other tasks run as long as the controller is on."""
+        """Whether the type is NORMAL; other tasks run as long as the controller is on."""
         return self.setup.kind is TaskKind.NORMAL
 
     @property
     def has_started(self) -> bool:
-        """Whether it has passed main's first statement since its pointer was set there."""
+        """Whether the program was started since its pointer was set to main or a routine."""
         return self._has_started
 
     @property
     def executes(self) -> bool:
-        """Whether its program is executing."""
+        """Whether the program is executing."""
         return self._has_started and not self.run.controller.execution.is_halted
 
     @property
     def outcome(self) -> TaskOutcome:
-        """How it would have ended if the controller were switched off now."""
+        """Outcome of the task if the controller were switched off now."""
         end = End.STOPPED if self.has_pointer else End.ERROR
         return TaskOutcome(end, self._findings, self._failed_moves, self.task)
 
     @property
     def place(self) -> Place:
-        """Where its pointer is."""
+        """Position of the program pointer."""
         return self.run.controller.clock.place
 
     @property
     def program(self) -> Program:
-        """The loaded program; if its initial values failed, the one the station names."""
+        """The loaded program; if its initial values failed, that of the setup."""
         return self.setup.program if self.task is None else self.task.program
 
     @property
     def entry(self) -> str:
-        """The procedure it begins with."""
+        """Procedure that the program begins with."""
         return self.setup.entry or self.options.entry
 
     def state(self) -> TaskState:
-        """The state of the task, as clients see it."""
+        """State of the task, as clients see it."""
         return TaskState(
             self.name,
             self.setup.kind.value,
@@ -152,7 +152,7 @@ class LiveTask:
         """Set the pointer to main at a time [s]: variables are initialised, persistents kept.
 
         Args:
-            now_s: Now.
+            now_s: Current virtual time [s].
             refresh_percent: The operator's speed ratio.
         """
         self.end(now_s)
@@ -179,9 +179,9 @@ class LiveTask:
         """Set the pointer to a procedure; variables are initialised, as for main.
 
         Args:
-            module: Where it is; empty for any.
+            module: Module that declares it; empty for any.
             routine: Its name, in any case.
-            now_s: Now.
+            now_s: Current virtual time [s].
             refresh_percent: The operator's speed ratio.
 
         Raises:
@@ -196,7 +196,7 @@ class LiveTask:
         self.run.controller.clock.place = place
 
     def end(self, now_s: float) -> None:
-        """Unload the program; its robot drops what is left of its path."""
+        """Unload the program; its robot discards the rest of its path."""
         self._has_started = self.has_pointer = False
         if not hasattr(self, "run"):
             return
@@ -238,17 +238,17 @@ class LiveTask:
             self.scheduler.wake(self.run.controller.clock)
 
     def forget(self, before_s: float) -> None:
-        """Forget what its robot did before a time [s], unless it may still move back along it."""
+        """Discard the robot's history before a time [s], unless it may still move back along it."""
         self.run.controller.path_length.count_to(before_s)
         self.unit.forget(before_s, self.run.controller.recorder.first)
 
     def set_speed_ratio(self, percent: float) -> None:
-        """Set the speed of the moves to come, in percent of the programmed speed."""
+        """Set the speed of later moves, in percent of the programmed speed."""
         motion = self.run.controller.motion
         motion.settings = replace(motion.settings, speed_refresh_percent=percent)
 
     def _continue_execution(self) -> None:
-        """Continue, for one step or until stopped; called where the program stood."""
+        """Continue, for one step or until stopped, where the program was halted."""
         if self._execution is ExecutionMode.CONTINUE:
             self._stepper.end()
             return
@@ -259,7 +259,7 @@ class LiveTask:
         )
 
     def _halt(self, before: Place) -> None:
-        """A step has ended: the robot finishes its moves, and the program stands."""
+        """End a step: the robot finishes its moves and the program is halted."""
         clock, left = self.run.controller.clock, self.run.controller.clock.ticks_left
         clock.resolve_time()
         clock.drive_to_stop()
@@ -269,7 +269,7 @@ class LiveTask:
         clock.leave_ticks(left)
 
     def _procedure(self, name: str) -> RoutineSymbol | None:
-        """The procedure of a name, in any case, that needs no arguments."""
+        """Procedure of a name, in any case, that needs no arguments; None if there is none."""
         symbol = self.program.routines.get(name.lower())
         if symbol is None or not isinstance(symbol.node, tree.Proc):
             return None
@@ -279,7 +279,7 @@ class LiveTask:
         return f"{self.name} has no procedure {name} to begin with"
 
     def _execute(self) -> None:
-        """The life of the program, in a greenlet of its own."""
+        """Run the program, cycle after cycle; the body of its greenlet."""
         clock, execution = self.run.controller.clock, self.run.controller.execution
         found: tuple[Diagnostic, ...] = ()
         message = ""
@@ -292,12 +292,12 @@ class LiveTask:
                 while True:
                     routine, self._routine = self._routine, ""
                     if not routine and self._procedure(self.entry) is None:
-                        # Its module has been taken away.
+                        # Its module has been unloaded.
                         message = self._nothing_to_begin_with(self.entry)
                         break
                     with suppress(CycleEnded):
                         self.task.run(routine or self.entry)
-                    # Nothing follows a routine that a client has chosen.
+                    # A routine that a client has chosen runs once only.
                     goes_on = self.supervisor.cycle_ended() and not routine
                     clock.tick()
                     if goes_on or not self.is_normal:

@@ -12,10 +12,10 @@ from rapidsim.simulation.live.live_task import LiveTask
 
 
 def kind_of(type_name: str, text: str, tasks: Iterable[LiveTask]) -> MessageKind:
-    """The type and the array dimensions of data that came as text.
+    """Return the type and the array dimensions of data that came as text.
 
-    Brackets beyond those of the type are those of an array; a type that no task knows is taken
-    for that of no array.
+    Brackets in addition to those of the type are those of an array; data of a type that no task
+    declares count as no array.
     """
     of = _type(type_name, tasks)
     if of is None:
@@ -36,7 +36,7 @@ def _type(name: str, tasks: Iterable[LiveTask]) -> Type | None:
 
 
 def _brackets(of: Type) -> int:
-    """The number of brackets that a value of a type begins with."""
+    """Number of opening brackets at the start of a value of a type."""
     of = resolved(of)
     return 1 + _brackets(of.components[0].type) if isinstance(of, Record) else 0
 
@@ -47,7 +47,7 @@ def _leading(text: str) -> int:
 
 
 def _sizes(text: str, depth: int) -> list[int]:
-    """The number of elements at each outer level of a text, counted in the first part of each."""
+    """Number of elements at each outer level of a text, counted in the first part of each."""
     sizes: list[int] = []
     for _ in range(min(depth, 3)):
         text = text.strip()[1:]
@@ -58,7 +58,7 @@ def _sizes(text: str, depth: int) -> list[int]:
 
 
 def _parts(text: str) -> list[str]:
-    """The texts between the commas of one level, up to its closing bracket."""
+    """Texts between the commas of one level, up to its closing bracket."""
     parts, begin, level, in_string = list[str](), 0, 0, False
     for at, one in enumerate(text):
         if one == '"':

@@ -1,4 +1,4 @@
-"""Where the robots of a controller that stays on are now."""
+"""Current positions of the robots of a controller that stays on."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from rapidsim.values import value_class
 
 
 class Coordinates(StrEnum):
-    """The frame in which a position is given."""
+    """Frame of a position."""
 
     BASE = "Base"
     WORLD = "World"
@@ -35,14 +35,14 @@ class Coordinates(StrEnum):
 
 
 def joints(task: LiveTask) -> JointTarget:
-    """Where the axes of a task's robot are [deg, mm]."""
+    """Current positions of the axes of a task's robot [deg, mm]."""
     arm, external = _joints_now(task)
     resolver = task.run.controller.coordination.resolver
     return resolver.joint_target(arm, external)
 
 
 def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarget:
-    """Where the TCP of a task's robot is [mm].
+    """Current pose of the TCP of a task's robot [mm].
 
     Args:
         task: The task.
@@ -58,7 +58,7 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
     carried = _value(task, tool, ToolData)
     held = _value(task, wobj, WobjData) if frame is Coordinates.WOBJ else WOBJ0
     clock = task.run.controller.clock
-    # Another robot may hold the work object: where it is now, and not when its program asks.
+    # Another robot may hold the work object: its pose now, not at the program's next read.
     found = clock.at_time(
         task.scheduler.now_s, lambda: resolver.target(arm, external, carried, held, task.place)
     )
@@ -71,18 +71,18 @@ def target(task: LiveTask, tool: str, wobj: str, frame: Coordinates) -> RobTarge
 
 @value_class(frozen=True, slots=True)
 class PositionSnapshot:
-    """Where a robot is, for an observer; looking has no effect on the run."""
+    """Position of a robot for an observer; reading it does not affect the run."""
 
     joints: JointTarget
     """[deg, mm]"""
     target: RobTarget
     """The TCP of the tool of the last move, in its work object [mm]."""
     move: Place | None
-    """The move under way; None while the arm stands."""
+    """The active move; None while the arm is at rest."""
 
 
 def position_snapshot(task: LiveTask) -> PositionSnapshot:
-    """Where a task's robot is now."""
+    """Current position of a task's robot, without effect on the run."""
     now_s, path = task.scheduler.now_s, foreseen(task.unit.queue)
     samples = path.at(np.array([now_s]))
     arm, external, move = samples.joints[0], samples.external[0], int(samples.move[0])
@@ -104,12 +104,12 @@ def active_frames(task: LiveTask) -> tuple[str, str]:
 
 
 def _joints_now(task: LiveTask) -> tuple[Array, Array]:
-    """Joints (n,) [rad] and external axes (e,) [m or rad] now."""
+    """Current joints (n,) [rad] and external axes (e,) [m or rad]."""
     now_s, queue = task.scheduler.now_s, task.unit.queue
     try:
         samples = queue.seen(now_s, np.array([now_s]))
     except MotionError:
-        # The program that queued the move is told; the arm is where its path ends.
+        # The program that queued the move gets the error; the arm is at the end of its path.
         samples = queue.at_past(now_s)
     return samples.joints[0], samples.external[0]
 

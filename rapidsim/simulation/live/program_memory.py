@@ -16,7 +16,7 @@ from rapidsim.syntax.parser import parse
 
 
 def modules(task: LiveTask) -> tuple[tree.Module, ...]:
-    """The modules of a task now."""
+    """Current modules of a task."""
     return tuple(task.program.modules)
 
 
@@ -25,7 +25,7 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
 
     Args:
         task: The task.
-        path: As RAPID writes it: `HOME:/part.mod`.
+        path: In RAPID's notation: `HOME:/part.mod`.
         replace: Whether a module of the same name is unloaded first.
 
     Raises:
@@ -45,15 +45,15 @@ def load_module(task: LiveTask, path: str, *, replace: bool) -> None:
 
 
 def load_program(task: LiveTask, path: str) -> None:
-    """Load the modules of a program file in place of all program modules of a stopped task.
+    """Replace all program modules of a stopped task by the modules of a program file.
 
     Args:
         task: The task.
-        path: Of a `.pgf` file, or of a module that is the whole program, as RAPID writes it.
+        path: In RAPID's notation, of a `.pgf` file, or of a module that is the whole program.
 
     Raises:
-        RequestRefused: If a file is missing or wrong, and then nothing has changed; or if the
-            modules do not fit, when the old ones are gone.
+        RequestRefused: If a file is missing or invalid, and nothing has changed; or if the modules
+            do not link, and the old ones are gone.
     """
     memory, home = _memory(task), task.cell.home
     try:
@@ -85,7 +85,7 @@ def unload_module(task: LiveTask, name: str) -> None:
     """Unload a module from a stopped task.
 
     Raises:
-        RequestRefused: If there is none of this name, or the rest would not link without it.
+        RequestRefused: If there is no module of this name, or the rest does not link without it.
     """
     try:
         _memory(task).erase(name)
@@ -94,10 +94,10 @@ def unload_module(task: LiveTask, name: str) -> None:
 
 
 def _memory(task: LiveTask) -> Modules:
-    """The modules of a task, to be changed.
+    """Return the modules of a task, for changes.
 
     Raises:
-        RequestRefused: If its program has failed before main, so that none is there.
+        RequestRefused: If its program has failed before main, so that it has no modules.
     """
     if task.failure is not None:
         raise RequestRefused(

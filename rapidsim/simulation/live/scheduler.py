@@ -1,8 +1,8 @@
 """One clock for tasks that are started, stopped and replaced while it runs.
 
-As in `scheduler`, whoever has the earliest time runs. Here the one who holds the clock decides how
-far virtual time has come (`step`), tasks come and go, and between two steps somebody outside may
-change what they wait for. No wait is a deadlock, since a client may always act.
+As in `scheduler`, the task with the earliest time runs next. Here the owner of the clock decides
+how far virtual time advances (`step`), tasks are added and removed, and between two steps a client
+may change what they wait for. No wait is a deadlock, since a client may always act.
 """
 
 from __future__ import annotations
@@ -18,44 +18,44 @@ from rapidsim.controller.cell.cell import Cell
 from rapidsim.simulation.scheduler import ScheduledTask
 
 LOOKS_S = 0.01
-"""How often [s of virtual time] a program that computes or polls yields to observers."""
+"""Period [s of virtual time] at which a program that computes or polls yields to observers."""
 
 
 @dataclass(slots=True, eq=False)
 class _Entry:
-    """A task."""
+    """A task of the scheduler."""
 
     number: int
     task: ScheduledTask
     greenlet: greenlet
     wake_s: float
-    """When it is due to continue; infinite while it waits for others."""
+    """Time at which it continues; infinite while it waits for others."""
 
     @property
     def rank(self) -> tuple[float, int]:
-        """Priority: the least goes first."""
+        """Scheduling order: the lowest runs first."""
         return self.wake_s, self.number
 
 
 @dataclass(slots=True, eq=False)
 class LiveScheduler:
-    """Implements `cell.TimeScheduler`."""
+    """Implementation of `cell.TimeScheduler` for a live controller."""
 
     cell: Cell
     now_s: float = 0.0
-    """The virtual time [s]."""
+    """Current virtual time [s]."""
     current: object = None
-    """The task that runs; None between steps."""
+    """The running task; None between steps."""
     _entries: dict[object, _Entry] = field(default_factory=dict)
     _hub: greenlet | None = None
 
     def add(self, number: int, task: ScheduledTask, body: Callable[[], None]) -> None:
-        """Add a task, which runs from now on.
+        """Add a task that runs from now on.
 
         Args:
-            number: Its place among tasks that are due at the same time.
+            number: Its rank among tasks that are due at the same time.
             task: Its clock, which calls `request_advance`.
-            body: Runs it; must not raise.
+            body: Runs the task; must not raise.
         """
         self._entries[task] = _Entry(number, task, greenlet(body), self.now_s)
 
@@ -72,16 +72,16 @@ class LiveScheduler:
             entry.wake_s = min(entry.wake_s, self.now_s)
 
     def due_s(self) -> float:
-        """When the next task or the cell is due [s]; infinite if none is."""
+        """Time [s] at which the next task or the cell is due; infinite if none is."""
         cell_s = self.cell.next_s()
         wakes = (one.wake_s for one in self._entries.values())
         return min(math.inf if cell_s is None else cell_s, min(wakes, default=math.inf))
 
     def step(self, until_s: float) -> bool:
-        """Let the next go on that wants to by a time [s]; if none does, the time has come.
+        """Run the next task or cell event due by a time [s]; if none is due, advance to that time.
 
         Returns:
-            Whether one did.
+            Whether a task or an event was due.
         """
         cell_s, entry = self.cell.next_s(), self._first()
         if cell_s is not None and cell_s <= until_s and (entry is None or cell_s <= entry.wake_s):
@@ -104,7 +104,7 @@ class LiveScheduler:
         return True
 
     def request_advance(self, task: object, time_s: float) -> float:
-        """See `cell.TimeScheduler`; never infinite, as somebody outside may always come."""
+        """See `cell.TimeScheduler`; never returns infinity, as a client may always act."""
         entry = self._entries[task]
         entry.wake_s = time_s
         if time_s > self.now_s or self._first() is not entry:
@@ -113,21 +113,21 @@ class LiveScheduler:
         return entry.wake_s
 
     def next_s(self, task: object) -> float:
-        """When somebody else may want to go on [s]."""
+        """Earliest time [s] at which another task may continue or an observer may read."""
         entries = (one for one in self._entries.values() if one.task is not task)
         others = (max(one.wake_s, one.task.idle_until_s) for one in entries)
         look_s = (math.floor(self.now_s / LOOKS_S + 1e-6) + 1) * LOOKS_S
         return min(look_s, min(others, default=math.inf))
 
     def wake_at(self, time_s: float) -> None:
-        """Wake the other tasks at a time [s] at which something happens."""
+        """Wake the other tasks at the time [s] of an event."""
         for entry in self._entries.values():
             entry.task.idle_until_s = -math.inf
             if entry.task is not self.current:
                 entry.wake_s = min(entry.wake_s, max(time_s, self.now_s))
 
     def mark_waiting(self, task: object) -> bool:
-        """A task waits for what others do; somebody outside may do it."""
+        """Return False: no wait is a deadlock, since a client may end it."""
         del task
         return False
 
@@ -136,7 +136,7 @@ class LiveScheduler:
 
 
 def _switch(to: greenlet) -> None:
-    """Switch to another task; a program being stepped stays stepped, whatever ran in between."""
+    """Switch to another task and restore the trace function of a program that is being stepped."""
     followed = sys.gettrace()
     to.switch()
     if sys.gettrace() is not followed:

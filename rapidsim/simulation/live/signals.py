@@ -15,10 +15,10 @@ def declared(live: LiveController) -> tuple[SignalDeclaration, ...]:
 
 
 def find(live: LiveController, name: str) -> SignalDeclaration:
-    """A signal by name, in any case.
+    """Return a signal by name, in any case.
 
     Raises:
-        RequestRefused: If none is declared.
+        RequestRefused: If no such signal is declared.
     """
     for one in declared(live):
         if one.name.lower() == name.lower():
@@ -32,10 +32,10 @@ def value_of(live: LiveController, name: str) -> float:
 
 
 def write(live: LiveController, name: str, value: float) -> None:
-    """Change a signal, with all that follows from it.
+    """Change a signal and dispatch all effects.
 
     Raises:
-        RequestRefused: If there is none, its kind or limits forbid the value, or it shows a state.
+        RequestRefused: If it is unknown, a system output, or its kind or limits forbid the value.
     """
     signal = find(live, name)
     if signal.status is not None:

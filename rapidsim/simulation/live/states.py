@@ -1,4 +1,4 @@
-"""The states of a controller, in its own words, and why it refuses a request."""
+"""States of a controller, in the controller's terms, and reasons for refusing a request."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ class OperatingMode(StrEnum):
 
 
 class Cycle(StrEnum):
-    """What happens after the end of main."""
+    """Cycle mode: end after one run of main, or start main again."""
 
     ONCE = "once"
     FOREVER = "forever"
 
 
 class ExecutionMode(StrEnum):
-    """How far programs run when they are started."""
+    """Extent of an execution after a start."""
 
     CONTINUE = auto()
     STEP_IN = "stepin"
-    """To the next statement, in whatever routine."""
+    """To the next statement, in any routine."""
     STEP_OVER = "stepover"
     """To the next statement of the routine, or of one of its callers."""
     STEP_OUT = "stepout"
@@ -44,7 +44,7 @@ class ExecutionMode(StrEnum):
 
 
 class StopMode(StrEnum):
-    """Where a program stops when it is told to."""
+    """Kind of a stop: at the end of the cycle or instruction, on the path, or quick."""
 
     CYCLE = "cycle"
     INSTRUCTION = "instr"
@@ -53,12 +53,12 @@ class StopMode(StrEnum):
 
 
 class RefusalReason(Enum):
-    """Why something was refused."""
+    """Reason why a request was refused."""
 
     STATE = auto()
     """The state of the controller forbids it."""
     VALUE = auto()
-    """The value given is not one it can take."""
+    """The value is out of range or has the wrong type."""
     NO_TASK = auto()
     NO_SYMBOL = auto()
     NO_SIGNAL = auto()
@@ -69,10 +69,10 @@ class RefusalReason(Enum):
 
 
 class RequestRefused(Exception):  # noqa: N818 - an answer, not a failure
-    """The controller refuses a request."""
+    """A request that the controller refuses."""
 
     def __init__(self, reason: RefusalReason, message: str) -> None:
-        """Say why, for programs and for people."""
+        """Store the reason, for programs, and the message, for people."""
         super().__init__(message)
         self.why = reason
         self.message = message
@@ -84,7 +84,7 @@ class TaskState:
 
     name: str
     kind: str
-    """In the words of the configuration: `normal`, `static`, `semistatic`."""
+    """As the configuration spells it: `normal`, `static`, `semistatic`."""
     is_loaded: bool
     has_pointer: bool
     executes: bool

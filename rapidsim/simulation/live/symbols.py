@@ -1,4 +1,4 @@
-"""The data of a task as texts, as clients read and write them."""
+"""Data of a task as texts, as clients read and write them."""
 
 from __future__ import annotations
 
@@ -41,15 +41,15 @@ class TaskDatum:
 
     @property
     def type_name(self) -> str:
-        """Of the data, or of the elements of an array."""
+        """Name of the type of the data, or of the elements of an array."""
         return (self.type.element if isinstance(self.type, ArrayOf) else self.type).name
 
 
 def find(task: LiveTask, name: str, module: str | None = None) -> TaskDatum:
-    """Data by name, in any case.
+    """Return data by name, in any case.
 
     Raises:
-        RequestRefused: If there is none of this name.
+        RequestRefused: If no data have this name.
     """
     if task.task is None:
         raise RequestRefused(
@@ -73,7 +73,7 @@ def all_data(task: LiveTask) -> Iterator[TaskDatum]:
 
 
 def read(task: LiveTask, datum: TaskDatum) -> str:
-    """The value now, as RAPID would write it.
+    """Return the current value, in RAPID's notation.
 
     Raises:
         RequestRefused: If data of the type have no value.
@@ -85,14 +85,14 @@ def read(task: LiveTask, datum: TaskDatum) -> str:
 
 
 def value_of(task: LiveTask, datum: TaskDatum) -> object:
-    """A copy of the value now."""
+    """Return a copy of the current value."""
     assert task.task is not None
     symbol = datum.symbol
     return task.task.value(datum.name) if symbol is None else task.task.value_of(symbol)
 
 
 def write(task: LiveTask, datum: TaskDatum, text: str) -> None:
-    """Set the value from a text; call `LiveController.wake_programs` to let programs notice.
+    """Set the value from a text; call `LiveController.wake_programs` to notify programs.
 
     Raises:
         RequestRefused: If the text is not a value of the type, or the data are constant.
@@ -124,6 +124,6 @@ def _datum(symbol: DataSymbol) -> TaskDatum:
 
 
 def is_value(text: str, type_name: str) -> bool:
-    """Whether a text is a value of a predefined type; false for an unknown type."""
+    """Whether a text is a value of a predefined type; False for an unknown type."""
     of = next((one for name, one in TYPES.items() if name.lower() == type_name.lower()), None)
     return of is not None and parsed_value(text, of, initial_value(of)) is not None

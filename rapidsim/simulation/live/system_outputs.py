@@ -1,4 +1,4 @@
-"""What system outputs show."""
+"""Values of system outputs."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from rapidsim.simulation.live.states import Motors, OperatingMode
 def status_value(
     status: Status | None, *, executes: bool, failed: bool, motors: Motors, mode: OperatingMode
 ) -> float | None:
-    """What a system output shows; None for other signals, and where it stays as it is.
+    """Return the value of a system output; None for other signals, and if it does not change.
 
     Args:
-        status: What it is to show.
-        executes: Whether its task executes; any, where it has none.
+        status: The state that the output shows.
+        executes: Whether its task executes; without a task, whether any does.
         failed: Whether a program has stopped with an error.
-        motors: Now.
-        mode: Now.
+        motors: Current state of the motors.
+        mode: Current operating mode.
     """
     match status:
         case None:
@@ -32,5 +32,5 @@ def status_value(
         case Status.AUTO_ON:
             return float(mode is OperatingMode.AUTO)
         case _:
-            # The safety chain never opens; what shows a robot's state is written as it moves.
+            # The safety chain never opens; outputs of a robot's state are written as it moves.
             return None

@@ -1,1 +1,1 @@
-"""What a run leaves, and what can be read off it."""
+"""Result of a run, and values derived from it."""

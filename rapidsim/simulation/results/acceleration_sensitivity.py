@@ -1,8 +1,8 @@
-"""What a run's time would be if the arm accelerated otherwise: the path stays, only time changes.
+"""Sensitivity of a run's time to the accelerations of the arm, with an unchanged path.
 
 The acceleration of the axes is the weakest assumption behind a cycle time. The blocks of the run
-are timed again along the same paths, each from the speed at which the one before leaves it; waits
-and dwells stay as they were.
+are timed again along the same paths, each starting at the final speed of its predecessor; waits and
+dwells are unchanged.
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.trajectory.trajectory import Trajectory
 
 MOST_SEGMENTS = 2000
-"""Runs of more planned segments are not timed again: it would take as long as they did."""
+"""Runs with more planned segments are not timed again: it would take as long as they did."""
 _TOGETHER_S = 1e-9
 
 
 def extra_time_s(trajectory: Trajectory, limits: Limits, factor: float) -> float | None:
-    """How much longer [s] a run takes with accelerations times a factor; None if it is too long.
+    """Return the additional time [s] with scaled accelerations; None if the run is too long.
 
     Args:
-        trajectory: Of the run.
-        limits: Of the arm in the run.
-        factor: On the accelerations of all axes.
+        trajectory: Motion of the run.
+        limits: Limits of the arm in the run.
+        factor: Factor on the accelerations of all axes.
     """
     if sum(len(piece.path.segments) for piece in trajectory.pieces) > MOST_SEGMENTS:
         return None

@@ -1,4 +1,4 @@
-"""What the bodies of a cell touched in a run, and what was looked at."""
+"""Contacts and clearances of the bodies of a cell in a run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.collisions.scene import Body, Scene
 from rapidsim.values import value_class
 
 _WIDEST_M = 10.0
-"""What is wider is a floor or a wall, which would hide the rest of a picture."""
+"""Wider objects are floors or walls, which would hide the rest of a picture."""
 
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
@@ -21,12 +21,12 @@ class Collisions:
     """Contacts and clearances of a run."""
 
     geometry: CellGeometry
-    """What the station says."""
+    """Bodies and settings of the station."""
     report: CollisionReport
     scene: Scene
-    """The bodies and the pairs of them that were judged."""
+    """The bodies, and the pairs of them that were checked."""
     remarks: tuple[str, ...]
-    """What was not judged."""
+    """Remarks on bodies and pairs that were not checked."""
     objects: Mapping[int, CellObject]
     """Objects of the station by their number among the bodies."""
 
@@ -36,11 +36,11 @@ class Collisions:
 
     @property
     def hits(self) -> tuple[Contact, ...]:
-        """The contacts that begin in the run: what lies on a table touched it before."""
+        """Contacts that begin during the run; an object lying on a table touched it before."""
         return tuple(one for one in self.report.contacts if not one.continued)
 
     def drawn_objects(self) -> Iterator[tuple[int, CellObject, Body]]:
-        """The objects that still pictures show, with their numbers among the bodies."""
+        """Yield the objects that still pictures show, with their numbers among the bodies."""
         for number, one in self.objects.items():
             body = self.scene.bodies[number]
             if float(np.ptp(body.shape.vertices, axis=0).max()) <= _WIDEST_M:
@@ -48,7 +48,7 @@ class Collisions:
 
     @property
     def uncarried(self) -> Scene:
-        """The same bodies, judged in those pairs whose places the moves alone say."""
+        """The same bodies, with only the pairs whose poses depend on the moves alone."""
         carried = {one.object.lower() for one in self.geometry.attachments}
         loose = {at for at, one in self.objects.items() if one.name.lower() in carried}
         loose |= {at for at, one in enumerate(self.scene.bodies) if len(one.carried) > 1}
@@ -57,10 +57,10 @@ class Collisions:
 
     @property
     def nearest(self) -> Clearance | None:
-        """The nearest of the whole run; None where nothing came near."""
+        """Smallest clearance of the whole run; None if no bodies came near each other."""
         return min(self.report.clearances, key=lambda one: one.distance_m, default=None)
 
     @property
     def hollow_m(self) -> float:
-        """How much a body may be deeper than what was judged of it, at most."""
+        """Largest amount [m] by which a body may be deeper than the shape that was checked."""
         return max((body.shape.hollow_m for body in self.scene.bodies), default=0.0)

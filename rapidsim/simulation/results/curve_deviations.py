@@ -1,6 +1,6 @@
-"""How far the TCP was off the lines and arcs of a run, by forward kinematics of the joints.
+"""Path deviations of the TCP from the lines and arcs of a run, by forward kinematics.
 
-Measured between the zones of a move: within them the corner is meant to leave the curve.
+Measured between the zones of a move: within them the corner path leaves the curve on purpose.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rapidsim.values import value_class
 _MOST_PLACES = 33
 _FEWEST_PLACES = 3
 _PLACES = 60_000
-"""In all; many moves are looked at in fewer places each."""
+"""Total number of samples; with many moves each has fewer."""
 
 
 @value_class(frozen=True, slots=True)
@@ -36,7 +36,7 @@ class CurveDeviation:
 
 
 def all_curve_deviations(simulation: Simulation) -> Mapping[int, CurveDeviation]:
-    """The deviations of all robots, by the number of the move among `Simulation.moves`."""
+    """Return the deviations of all robots, by number of the move in `Simulation.moves`."""
     return {
         offset + number: deviation
         for one, offset in zip(simulation.robots, simulation.move_offsets, strict=True)
@@ -45,10 +45,10 @@ def all_curve_deviations(simulation: Simulation) -> Mapping[int, CurveDeviation]
 
 
 def curve_deviations(robot_run: RobotRun) -> Mapping[int, CurveDeviation]:
-    """The deviations of a robot's lines and arcs, by the number of the move.
+    """Return the deviations of a robot's lines and arcs, by number of the move.
 
-    Moves that have no part between their zones are left out, and those whose tool or work something
-    else than the arm moves: they have no curve in base.
+    Moves without a part between their zones are skipped, and those whose tool or work is moved by
+    something other than the arm: they have no curve in base.
     """
     if robot_run.robot.external:
         return {}
@@ -58,7 +58,7 @@ def curve_deviations(robot_run: RobotRun) -> Mapping[int, CurveDeviation]:
         return {}
     driven = [segments[move.index] for move in moves]
     places = int(np.clip(_PLACES // len(moves), _FEWEST_PLACES, _MOST_PLACES))
-    # The middles of equal times: its ends lie in zones, or on the points themselves.
+    # The middles of equal intervals: their ends lie in zones, or on the points themselves.
     shares = (np.arange(places) + 0.5) / places
     starts, ends = np.array([(move.start_s, move.end_s) for move in moves]).T
     times = (starts[:, None] + shares * (ends - starts)[:, None]).ravel()
@@ -91,7 +91,7 @@ def _has_curve(segment: Segment | None) -> bool:
 
 
 def _flange_from_tcp(segments: Sequence[Segment], row: npt.NDArray[np.int64]) -> Transform:
-    """The tools (k,) of segments."""
+    """Return the tools (k,) of segments."""
     tools = [segment.tcp_from_flange.inverse() for segment in segments]
     rotations = np.array([tool.rotation for tool in tools])
     return Transform(rotations[row], np.array([tool.translation for tool in tools])[row])
@@ -100,13 +100,13 @@ def _flange_from_tcp(segments: Sequence[Segment], row: npt.NDArray[np.int64]) ->
 def _between_zones(
     robot_run: RobotRun, moves: Sequence[ExecutedMove], tcp: Array
 ) -> npt.NDArray[np.bool_]:
-    """Which places (m, k, 3) [m] are outside the zones at both ends of their moves."""
+    """Return which samples (m, k, 3) [m] are outside the zones at both ends of their moves."""
 
     def zone(move: ExecutedMove) -> float:
         return move.zone_m if move.corner is CornerKind.FLY_BY else 0.0
 
-    # Moves that were never begun have numbers, too. Before the first one nothing is passed by: it
-    # stands in for one before it.
+    # Moves that were never begun have numbers, too. The first move has no zone at its start: it
+    # serves as its own predecessor.
     before_each = {
         move.index: before for before, move in pairwise((robot_run.moves[0], *robot_run.moves))
     }
@@ -123,7 +123,7 @@ def _between_zones(
 
 
 def _off_the_curves(curves: Curves, row: npt.NDArray[np.int64], tcp: Array) -> Array:
-    """Distances (k,) [m] of places (k, 3) from the lines or circles of their curves."""
+    """Distances (k,) [m] of points (k, 3) from the lines or circles of their curves."""
     chord, spoke, turn = curves.chord[row], curves.spoke[row], curves.frame_turn[row]
     aside = tcp - curves.start.translation[row]
     along = chord / np.maximum(np.linalg.norm(chord, axis=-1, keepdims=True), 1e-12)

@@ -1,7 +1,7 @@
-"""Outputs that a program set behind a fly-by move: how far the robot was from its target then.
+"""Outputs that a program set after a fly-by move: distance of the robot from its target then.
 
-The program pointer runs ahead of the robot, so an output that stands behind such a move is set
-while the robot is on its way.
+The program pointer runs ahead of the robot, so an output after such a move is set while the robot
+is still moving.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from rapidsim.simulation.results.simulation import RobotRun
 from rapidsim.values import value_class
 
 _AT_ONCE_S = 1e-9
-"""The pointer goes on with a move at the instant when it starts."""
+"""Tolerance [s]: the pointer continues at the instant at which a move starts."""
 _NEAR_MM = 0.1
 
 
 @value_class(frozen=True, slots=True)
 class _Early:
-    """A change of a signal before the robot was there."""
+    """A change of a signal before the robot reached the target of the last move."""
 
     event: Event
     place: Place
@@ -38,12 +38,12 @@ class _Early:
 def early_output_findings(
     events: Sequence[Event], robot_run: RobotRun, traps: AbstractSet[str]
 ) -> tuple[Diagnostic, ...]:
-    """One note for each statement that set an output too early, on the time it was worst.
+    """Return one note for each statement that set an output early, for its worst time.
 
     Args:
-        events: Of the run, in any order.
-        robot_run: A robot. With external axes nothing is told: they may carry the target.
-        traps: Folded names of the traps of its task, which run when they like.
+        events: Events of the run, in any order.
+        robot_run: A robot. With external axes nothing is reported: they may carry the target.
+        traps: Folded names of the traps of its task, which run at any time.
     """
     by_statement: dict[tuple[str, int], list[_Early]] = {}
     for early in _early(events, robot_run, traps):
@@ -77,11 +77,11 @@ def _early(
         if event.kind is not EventKind.SIGNAL or event.task != robot_run.task or place is None:
             continue
         if place.routine.lower() in traps or (place.span.file, place.span.start) in by_moves:
-            # What a move does itself, it does where it should.
+            # Outputs of the move itself are set at its target.
             continue
         number = bisect_right(starts, event.time_s + _AT_ONCE_S) - 1
         while number >= 0 and robot_run.moves[number].index >= event.moves_given:
-            # It began at this very instant, but the program said it later.
+            # It starts at this very instant, but its instruction follows the output.
             number -= 1
         if number < 0:
             continue

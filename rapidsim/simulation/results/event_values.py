@@ -1,4 +1,4 @@
-"""An event as plain values: what reports and exports write as JSON."""
+"""Events as plain values, which reports and exports write as JSON."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import math
 from rapidsim.controller.journal.events import Event
 
 DECIMALS = 8
-"""Of s, mm and degrees in JSON: more than anybody needs, fewer than machines agree on."""
+"""Decimals of s, mm and degrees in JSON: more than needed, fewer than machines agree on."""
 
 
 def written(value: float) -> float:
-    """A number as JSON has it, so that files of two machines are equal but for rounding ties."""
+    """Return a number rounded for JSON, so that files of two machines are equal but for ties."""
     return round(value, DECIMALS) + 0.0
 
 
 def event_record(event: Event) -> dict[str, object]:
-    """What every event has, then its details; finite numbers, texts, lists."""
+    """Return the fields common to all events, then the details: finite numbers, texts, lists."""
     span = event.place.span if event.place else None
     common: dict[str, object] = {
         "time_s": written(event.time_s),
@@ -31,7 +31,7 @@ def event_record(event: Event) -> dict[str, object]:
 
 
 def _plain(value: object) -> object:
-    """A detail as JSON can say it; numbers that are none become text."""
+    """Return a detail as a JSON value; infinities, NaN and other types become text."""
     match value:
         case bool() | int() | str() | None:
             return value

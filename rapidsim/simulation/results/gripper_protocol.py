@@ -1,9 +1,9 @@
-"""Whether a program works a gripper as grippers must be worked.
+"""Check that a program operates grippers correctly.
 
-A gripper takes time, and it holds what is between its fingers when they close. So the arm must be
-at rest before it closes, and stay there until the feedback says that it has closed; the controller
-must know the mass it carries as long as it carries it; and what was taken must be put down. None of
-this stops a program: the part is missing, or falls, or the arm shakes.
+A gripper takes time to act, and it holds the part between its fingers when they close. So the arm
+must be at rest before it closes, and remain so until the feedback confirms it; the controller must
+know the mass of the part while it is carried; and a part that was picked up must be put down. No
+violation stops a program: the part is missing, or falls, or the arm vibrates.
 
 The states follow from the signals of a run and from its moves, so they span routines, traps and
 tasks. Each fault is reported once for each statement that commits it.
@@ -35,12 +35,12 @@ from rapidsim.simulation.results.simulation import End, RobotRun, Simulation
 from rapidsim.values import value_class
 
 _REST_RAD = 1e-5
-"""A joint that turns by less until the arm is at rest does not move."""
+"""A joint that turns by less than this until the arm is at rest does not move."""
 _SAME_TIME_S = 1e-9
 _APPROACH_MM = 5.0
-"""So far along the tool no gripper goes on that holds a part, or has just put one down."""
+"""Least travel [mm] along the tool after a switch that shows that the gripper acted too early."""
 _STRAIGHT = 0.9
-"""Share of a move that is along the tool where it approaches something."""
+"""Share of a move that is along the tool if it approaches a part."""
 _NOTHING_KG = 0.01
 """RAPID's load0 has a mass, of 1 g."""
 _ROUTINE_END = re.compile(r"\bEND(PROC|FUNC|TRAP)\b", re.IGNORECASE)
@@ -48,17 +48,17 @@ _ROUTINE_END = re.compile(r"\bEND(PROC|FUNC|TRAP)\b", re.IGNORECASE)
 
 @value_class(frozen=True, slots=True)
 class _Switch:
-    """A gripper begins to close or to open."""
+    """The start of closing or opening of a gripper."""
 
     time_s: float
     closes: bool
     place: Place | None
-    """The statement that sets the signal; None if the program does not."""
+    """The statement that sets the signal; None if no statement does."""
     moves_before: int | None
-    """How many moves the robot had by then; None if another task sets the signal."""
+    """Number of moves of the robot before it; None if another task sets the signal."""
 
     def precedes(self, move: ExecutedMove) -> bool:
-        """Whether a move comes after it in the program, or in time if the program does not say."""
+        """Whether a move follows in the program, or in time if the program order is unknown."""
         if self.moves_before is not None:
             return move.index >= self.moves_before
         return move.start_s >= self.time_s - _SAME_TIME_S
@@ -71,7 +71,7 @@ class _Fault:
 
 
 def gripper_findings(simulation: Simulation, grippers: Sequence[Gripper]) -> tuple[Diagnostic, ...]:
-    """The faults of a run in the protocols of its grippers, one for each statement and kind."""
+    """Return the gripper faults of a run, one for each statement and kind."""
     found: dict[tuple[type[Violation], str, int], list[_Fault]] = {}
     for gripper in grippers:
         robot = _robot_of(gripper, simulation)
@@ -128,7 +128,7 @@ def _faults(gripper: Gripper, robot: RobotRun, simulation: Simulation) -> Iterat
 
 
 def _switches(close: Condition, task: str, simulation: Simulation) -> Iterator[_Switch]:
-    """When the condition of a gripper changes, from its value at the start on."""
+    """Yield the changes of the condition of a gripper after its value at the start."""
     for holds, event in _changes(close, simulation):
         if event is not None:
             before = event.moves_given if event.task == task and event.place else None
@@ -136,7 +136,7 @@ def _switches(close: Condition, task: str, simulation: Simulation) -> Iterator[_
 
 
 def _changes(condition: Condition, simulation: Simulation) -> Iterator[tuple[bool, Event | None]]:
-    """Whether a condition holds: at the start, with no event, and at each event that changes it."""
+    """Yield the value of a condition at the start, with no event, and at each change."""
     names = {name.lower() for name in condition.signals()}
     values = {name.lower(): value for name, value in simulation.signal_starts.items()}
 
@@ -164,7 +164,7 @@ def _number(value: object) -> float:
 
 
 def _in_motion(gripper: Gripper, robot: RobotRun, switch: _Switch) -> Iterator[_Fault]:
-    """A gripper that acts before the move under way has ended."""
+    """Yield a fault if a gripper acts before the active move has ended."""
     under_way = [
         move
         for move in robot.moves
@@ -187,9 +187,9 @@ def _in_motion(gripper: Gripper, robot: RobotRun, switch: _Switch) -> Iterator[_
 def _too_soon(
     gripper: Gripper, robot: RobotRun, switch: _Switch, moves: Sequence[ExecutedMove]
 ) -> Iterator[_Fault]:
-    """A gripper that acts at the approach: the next move goes on along the tool.
+    """Yield a fault if a gripper acts during the approach: the next move continues along the tool.
 
-    From a part, and from a place where one is put down, the tool goes back.
+    After picking up or putting down a part, a robot retracts against the tool direction.
     """
     if not moves or switch.place is None:
         return
@@ -211,7 +211,7 @@ def _while_closed(
     switch: _Switch,
     moves: Sequence[ExecutedMove],
 ) -> Iterator[_Fault]:
-    """What a program does with a part in the gripper, from the first move on."""
+    """Yield the faults with a part in the gripper, from the first move on."""
     if not moves:
         return
     place = switch.place or moves[0].place
@@ -247,7 +247,7 @@ def _counted(moves: Sequence[ExecutedMove]) -> str:
 
 
 def _true_from(condition: Condition, simulation: Simulation, start_s: float) -> float | None:
-    """The first instant from a time on at which a condition holds; None if it never does."""
+    """First time [s] from a start on at which a condition holds; None if it never does."""
     held = False
     for holds, event in _changes(condition, simulation):
         if event is not None and event.time_s > start_s + _SAME_TIME_S:
@@ -263,9 +263,9 @@ def _reads(
     switch: _Switch,
     move: ExecutedMove,
 ) -> bool:
-    """Whether the program names a signal of a condition between a switch and a move.
+    """Whether the program reads a signal of a condition between a switch and a move.
 
-    Statements that wait are known one by one; of others only the text of the routines is.
+    Waits are known one by one; of other statements only the text of the routines is.
     """
     texts = [
         line.place.span.text
@@ -284,7 +284,7 @@ def _reads(
 
 
 def _texts_between(first: Place, last: Place) -> Iterator[str]:
-    """The text from one statement to another, or to the end and from the start of the routines."""
+    """Yield the text between two statements, across routines to the end and from the start."""
     text, start = first.span.source.text, first.span.start
     end = _ROUTINE_END.search(text, start)
     is_same = first.span.file == last.span.file and first.routine == last.routine
@@ -298,7 +298,7 @@ def _texts_between(first: Place, last: Place) -> Iterator[str]:
 
 
 def with_gripper_findings(simulation: Simulation, grippers: Sequence[Gripper]) -> Simulation:
-    """The run with its faults in the protocols of the grippers among the findings."""
+    """Return the run with its gripper faults among the findings."""
     if not grippers:
         return simulation
     found = gripper_findings(simulation, grippers)

@@ -1,7 +1,7 @@
-"""The line in place of a move: what MoveL to the same target would do from the same joints.
+"""Linear alternative of a move: MoveL to the same target, from the same joints.
 
-It is followed as a run would follow it, on the branch that the arm stands on, so that it fails
-where the run of that MoveL fails.
+It is followed as in a run, on the current branch of the arm, so that it fails where the run of that
+MoveL fails.
 """
 
 from __future__ import annotations
@@ -38,26 +38,26 @@ class LinearAlternative:
     """A line as far as the arm can follow it."""
 
     tcp: Array
-    """Where the solved joints put the TCP (k, 3) [m] in base, evenly along what can be followed."""
+    """Positions (k, 3) [m] in base of the TCP for the solved joints, evenly spaced."""
     start: Array
     """Shape (3,) [m]."""
     end: Array
     fault: PathFault | None
-    """Where and why the line fails; None where it is possible."""
+    """Position and reason of the failure; None if the line is possible."""
     arrival: Configuration | None
-    """How the arm stands at the end; None where it does not get there."""
+    """Configuration of the arm at the end; None if it is not reached."""
 
     @property
     def fails_at(self) -> Array | None:
-        """The place (3,) [m] where it fails."""
+        """Position (3,) [m] of the failure; None if there is none."""
         if self.fault is None:
             return None
         return self.start + self.fault.fraction * (self.end - self.start)
 
 
 def segments_of(robot_run: RobotRun) -> Mapping[int, Segment]:
-    """The segments of a robot's moves as they were driven, by the number of the move."""
-    # Where a path was planned again from within a move, the first has the whole of it.
+    """Return the executed segments of a robot's moves, by number of the move."""
+    # If a path was planned again from within a move, the first segment is the whole one.
     return {
         number: segment
         for piece in reversed(robot_run.trajectory.pieces)
@@ -68,7 +68,7 @@ def segments_of(robot_run: RobotRun) -> Mapping[int, Segment]:
 def linear_alternative(
     robot: Robot, segment: Segment, model: MotionModel
 ) -> LinearAlternative | None:
-    """Follow the line from where a move starts to where it ends.
+    """Follow the line from the start of a move to its end.
 
     Args:
         robot: The arm.
@@ -76,8 +76,8 @@ def linear_alternative(
         model: The motion model of the run.
 
     Returns:
-        The line, or None where none can be told of: something else than the arm moves tool or work,
-        or the joints of the arm are searched for.
+        The line; None if it cannot be computed: something other than the arm moves tool or work, or
+        the inverse kinematics of the arm is iterative.
     """
     kinematics = robot.kinematics
     if segment.carrier is not None or robot.external or not has_branches(kinematics):
@@ -109,7 +109,7 @@ def linear_alternative(
 
 
 def _arrival(robot: Robot, line: Segment) -> Configuration | None:
-    """How the arm arrives; the nearest way to stand at the end where the branch ends before."""
+    """Return the end configuration; the nearest one if the branch ends before, None without any."""
     (way,) = survey_curves(robot, [line], None)
     if way.arrival is not None and not way.broken:
         return configuration(robot.kinematics, way.arrival)
@@ -118,7 +118,7 @@ def _arrival(robot: Robot, line: Segment) -> Configuration | None:
 
 
 def _followed(robot: Robot, line: Segment, share: float) -> Array:
-    """The TCP (k, 3) [m] by forward kinematics of the joints solved along a share of the line."""
+    """TCP (k, 3) [m] by forward kinematics of the joints solved along a share of the line."""
     kinematics = robot.kinematics
     curves = curves_of((line,), kinematics)
     arms = arms_of((line,), kinematics, curves.joint_travel, curves.length)

@@ -1,4 +1,4 @@
-"""How kinds of moves are named and coloured, the same in page, recording and pictures."""
+"""Names and colours of kinds of moves, common to page, recording and pictures."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class MoveKind:
-    """What is drawn alike, with its colours as a style sheet writes them."""
+    """A kind of move with its colours, in the notation of a style sheet."""
 
     name: str
     on_light: str
@@ -20,7 +20,7 @@ class MoveKind:
 
 _AXES = MoveKind("axes", "#6a5be8", "#9184ff")
 CORNER = MoveKind("corner", "#e08a00", "#ffc107")
-"""Where one move goes over into the next."""
+"""Corner path between two moves."""
 MOVE_KINDS: Mapping[Interpolation, MoveKind] = MappingProxyType(
     {
         Interpolation.JOINT: MoveKind("joint", "#2f6fe0", "#5b96ff"),
@@ -31,4 +31,4 @@ MOVE_KINDS: Mapping[Interpolation, MoveKind] = MappingProxyType(
     }
 )
 DRAWN_KINDS = (*dict.fromkeys(MOVE_KINDS.values()), CORNER)
-"""Each once, in the order of the table."""
+"""Each kind once, in the order of the table."""

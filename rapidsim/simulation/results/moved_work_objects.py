@@ -1,4 +1,4 @@
-"""Work objects that another robot held, and moved while a robot that moved alone worked on them."""
+"""Work objects that a robot held and moved during uncoordinated moves of another robot on them."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _WHY = (
 def moved_object_findings(
     robots: Sequence[RobotRun], labels: Sequence[str | None]
 ) -> tuple[Diagnostic, ...]:
-    """One error for each statement, on the first time.
+    """Return one error for each statement, at its first occurrence.
 
     Args:
-        robots: In the order in which a controller numbers them.
-        labels: What the station calls them.
+        robots: The robots, in the order in which a controller numbers them.
+        labels: Names of the robots in the station; None without a name.
     """
     numbers = {robot_name(number).lower(): number - 1 for number in range(1, len(robots) + 1)}
     numbers |= {label.lower(): number for number, label in enumerate(labels) if label}
@@ -34,7 +34,7 @@ def moved_object_findings(
         for move in one.moves:
             wobj = move.move.wobj
             number = None if wobj.ufprog or wobj.robhold else numbers.get(wobj.ufmec.lower())
-            # What moves together is planned together.
+            # Synchronized moves are planned together.
             if number is None or robots[number] is one or move.move.sync_id is not None:
                 continue
             for other in _overlapping(move, robots[number].moves):
@@ -47,7 +47,7 @@ def moved_object_findings(
 
 
 def _overlapping(move: ExecutedMove, other_moves: Sequence[ExecutedMove]) -> Iterator[ExecutedMove]:
-    """The last of other moves, in the order of time, that overlaps with a move."""
+    """Yield the latest of other moves that overlaps in time with a move."""
     index = bisect_left(other_moves, move.end_s - _AT_ONCE_S, key=lambda one: one.start_s) - 1
     if (
         index >= 0

@@ -1,7 +1,7 @@
-"""What a run leaves in the persistents, as it would stand in their declarations.
+"""Persistents that a run has changed, with values in the notation of their declarations.
 
-A controller keeps the value of a PERS in the text of its module: whoever saves the module saves the
-value. A run changes no file by itself; it says which values would be saved.
+A controller keeps the value of a PERS in the text of its module: saving the module saves the value.
+A run changes no file; it reports which values would be saved.
 
 Source: RAPID Overview, "Declarations", persistent declarations.
 """
@@ -22,25 +22,25 @@ _LITERAL = r'"(?:[^"]|"")*"|[+-]?\s*(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?|TRUE\b|FAL
 _BETWEEN = r"[\[\](),\s]+|![^\r\n]*"
 _LEAF = re.compile(f"(?P<leaf>{_LITERAL})|(?:{_BETWEEN})", re.IGNORECASE)
 _VALUE = re.compile(rf"{_LITERAL}|[+-]?INF\b|NAN\b", re.IGNORECASE)
-"""What a value may be that a program worked out."""
+"""A value that a program may have computed."""
 
 
 @value_class(frozen=True, slots=True)
 class PersistentChange:
-    """A PERS that ended with another value than its declaration gives it."""
+    """A PERS whose final value differs from that of its declaration."""
 
     name: str
     module: str
     old: str
-    """The value it was declared with, as RAPID text."""
+    """Declared value, as RAPID text."""
     new: str
-    """The value it has now, with every digit that tells it from its neighbours."""
+    """Final value, with as many digits as distinguish it from neighbouring numbers."""
     declared: Span
-    """The initial value in the declaration; empty, before the semicolon, where there is none."""
+    """The initial value in the declaration; without one, the empty span before the semicolon."""
 
 
 def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
-    """The persistents of a task whose values have changed, in order of writing."""
+    """Return the persistents of a task whose values have changed, in order of writing."""
     return tuple(
         PersistentChange(
             change.name,
@@ -55,7 +55,7 @@ def changed_persistents(task: Task) -> tuple[PersistentChange, ...]:
 
 
 def deduplicated(changes: Iterable[PersistentChange]) -> tuple[PersistentChange, ...]:
-    """Each change once, also where several tasks have the module that declares it."""
+    """Return each change once, also if several tasks have the module that declares it."""
     found: dict[tuple[str, int, str], PersistentChange] = {}
     for one in changes:
         found.setdefault((one.declared.file, one.declared.start, one.new), one)
@@ -63,15 +63,15 @@ def deduplicated(changes: Iterable[PersistentChange]) -> tuple[PersistentChange,
 
 
 def parts_of(text: str) -> tuple[str, ...]:
-    """The numbers, strings and bools of which a value consists, one of a plain value."""
+    """Return the numbers, strings and bools of a value; a single one for a plain value."""
     return tuple(_VALUE.findall(text))
 
 
 def literal_places(text: str) -> tuple[tuple[int, int], ...] | None:
-    """Where the numbers, strings and bools of a literal value stand in its text.
+    """Return the offsets of the numbers, strings and bools in the text of a literal value.
 
     Returns:
-        Offsets of start and end; None if there is anything else in the text than literals, brackets
+        Offsets of start and end; None if the text contains anything other than literals, brackets
         and comments.
     """
     found: list[tuple[int, int]] = []

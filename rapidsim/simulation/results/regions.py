@@ -1,4 +1,4 @@
-"""The time of a run by the comments of its program: what people and generators head parts with."""
+"""Time of a run by the comments of its program, with which people and generators head sections."""
 
 from __future__ import annotations
 
@@ -17,21 +17,21 @@ _LONGEST = 60
 
 @value_class(frozen=True, slots=True)
 class Region:
-    """The statements behind a comment that stands on lines of its own."""
+    """Statements after a comment on its own lines."""
 
     task: str
     file: str
     line: int
-    """Of the comment."""
+    """Line of the comment."""
     routine: str
     comment: str
     steps: int
-    """Moves and waits that were run."""
+    """Number of moves and waits that were executed."""
     seconds: float
 
 
 def by_comment(steps: Iterable[Step]) -> tuple[Region, ...]:
-    """The time behind each comment of a routine, the longest first; none without comments."""
+    """Time after each comment of a routine, the longest first; empty without comments."""
     heads: dict[str, list[tuple[int, str] | None]] = {}
     found: dict[tuple[str, str, int], Region] = {}
     for step in steps:
@@ -55,7 +55,7 @@ def by_comment(steps: Iterable[Step]) -> tuple[Region, ...]:
 
 
 def _heads(lines: Sequence[str]) -> list[tuple[int, str] | None]:
-    """For each line of a file the first comment line of the block that heads it, and its words."""
+    """Return, for each line, the first comment line of the block that heads it, and its words."""
     found: list[tuple[int, str] | None] = []
     head: tuple[int, str] | None = None
     in_block = False

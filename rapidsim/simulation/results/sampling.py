@@ -1,7 +1,7 @@
-"""Looking at a run's motion often enough to draw it.
+"""Sampling of a run's motion that is dense enough to draw it.
 
-Every change that an eye could miss between two samples gets its own: starts and ends of moves, and
-the last instant. What an arm that stands still would show again and again is left out.
+Every change that could be missed between two samples gets its own sample: starts and ends of moves,
+and the last instant. Repeated samples of an arm at rest are omitted.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
 _BLOCK = 20_000
-"""Samples evaluated at once, which bounds the memory that the kinematics needs."""
+"""Number of samples evaluated at once, which bounds the memory of the kinematics."""
 MOST_EXACT = 20_000
-"""More moves than that are looked at within 1e-6 rad, which nobody sees; results stay exact."""
+"""Runs with more moves are sampled to 1e-6 rad, which is invisible; results stay exact."""
 _STEP_S = 0.002
-"""[s]; from an instant to the two beside it, by which speeds and accelerations are found."""
+"""Distance [s] of an instant from its two neighbours in finite differences."""
 _CLOSE_S = 0.004
-"""[s]; samples nearer to one another than this are one for a slope."""
+"""Minimum distance [s] of samples for a slope; closer ones are skipped."""
 _STILL = 1e-12
-"""[rad]; less than this between two samples is no motion."""
+"""Smallest change [rad] between two samples that is a motion."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class SampledRun:
-    """What one robot did in a run, and the samples that its pictures are drawn from."""
+    """Motion of one robot in a run, sampled for its pictures."""
 
     simulation: Simulation
     """The whole run."""
@@ -46,12 +46,12 @@ class SampledRun:
 
     @property
     def end_s(self) -> float:
-        """The last instant [s]."""
+        """Last instant [s]."""
         return float(self.samples.times[-1])
 
     @property
     def range_shares(self) -> Array:
-        """Where each joint is in its range (k, n) [%]: 0 in the middle, 100 at a limit."""
+        """Position of each joint in its range (k, n) [%]: 0 in the middle, 100 at a limit."""
         robot = self.robot_run.robot
         middle, half = 0.5 * (robot.upper + robot.lower), 0.5 * (robot.upper - robot.lower)
         shares: Array = 100.0 * ((self.samples.joints - middle) / half)
@@ -59,13 +59,13 @@ class SampledRun:
 
     @property
     def speed_shares(self) -> Array:
-        """The speed of each joint (k, n) [%] of what it can."""
-        # Behind the joints stand external axes, which have no picture of this kind.
+        """Speed of each joint (k, n) [%] of its limit."""
+        # After the joints there are external axes, which have no picture of this kind.
         return 100.0 * (self.joint_speed / self.limits.max_speed[: self.joint_speed.shape[1]])
 
     @property
     def acceleration_shares(self) -> Array:
-        """The acceleration of each joint (k, n) [%] of what it can; of main axes the torque."""
+        """Acceleration of each joint (k, n) [%] of its limit; for main axes, the torque."""
         limits = self.limits.max_acceleration[: self.joint_acceleration.shape[1]]
         shares = self.joint_acceleration / limits
         for arm in self.limits.arms:
@@ -79,7 +79,7 @@ class SampledRun:
 
     @property
     def _loads(self) -> Array:
-        """What hangs on the wrist (k,), in shares of the rated payload."""
+        """Load on the wrist (k,), in shares of the rated payload."""
         of_move = {
             number: segment.load
             for piece in self.robot_run.trajectory.pieces
@@ -91,13 +91,13 @@ class SampledRun:
 def sampled(
     simulation: Simulation, robot_run: RobotRun, step_s: float, *, most_moves: int | None = None
 ) -> SampledRun:
-    """Sample one robot of a run from its start until all robots stand.
+    """Sample one robot of a run from its start until all robots are at rest.
 
     Args:
         simulation: The run.
         robot_run: The robot.
-        step_s: Time [s] between samples; starts and ends of moves have samples of their own.
-        most_moves: Of more moves they have none.
+        step_s: Time [s] between samples; starts and ends of moves get additional samples.
+        most_moves: With more moves than this, starts and ends get none. None for no limit.
     """
     edged = robot_run.moves if most_moves is None or len(robot_run.moves) <= most_moves else ()
     coarse = len(robot_run.moves) > MOST_EXACT
@@ -123,17 +123,17 @@ def motion_samples(
     *,
     coarse: bool = False,
 ) -> Samples:
-    """Samples every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves."""
+    """Sample every `dt` [s] from 0 to `end_s` [s], and at starts and ends of moves."""
     grid = np.arange(0.0, end_s, dt)
     edges = _edges(moves)
     times = np.concatenate([grid, np.clip(np.array([0.0, *edges, end_s]), 0.0, end_s)])
-    # Viewers count nanoseconds: instants closer than that would fall on one another.
+    # Viewers count nanoseconds: closer instants would coincide.
     samples = evaluate(trajectory, np.unique(np.round(times, 9)), coarse=coarse)
     return _rows(samples, _worth_keeping(samples, edges))
 
 
 def evaluate(trajectory: Trajectory, times: Array, *, coarse: bool = False) -> Samples:
-    """A trajectory at `times` (k,) [s], in blocks that fit in memory; see `Trajectory.at`."""
+    """Samples of a trajectory at `times` (k,) [s], in blocks that fit in memory."""
     blocks = [
         trajectory.at(times[begin : begin + _BLOCK], coarse=coarse)
         for begin in range(0, len(times), _BLOCK)
@@ -161,10 +161,10 @@ def joint_rates(trajectory: Trajectory, samples: Samples) -> tuple[Array, Array]
 
 
 def rates_between(samples: Samples) -> tuple[Array, Array]:
-    """Joint speeds [rad/s] and accelerations [rad/s2] (k, n) as the samples themselves show them.
+    """Joint speeds [rad/s] and accelerations [rad/s2] (k, n), from the samples themselves.
 
-    From parabolas through three samples, neighbours that are closer than `_CLOSE_S` left out: good
-    enough to look at, and for nothing. At the ends of the run the arm is at rest.
+    They are slopes of parabolas through three samples, without neighbours that are closer than
+    `_CLOSE_S`: good enough to look at only. At the ends of the run the arm is at rest.
     """
     times, joints = samples.times, samples.joints
     places = np.arange(len(times))
@@ -181,7 +181,7 @@ def rates_between(samples: Samples) -> tuple[Array, Array]:
 
 
 def in_corner(samples: Samples, moves: tuple[ExecutedMove, ...]) -> npt.NDArray[np.bool_]:
-    """Which samples (k,) are in the zone at either end of their move."""
+    """Return which samples (k,) are in the zone at either end of their move."""
     if not moves:
         return np.zeros(len(samples.times), dtype=np.bool_)
     ends = np.array([move.base_from_tcp.translation for move in moves])
@@ -200,9 +200,9 @@ def _edges(moves: tuple[ExecutedMove, ...]) -> Array:
 
 
 def _worth_keeping(samples: Samples, edges: Array) -> npt.NDArray[np.bool_]:
-    """Which samples (k,) differ from one of the two on either side, or begin or end a move.
+    """Return which samples (k,) differ from one of two neighbours each side, or bound a move.
 
-    Two of a standstill are kept at each end of it, so that slopes there are those of standstill.
+    At each end of a rest two samples are kept, so that slopes there are zero.
     """
     still = np.abs(np.diff(samples.joints, axis=0)).max(axis=1, initial=0.0) < _STILL
     still &= (samples.tcp_speed[1:] == 0.0) & (samples.tcp_speed[:-1] == 0.0)

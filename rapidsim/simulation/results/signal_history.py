@@ -1,4 +1,4 @@
-"""What each signal of a run was, and from when on: for lanes over time."""
+"""Values of each signal of a run over time, for lanes of pictures."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.simulation.results.simulation import Simulation
 
 Changes = list[tuple[float, float]]
-"""Instant [s] from which on a signal has a value, and the value; the first at 0 s."""
+"""Start times [s] of values of a signal, and the values; the first at 0 s."""
 
 _MOST_STILL = 24
-"""With more declared signals, as in a backup, those that nothing sets are left out."""
+"""With more declared signals than this, as in a backup, unchanged ones are omitted."""
 
 
 def signal_changes(simulation: Simulation, *, still: bool = False) -> dict[str, Changes]:
-    """The values of every signal that is declared or set, by name in alphabetic order.
+    """Return the values of every declared or changed signal, by name in alphabetical order.
 
     Args:
         simulation: The run.
-        still: Whether those of a long I/O configuration are there that nothing sets, too: nobody
-            looks through 500 lanes of zeros.
+        still: Whether to include the unchanged signals of a long I/O configuration, too; 500 lanes
+            of zeros are of no use to a reader.
     """
     found: dict[str, Changes] = {}
     names: dict[str, str] = {}

@@ -1,6 +1,6 @@
-"""What a run leaves behind: what each robot did, how each task ended, events, findings.
+"""Result of a run: motion of each robot, end of each task, events, findings.
 
-All of it is immutable and a function of program, robot and inputs alone. Times are virtual seconds.
+It is immutable and a function of program, robot and inputs alone. Times are virtual seconds.
 """
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from rapidsim.simulation.results.collisions import Collisions
 
 _AT_REST_S = 5.0
-"""So long [s] after a limit every arm stands that was stopped there."""
+"""Time [s] after a limit within which every stopped arm is at rest."""
 
 
 class End(StrEnum):
-    """How a run ended."""
+    """Reason for the end of a run."""
 
     ENDED = "ended"
     STOPPED = "stopped"
@@ -55,50 +55,50 @@ class WrittenFile:
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class RobotRun:
-    """What one robot did in a run."""
+    """Motion of one robot in a run."""
 
     task: str
     robot: Robot
     world_from_base: Transform
-    """Where it stands, with all external axes at zero."""
+    """Pose of the base, with all external axes at zero."""
     moves: tuple[ExecutedMove, ...]
-    """Their indices, and those of its samples, count the moves of this robot."""
+    """Moves; their indices, and those of the samples, count the moves of this robot."""
     lines: tuple[ExecutedLine, ...]
     trajectory: Trajectory
     path_m: float
-    """Travel of the TCP, corners cut."""
+    """Travel of the TCP, with corners cut."""
     failed_moves: tuple[FailedMove, ...] = ()
-    """Moves that could not be made; they ended the task."""
+    """Impossible moves, which ended the task."""
 
     def __repr__(self) -> str:
         """One line."""
         return f"<{self.robot.name[:40]} in {self.task[:40]}: {len(self.moves)} moves>"
 
     def move(self, index: int) -> ExecutedMove | None:
-        """The move of an index; None where it was not made, as after a limit."""
+        """Return the move of an index; None if it was not made, as after a limit."""
         at = bisect_left(self.moves, index, key=lambda made: made.index)
         return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
 
     def sample(self, time_s: float | Array) -> Samples:
-        """The arm at one instant or several [s]: joints (k, n), TCP, speed; k is 1 for one."""
+        """Samples of the arm at one instant (k = 1) or several [s]: joints (k, n), TCP, speed."""
         return self.trajectory.at(np.atleast_1d(np.asarray(time_s, dtype=np.float64)))
 
 
 @value_class(frozen=True, slots=True)
 class TaskEnd:
-    """How one task ended, be it that of a robot or not."""
+    """End of one task, with a robot or without."""
 
     name: str
     kind: TaskKind
     end: End
-    """One of the background ends with the run."""
+    """A background task ends with the run."""
     entry: str = "main"
-    """The procedure it began with."""
+    """Procedure that it began with."""
 
 
 @value_class(frozen=True, slots=True, eq=False, repr=False)
 class Simulation:
-    """One run of one robot or several."""
+    """A run of one robot or several."""
 
     program: tuple[str, ...]
     """Files, as the user named them."""
@@ -108,27 +108,27 @@ class Simulation:
     motion_s: float
     wait_s: float
     robots: tuple[RobotRun, ...]
-    """What each robot did, one at least, in the order of the station file."""
+    """Motion of each robot, at least one, in the order of the station file."""
     tasks: tuple[TaskEnd, ...]
-    """All tasks, those without a robot too, in the order of the station file."""
+    """Ends of all tasks, also of those without a robot, in the order of the station file."""
     events: tuple[Event, ...]
     diagnostics: tuple[Diagnostic, ...]
     unsimulated: tuple[Unsimulated, ...]
     home_files: tuple[WrittenFile, ...]
     lacked_files: bool = False
-    """Whether the program asked for files or folders that the home folder does not have."""
+    """Whether the program accessed files or folders that the home folder does not have."""
     persistents: tuple[PersistentChange, ...] = ()
-    """The persistents that ended with another value than their declarations give them."""
+    """Persistents whose final values differ from their declarations."""
     waits: tuple[Wait, ...] = ()
-    """Of all tasks, in order of their starts."""
+    """Waits of all tasks, by start time."""
     collisions: Collisions | None = None
-    """What bodies touched; None where the station says nothing of bodies."""
+    """Contacts and clearances; None if the station describes no bodies."""
     errors: tuple[ErrorTally, ...] = ()
-    """Of all tasks, in order of their first times."""
+    """Errors of all tasks, by the time of their first occurrence."""
     signal_starts: Mapping[str, float] = field(default_factory=dict)
-    """What the declared signals are at the start; those that a run creates start at 0."""
+    """Initial values of the declared signals; signals that a run creates start at 0."""
     named: str = ""
-    """What the user named, such as a folder; empty where nobody said."""
+    """Name of the program by the user, such as a folder; empty if there is none."""
     strict: bool = False
     """Whether any qualification of the verdict fails the run."""
 
@@ -138,7 +138,7 @@ class Simulation:
 
     @property
     def title(self) -> str:
-        """What the run is called: as the user named it, else by its files."""
+        """Title of the run: as the user named it, else its files."""
         if self.named or not self.program:
             return self.named
         first, *others = (Path(name).name for name in self.program)
@@ -146,15 +146,15 @@ class Simulation:
 
     @property
     def skipped(self) -> tuple[Unsimulated, ...]:
-        """The routines that no module declares, with how many of their calls were skipped."""
+        """Routines that no module declares, with how many of their calls were skipped."""
         return tuple(one for one in self.unsimulated if one.is_unknown)
 
     @property
     def only(self) -> RobotRun:
-        """What the robot did.
+        """Motion of the only robot.
 
         Raises:
-            InputError: Where there are several: nobody takes the first by mistake.
+            InputError: If there are several robots, so that the first is not taken by mistake.
         """
         if len(self.robots) > 1:
             tasks = ", ".join(one.task for one in self.robots)
@@ -163,10 +163,10 @@ class Simulation:
         return self.robots[0]
 
     def robot_of(self, task: str) -> RobotRun:
-        """What the robot of a task did.
+        """Return the motion of the robot of a task.
 
         Raises:
-            InputError: If the task moves none.
+            InputError: If the task moves no robot.
         """
         for one in self.robots:
             if one.task.lower() == task.lower():
@@ -177,33 +177,33 @@ class Simulation:
 
     @property
     def moves(self) -> tuple[ExecutedMove, ...]:
-        """The moves of all robots, robot after robot, numbered through.
+        """Moves of all robots, robot after robot, numbered consecutively.
 
-        Those of `robots[k]` begin with the number `move_offsets[k]`.
+        The numbers of `robots[k]` begin at `move_offsets[k]`.
         """
         return numbered_moves(self.robots)
 
     @property
     def move_offsets(self) -> tuple[int, ...]:
-        """What is added to the index of a move of each robot where all are listed together."""
+        """Offsets added to the index of a move of each robot in the list of all moves."""
         return _move_offsets(self.robots)
 
     @property
     def path_m(self) -> float:
-        """Travel of the TCPs of all robots, corners cut."""
+        """Travel of the TCPs of all robots, with corners cut."""
         return sum(one.path_m for one in self.robots)
 
     @property
     def motion_end_s(self) -> float:
-        """The end of the run or, where a robot is still coming to rest then, of its motion.
+        """End [s] of the run or, if a robot comes to rest only later, of its motion.
 
-        A run that the computer's clock cut off has not planned how its robots come to rest: what
-        they would go on doing is no part of it.
+        If the wall-clock limit cut a run off, the stops of its robots are not planned: motion
+        long after the limit is not part of the run.
         """
         end_s = max(self.time_s, *(one.trajectory.duration for one in self.robots))
         return min(end_s, self.time_s + _AT_REST_S) if self.end is End.TIME_LIMIT else end_s
 
-    # For one release: what a run of one robot could be asked itself.
+    # For one release: shortcuts for a run of one robot.
 
     @property
     def task(self) -> str:
@@ -217,7 +217,7 @@ class Simulation:
 
     @property
     def world_from_base(self) -> Transform:
-        """Where the only robot stands, with all external axes at zero."""
+        """Pose of the only robot's base, with all external axes at zero."""
         return self.only.world_from_base
 
     @property
@@ -236,7 +236,7 @@ class Simulation:
         return self.only.failed_moves
 
     def move(self, index: int) -> ExecutedMove | None:
-        """The move of an index; None where it was not made, as after a limit."""
+        """Return the move of an index; None if it was not made, as after a limit."""
         at = bisect_left(self.moves, index, key=lambda made: made.index)
         return self.moves[at] if at < len(self.moves) and self.moves[at].index == index else None
 
@@ -246,7 +246,7 @@ class Simulation:
 
 
 def numbered_moves(robots: Sequence[RobotRun]) -> tuple[ExecutedMove, ...]:
-    """The moves of some robots, robot after robot, with indices that go on from one to the next."""
+    """Moves of several robots, robot after robot, numbered consecutively."""
     if len(robots) == 1:
         return robots[0].moves
     return tuple(

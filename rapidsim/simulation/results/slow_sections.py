@@ -1,8 +1,8 @@
-"""Where the TCP stays below its programmed speed, for how long, and which limit is nearest then.
+"""Sections in which the TCP is slower than programmed, their duration and active limit.
 
-For programs of thousands of moves, of which no single line says where the time goes: a stretch goes
-on over lines as long as the speed is not reached. What holds it is read from the motion itself: the
-limit that is used most, for most of the stretch. Longer waits at stop points part stretches.
+For programs of thousands of moves, in which no single line explains the time: a section extends
+over lines until the speed is reached. Its limit is read from the motion itself: the limit with the
+highest use for most of the section. Longer waits at stop points separate sections.
 """
 
 from __future__ import annotations
@@ -23,42 +23,42 @@ from rapidsim.values import value_class
 _STEP_S = 0.012
 _MOST_SAMPLES = 20_000
 _REACHED = 0.95
-"""Share of the programmed speed from which on it counts as reached."""
+"""Share of the programmed speed that counts as reached."""
 _AT_LIMIT = 0.95
-"""Share of an axis' or the reorientation's speed from which on it is what holds."""
+"""Share of an axis' speed or of the reorientation speed from which on it is the active limit."""
 _MOST = 200
 _SHORT_STOP_S = 0.3
-"""Stops up to so long part no stretch: stitches between fine points are one."""
+"""Stops up to this long [s] do not separate sections: stitches between fine points form one."""
 
 
 @value_class(frozen=True, slots=True)
 class SlowSection:
-    """A stretch of a robot's motion below the programmed speed."""
+    """A section of a robot's motion below the programmed speed."""
 
     task: str
     start_s: float
     end_s: float
     lost_s: float
-    """How much sooner its end would be reached at the programmed speed."""
+    """Time that would be saved at the programmed speed."""
     first: ExecutedMove
     last: ExecutedMove
     moves: int
-    """How many it goes over."""
+    """Number of moves in the section."""
     programmed_mm_s: float
-    """The highest on it."""
+    """Highest programmed speed in the section."""
     reached_mm_s: float
-    """The mean on it."""
+    """Mean speed in the section."""
     limit: str
-    """What holds it, such as `acceleration of axis 2`."""
+    """Active limit, such as `acceleration of axis 2`."""
 
     @property
     def seconds(self) -> float:
-        """How long it is."""
+        """Duration [s]."""
         return self.end_s - self.start_s
 
 
 def slow_sections(simulation: Simulation) -> tuple[SlowSection, ...]:
-    """The stretches of all robots below their programmed speed, what costs most time first."""
+    """Return the slow sections of all robots, those with the largest loss of time first."""
     if not np.isfinite(simulation.motion_end_s):
         return ()
     found = [
@@ -83,7 +83,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)
     limits, names = _limits(run, turning)
-    # Standing still is left out of the samples.
+    # Samples at rest are omitted.
     widths = np.minimum(np.gradient(times), step_s)
     kinds = limits // run.joint_speed.shape[1]
     pieces = [
@@ -111,7 +111,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
 
 
 def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, int]]:
-    """Begin and end of what is below the speed, of each move by itself."""
+    """Yield begin and end of the sections below the programmed speed, separately for each move."""
     for begin, end in _runs(below):
         inner = np.flatnonzero(np.diff(move[begin:end])) + begin + 1
         yield from pairwise([begin, *inner.tolist(), end])
@@ -120,7 +120,7 @@ def _pieces(below: Array, move: npt.NDArray[np.int64]) -> Iterator[tuple[int, in
 def _joined(
     pieces: Sequence[tuple[int, int, object]], moving: Array, times: Array
 ) -> list[tuple[int, int]]:
-    """Pieces that follow each other but for short stops, of one kind of limit and one speed."""
+    """Join consecutive pieces with only short stops between, of one kind of limit and one speed."""
     found: list[tuple[int, int]] = []
     held: object = None
     for begin, end, kind in pieces:
@@ -139,7 +139,7 @@ def _mode(kinds: Array) -> int:
 
 
 def _limits(run: SampledRun, turning: Array) -> tuple[Array, tuple[str, ...]]:
-    """Which limit (k,) holds at each sample, as a place among the names."""
+    """Return the active limit (k,) of each sample, as an index into the names."""
     speeds, accelerations = np.abs(run.speed_shares), np.abs(run.acceleration_shares)
     count = speeds.shape[1]
     names = (
@@ -156,7 +156,7 @@ def _limits(run: SampledRun, turning: Array) -> tuple[Array, tuple[str, ...]]:
 
 
 def _turning(run: SampledRun) -> Array:
-    """How fast the tool turns (k,) [rad/s]."""
+    """Turning speed of the tool (k,) [rad/s]."""
     rotation, times = run.samples.base_from_tcp.rotation, run.samples.times
     steps = vector_from_rotation(np.swapaxes(rotation[:-1], -1, -2) @ rotation[1:])
     rate = np.linalg.norm(steps, axis=-1) / np.maximum(np.diff(times), 1e-9)
@@ -164,7 +164,7 @@ def _turning(run: SampledRun) -> Array:
 
 
 def _runs(mask: Array) -> Iterator[tuple[int, int]]:
-    """Begin and end of the unbroken stretches of a mask (k,)."""
+    """Yield begin and end of each contiguous range of True in a mask (k,)."""
     padded = np.concatenate([[False], mask, [False]])
     bounds = np.flatnonzero(padded[1:] != padded[:-1]).tolist()
     yield from zip(bounds[::2], bounds[1::2], strict=True)

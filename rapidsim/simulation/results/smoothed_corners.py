@@ -1,7 +1,7 @@
 """Corners through which the smoothing takes the arm faster than its axes can turn.
 
-The command keeps the accelerations of the axes. Smoothed along the path it takes some of the speed
-of the straight stretches into the corners, and their bend then asks for more.
+The command keeps the accelerations of the axes. Smoothing along the path carries some of the speed
+of the straight sections into the corners, whose curvature then exceeds these accelerations.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from rapidsim.motion.trajectory.trajectory import Trajectory
 from rapidsim.values import value_class
 
 _WORTH_SAYING = 3.0
-"""Times an acceleration."""
+"""Reported load, as a multiple of an axis' acceleration limit."""
 
 
 @value_class(frozen=True, slots=True)
 class _Corner:
-    """How much of what an axis can the middle of a corner takes."""
+    """A corner whose middle loads an axis beyond its limit; `load` is a multiple of it."""
 
     move: ExecutedMove
     load: float
@@ -37,13 +37,13 @@ class _Corner:
 def corner_findings(
     moves: tuple[ExecutedMove, ...], trajectory: Trajectory, limits: Limits, model: MotionModel
 ) -> tuple[Diagnostic, ...]:
-    """One note for a run that has such corners, on the worst of them.
+    """Return one note on the worst such corner of a run; empty if there is none.
 
     Args:
-        moves: Of one robot.
+        moves: Moves of one robot.
         trajectory: Its motion.
-        limits: Of its axes.
-        model: What was assumed of the controller.
+        limits: Limits of its axes.
+        model: Motion model of the controller.
     """
     if not model.window or model.smoothing == "axes" or model.slows_for_bends:
         return ()
@@ -78,7 +78,7 @@ def _too_fast(
     s = middles[[k for k, _ in passed]]
     seen = trajectory.speed_at(np.array([move.end_s for _, move in passed]))
     commanded = np.interp(s, piece.timing.s, piece.timing.speed)
-    # The command keeps the limits: only where it is so much slower is there anything to find.
+    # The command keeps the limits: only where it is much slower can there be a corner to report.
     faster = np.flatnonzero(seen**2 > _WORTH_SAYING * commanded**2)
     if not len(faster):
         return

@@ -1,7 +1,7 @@
-"""Where the time of a run goes: its moves and waits added up by routine and by line.
+"""Time of a run by routine and by line: the sums of its moves and waits.
 
-A wait while the robot is still on its way counts for both lines, so that shares may add up to more
-than the run.
+A wait while the robot is still moving counts for both lines, so that shares may add up to more than
+the run.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rapidsim.language.moves import Place
 from rapidsim.values import value_class
 
 Step: TypeAlias = ExecutedMove | Wait
-"""What takes time."""
+"""A move or a wait: what takes time."""
 
 _FIRST_WORD = re.compile(r"\w*")
 
@@ -28,34 +28,34 @@ class Share:
 
     task: str
     place: Place
-    """Of the first."""
+    """Position of the first step."""
     instruction: str
-    """Of the first."""
+    """Instruction of the first step."""
     goal: str
-    """Where the first move goes, or what the first wait is for."""
+    """Target of the first move, or condition of the first wait."""
     is_wait: bool
-    """Whether they are waits; of a routine, whether all are."""
+    """Whether all steps are waits."""
     seconds: float
     length_mm: float
     """Along the programmed path."""
     times: int
-    """How often they were run."""
+    """Number of executions."""
     moves: tuple[int, ...]
-    """The numbers of the moves among them."""
+    """Numbers of the moves among the steps."""
 
     @property
     def line(self) -> str:
-        """File and line of the first, without folders."""
+        """File and line of the first step, without folders."""
         return f"{Path(self.place.span.file).name}:{self.place.span.line}"
 
 
 def by_routine(steps: Iterable[Step]) -> tuple[Share, ...]:
-    """The time in each routine of each task, the longest first."""
+    """Return the time in each routine of each task, the longest first."""
     return _added_up(steps, lambda step: (step.task, step.place.span.file, step.place.routine))
 
 
 def by_line(steps: Iterable[Step]) -> tuple[Share, ...]:
-    """The time in each line of each task, the longest first."""
+    """Return the time in each line of each task, the longest first."""
     return _added_up(steps, lambda step: (step.task, step.place.span.file, step.place.span.start))
 
 
@@ -68,15 +68,15 @@ def instruction_of(step: Step) -> str:
 
 
 def argument(move: ExecutedMove, *names: str) -> str | None:
-    """Source text of the first of some arguments of a move that was written."""
+    """Source text of the first argument of a move among names; None if it has none of them."""
     given = (move.place.arguments.get(name) for name in names)
     return next((text for text in given if text is not None), None)
 
 
 def end_point(move: ExecutedMove) -> str:
-    """What the program calls the end of a move; where it is written out in place, its position.
+    """Name of a move's target in the program; its position if it is written in place.
 
-    That is the first aggregate of the target, as it is written: the axes of a joint target.
+    The position is the first aggregate of the target; of a joint target, the axes.
     """
     text = "".join((argument(move, "topoint", "tojointpos") or "*").split())
     return text[1:].partition("]")[0] + "]" if text.startswith("[[") else text

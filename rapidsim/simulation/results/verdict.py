@@ -1,4 +1,4 @@
-"""Verdict of a run: the one place that decides whether it succeeded and which words say so."""
+"""Verdict of a run: the only module that decides whether it succeeded, and its wording."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Verdict:
     failure: Failure | None
     """None if the run succeeded."""
     headline: str
-    """How the run ended, with its qualifications, in one line."""
+    """End of the run with its qualifications, in one line."""
     level: Level
     qualifications: tuple[str, ...] = ()
     """Reservations about the result, short phrases in the order of `_QUALIFIERS`."""
@@ -100,7 +100,7 @@ def _assumed_names(simulation: Simulation) -> Iterator[str]:
 
 
 def _unjudged_bodies(simulation: Simulation) -> Iterator[str]:
-    """Bodies, or moves of theirs, that were not looked at for contacts."""
+    """Yield the number of bodies and moves that were not checked for contacts."""
     count = sum(isinstance(found.violation, NotJudged) for found in simulation.diagnostics)
     if count:
         yield f"{count} part{'s' * (count != 1)} of the cell not checked for collisions"
@@ -145,7 +145,7 @@ _QUALIFIERS: tuple[Qualifier, ...] = (
 )
 """Functions that yield the qualifications of a run, in their order in headlines."""
 _STRICT_QUALIFIERS: tuple[Qualifier, ...] = (_unjudged_bodies,)
-"""Others, of strict runs only: warnings say the same."""
+"""Further qualifications, of strict runs only: elsewhere the warnings suffice."""
 _WORDS = {
     End.ENDED: "ended as programmed",
     End.STOPPED: "stopped by the program",
@@ -190,7 +190,7 @@ def _failure(simulation: Simulation, *, qualified: bool, assertions_fail: bool) 
 
 
 def _assumed_stop(simulation: Simulation) -> str | None:
-    """The place of the move that ended a run, if no error did that does not rest on a guess."""
+    """Position of the move that ended a run if all its errors rest on assumptions; else None."""
     if any(found.severity is Severity.ERROR for found in simulation.diagnostics):
         return None
     for found in reversed(simulation.diagnostics):

@@ -1,1 +1,1 @@
-"""Reads the station from a controller backup."""
+"""Read the station from a controller backup."""

@@ -1,8 +1,8 @@
-"""What a controller backup contains: its tasks, robots and signals.
+"""Content of a controller backup: its tasks, robots and signals.
 
 `BACKINFO/backinfo.txt` names the task of each folder `RAPID/TASKn`; `SYSPAR/SYS.cfg` has the type
-of each task, and `-MotionTask` for those that move. There, a task without a type is semistatic.
-Robots and external axes come from `MOC.cfg`, the RobotWare version from `backinfo.txt`.
+of each task, and `-MotionTask` for tasks that move. In SYS.cfg, a task without a type is
+semistatic. Robots and external axes are in `MOC.cfg`, the RobotWare version is in `backinfo.txt`.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ _ROBOTWARE = re.compile(r"RobotWare(?: Version)?:?[\s_]*(\d+\.\d+)", re.IGNORECA
 
 
 def backup_station(backup: Backup) -> Station:
-    """The station described by a backup."""
+    """Return the station described by a backup."""
     root = backup.root
     configured = configured_in(root, "SYSPAR")
     cell = configured_cell(configured)
     system = configured.get("SYS", {})
-    # Where all modules lie in HOME no folder is there, but each would have the name of its task.
+    # If all modules are in HOME there are no folders; each would have the name of its task.
     folders = backup.tasks or [
         root / "RAPID" / task.name for task in configured_tasks(system).values()
     ]
@@ -53,7 +53,7 @@ def backup_station(backup: Backup) -> Station:
 
 
 def configured_cell(configured: Configured) -> Station:
-    """The robots, units and signals of a configuration; without tasks."""
+    """Return the robots, units and signals of a configuration, without tasks."""
     motion, system = configured.get("MOC", {}), configured.get("SYS", {})
     robots = backup_robots(motion)
     units = external_units(motion, system)
@@ -79,19 +79,19 @@ def configured_cell(configured: Configured) -> Station:
 
 
 def configured_in(root: Path, *names: str) -> Configured:
-    """The system parameters in the files of a folder below a root, by domain."""
+    """Return the system parameters in the files of a folder below a root, by domain."""
     texts = ((domain, text_in(root, *names, f"{domain}.cfg")) for domain in _DOMAINS)
     return {domain: read_configuration(text) for domain, text in texts if text}
 
 
 def _robotware(root: Path) -> RobotWare | None:
-    """The version that `backinfo.txt` names; None where it does not."""
+    """Return the version in `backinfo.txt`; None if it names no version."""
     named = _ROBOTWARE.search(text_in(root, "BACKINFO", "backinfo.txt"))
     return None if named is None else read_robotware(named[1])
 
 
 def _not_simulated(units: ExternalUnits) -> Iterator[str]:
-    """What is said of units whose axes no run has."""
+    """Yield notices about units whose axes are not simulated."""
     for unit in units.unsupported:
         yield (
             f"the unit {unit} of the backup is known only by name: MOC.cfg does not "
@@ -101,7 +101,7 @@ def _not_simulated(units: ExternalUnits) -> Iterator[str]:
 
 
 def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
-    """What is said of robots whose base moves with a unit that no run has."""
+    """Yield notices about robots whose base is moved by a unit that is not simulated."""
     for robot in robots:
         if robot.carried_by:
             yield (
@@ -111,7 +111,7 @@ def _carried(robots: Sequence[StationRobot]) -> Iterator[str]:
 
 
 def _without_robot(tasks: Sequence[StationTask], robots: Sequence[StationRobot]) -> Iterator[str]:
-    """What is said of tasks that move units alone."""
+    """Yield notices about tasks that only move units."""
     for task in tasks:
         if robots and task.robot_number is not None and task.robot_number >= len(robots):
             yield (
@@ -126,7 +126,7 @@ def _tasks_of(
     system: Configuration,
     robots: Sequence[StationRobot],
 ) -> tuple[StationTask, ...]:
-    """Tasks in the order of the folders; empty if the backup does not name the folders."""
+    """Return tasks in the order of the folders; empty if the backup does not name the folders."""
     information = text_in(root, "BACKINFO", "backinfo.txt")
     listed = listed_tasks(information) or _tasks_by_number(folders, system, robots)
     options = unknown_options(listed_products(information))
@@ -151,7 +151,7 @@ def _tasks_of(
                 name=name,
                 modules=modules,
                 unseen=(*unseen, *options),
-                # The safety controller has its task, which a configuration does not name.
+                # The safety controller has its own task, which a configuration does not name.
                 is_system=bool(configured) and settings is None,
             )
         )
@@ -161,7 +161,7 @@ def _tasks_of(
 def _tasks_by_number(
     folders: Sequence[Path], system: Configuration, robots: Sequence[StationRobot]
 ) -> Mapping[str, ListedTask]:
-    """The tasks of folders TASK1, TASK2 ... in a backup without `backinfo.txt`.
+    """Return the tasks of folders TASK1, TASK2 ... in a backup without `backinfo.txt`.
 
     A controller numbers the tasks that move first, in the order of their robots, then the others in
     the order of SYS.cfg. Without SYS.cfg tasks of several robots are T_ROB1, T_ROB2 ...
@@ -188,12 +188,12 @@ def _tasks_by_number(
 
 
 def _robots_of_groups(system: Configuration) -> Mapping[str | None, str | None]:
-    """The label of the robot of each mechanical unit group."""
+    """Return the label of the robot of each mechanical unit group."""
     return {group.get("name"): group.get("robot") for group in system.get(UNIT_GROUP, ())}
 
 
 def configured_task(settings: TaskSettings) -> StationTask:
-    """A task of a configuration, without modules and robot."""
+    """Return a task of a configuration, without modules and robot."""
     return StationTask(
         settings.name,
         kind=settings.kind,
@@ -207,9 +207,9 @@ def configured_task(settings: TaskSettings) -> StationTask:
 def with_robot_numbers(
     tasks: Sequence[StationTask], system: Configuration, labels: Sequence[str | None]
 ) -> tuple[StationTask, ...]:
-    """The tasks, those that move with their robots.
+    """Return the tasks, with robot numbers for those that move.
 
-    A unit group names the robot of a task; the others come in the order of MOC.cfg.
+    A unit group names the robot of a task; other tasks get the robots in the order of MOC.cfg.
     """
     groups = _robots_of_groups(system)
     configured = configured_tasks(system)

@@ -16,10 +16,10 @@ from rapidsim.files import input_bytes, require_inside
 from rapidsim.language.equipment import Attributes
 
 Instance: TypeAlias = Mapping[str, str]
-"""Values by attribute, which is found in any case; that of a switch is "true"."""
+"""Values by attribute, in any case; that of a switch is "true"."""
 
 Configuration: TypeAlias = Mapping[str, Sequence[Instance]]
-"""The instances of each type, by its name in upper case."""
+"""Instances of each type, by its name in upper case."""
 
 SWITCHED_ON = "true"
 
@@ -29,7 +29,7 @@ _ATTRIBUTE = re.compile(r'-([A-Za-z]\w*)(?:\s+(?:"([^"]*)"|(?!-[A-Za-z])(\S+)))?
 
 
 def read_configuration(text: str) -> Configuration:
-    """The instances of each type, by its upper-case name; lines that are neither are skipped."""
+    """Return the instances of each type, by its upper-case name; other lines are skipped."""
     found: dict[str, list[Instance]] = {}
     instances: list[Instance] = []
     for line in _CONTINUED.sub(" ", text.replace("\r", "")).splitlines():
@@ -50,10 +50,10 @@ def _instance(line: str) -> Instance:
 
 
 def text_in(root: Path, *names: str) -> str:
-    """The text of a file below a folder, its name in any case; empty if there is none.
+    """Return the text of a file below a folder, its name in any case; empty if it does not exist.
 
     Raises:
-        InputError: If it leads out of the folder, or is not a regular file.
+        InputError: If the path leads out of the folder, or is not a regular file.
     """
     folder = root
     for name in names:

@@ -1,10 +1,10 @@
-"""Tracks and positioners of a backup: mechanical units in `SYSPAR/MOC.cfg` besides the robots.
+"""Tracks and positioners of a backup: mechanical units in `SYSPAR/MOC.cfg` other than the robots.
 
-An axis is spread over many types: MECHANICAL_UNIT refers to its SINGLE, which refers to its
+The data of an axis are in several types: MECHANICAL_UNIT refers to its SINGLE, which refers to its
 SINGLE_TYPE (track or rotating) and JOINT. JOINT has its position in `extjoint` and refers to the
 rest: bounds in ARM, acceleration in ACC_DATA, transmission, motor speed. Units of ABB's own
-positioners have no such instances in a backup: only their names are known. The same goes for a unit
-that a program must activate: its axes have no values until then, and a run has no such units.
+positioners have no such instances in a backup: only their names are known. The same applies to a
+unit that a program must activate: its axes have no values until then, and a run has no such units.
 
 Source: Technical reference manual System parameters, topic Motion.
 """
@@ -28,16 +28,16 @@ _ROTATING = ("FREE_ROT", "EXT_ROT")
 
 @value_class(frozen=True, slots=True)
 class ExternalUnits:
-    """The mechanical units besides the robots."""
+    """Mechanical units other than the robots."""
 
     axes: tuple[tuple[ExternalAxis, ...], ...] = ()
-    """Those that a run has, of each robot."""
+    """Simulated axes of each robot."""
     unsupported: tuple[str, ...] = ()
-    """Names of the units of which the backup does not say enough."""
+    """Names of the units that the backup does not describe fully."""
 
 
 def external_units(motion: Configuration, system: Configuration) -> ExternalUnits:
-    """The units of each robot, according to MOC.cfg and the unit groups in SYS.cfg.
+    """Return the units of each robot, according to MOC.cfg and the unit groups in SYS.cfg.
 
     A unit in no group belongs to the first robot.
     """
@@ -70,12 +70,12 @@ def external_units(motion: Configuration, system: Configuration) -> ExternalUnit
 
 
 def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str, int | None]:
-    """The robot, by its number, of each unit that stands in a group; None where none has it.
+    """Return the number of the robot of each unit in a group; None if no robot has it.
 
-    Of several robots that share a unit it is the first.
+    If several robots share a unit it is the first of them.
     """
     groups = system.get(UNIT_GROUP, ())
-    # A group that names a robot which MOC.cfg lacks is that of the first, if no other is.
+    # A group whose robot MOC.cfg lacks is that of the first robot, if no other group is.
     unknown = None if any(group.get("robot") in labels for group in groups) else 0
     owners: dict[str, int | None] = {}
     for group in groups:
@@ -89,7 +89,7 @@ def _owners(system: Configuration, labels: Sequence[str | None]) -> Mapping[str,
 
 
 def _units(motion: Configuration) -> Mapping[str, Sequence[str]]:
-    """Names of the singles of each unit; a single that no unit names is one by itself."""
+    """Return the names of the singles of each unit; a single in no unit is a separate unit."""
     units: dict[str, list[str]] = {}
     for unit in motion.get("MECHANICAL_UNIT", ()):
         singles = [one for n in range(_SINGLES) if (one := unit.get(f"use_single_{n}"))]
@@ -109,7 +109,7 @@ def _axis(
     *,
     carries_robot: bool,
 ) -> ExternalAxis | None:
-    """One axis of a unit; None where the configuration does not say all of it."""
+    """Return one axis of a unit; None if the configuration does not describe it fully."""
 
     def instance(kind: str, of: str | None) -> Instance:
         return named.get(kind, {}).get(of or "", {})

@@ -1,6 +1,6 @@
 """Modules that a configuration loads into tasks: CAB_TASK_MODULES in `SYSPAR/SYS.cfg`.
 
-A backup keeps them in the folder of the task, except those of an add-in, of which only the names
+A backup stores them in the folder of the task, except modules of an add-in, of which only the names
 are known. Modules of the system itself (RELEASE:) are covered by the library.
 """
 
@@ -25,21 +25,21 @@ def is_loaded_into(module: Instance, task: str, *, moves: bool) -> bool:
 
 
 def module_name(module: Instance) -> str:
-    """The name of the module that an instance loads."""
+    """Return the name of the module that an instance loads."""
     return module.get("modname") or Path(module.get("file", "").replace("\\", "/")).stem
 
 
 def missing_modules(
     wanted: Sequence[Instance], folder: Path
 ) -> tuple[tuple[Path, ...], tuple[str, ...]]:
-    """The modules of a task that its folder lacks.
+    """Return the modules of a task that its folder lacks.
 
     Args:
         wanted: The modules that the configuration loads into the task.
         folder: The task's folder, in the RAPID folder of a backup.
 
     Returns:
-        Those in HOME of the backup, and the names of those that it lacks.
+        Modules in HOME of the backup, and names of modules that the backup lacks.
     """
     own = {module.stem.lower() for module in folder.rglob("*") if module.is_file()}
     found: list[Path] = []

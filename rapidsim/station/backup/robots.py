@@ -1,4 +1,4 @@
-"""The robots of a controller backup: `SYSPAR/MOC.cfg`.
+"""Robots of a controller backup: `SYSPAR/MOC.cfg`.
 
 The type of an arm is a name such as `ROB1_1200_0.9_5_TypeB`: type, reach in metres, payload in kg.
 Its base frame is in metres, the bounds of its axes (ARM) in radians or metres.
@@ -22,7 +22,7 @@ _JOINTS = 7
 
 
 def backup_robots(motion: Configuration) -> tuple[StationRobot, ...]:
-    """The robots of a backup in its order; nameless if the catalogue lacks the arm."""
+    """Return the robots of a backup in its order; nameless if the catalogue lacks the arm."""
     arms = {one.get("name", ""): one for one in motion.get("ARM", ())}
     return tuple(_robot(one, arms) for one in motion.get("ROBOT", ()) if one.get("use_robot_type"))
 
@@ -43,7 +43,7 @@ def _robot(instance: Instance, arms: Mapping[str, Instance]) -> StationRobot:
 
 
 def catalogue_name(type_name: str) -> str | None:
-    """The arm in the catalogue with this type, reach and payload; None if there is none."""
+    """Return the catalogue's arm with this type, reach and payload; None if it has no such arm."""
     prefix = _PREFIX.match(type_name)
     if prefix is None:
         return None
@@ -51,7 +51,7 @@ def catalogue_name(type_name: str) -> str | None:
     if len(figures) not in (1, 2):
         return None
     side = _SIDES.get((prefix["side"] or "").lower())
-    # Palletizers with one reach only, such as ROB1_660_180, are named without it.
+    # Palletizers with a single reach, such as ROB1_660_180, are named without it.
     wanted = [_figure(word) for word in figures]
     found: dict[str, str] = {}
     for name in robot_names():
@@ -64,13 +64,13 @@ def catalogue_name(type_name: str) -> str | None:
             if len(wanted) == 1 and parts[1] in found:
                 return None
             found[parts[1]] = name
-    # IRB and CRB 1300 have the same numbers; a type that names neither is that of the IRB.
+    # IRB and CRB 1300 have equal numbers; a type that names neither is that of the IRB.
     families = ("crb",) if "crb" in prefix[0].lower() else ("irb", "crb")
     return next((found[family] for family in families if family in found), None)
 
 
 def _figure(word: str) -> float | None:
-    """A number of a type; `05` is 0.5."""
+    """Return a number of a type; `05` is 0.5."""
     if re.fullmatch(r"0\d+", word):
         word = f"0.{word[1:]}"
     try:
@@ -80,20 +80,20 @@ def _figure(word: str) -> float | None:
 
 
 def _bounds(arms: Sequence[Instance | None]) -> tuple[tuple[float, float] | None, ...]:
-    """Of each axis in order; none for seven axes, whose order RAPID counts in its own way."""
+    """Bounds of each axis in order; empty for seven axes, which RAPID orders differently."""
     if len(arms) >= _JOINTS:
         return ()
     return tuple(None if arm is None else bounds(arm) for arm in arms)
 
 
 def bounds(arm: Instance) -> tuple[float, float] | None:
-    """The range of an axis [rad or m]; None if the file does not give it."""
+    """Return the range of an axis [rad or m]; None if the file does not define it."""
     lower, upper = number(arm, "lower_joint_bound"), number(arm, "upper_joint_bound")
     return None if lower is None or upper is None or lower >= upper else (lower, upper)
 
 
 def base_frame(instance: Instance) -> Transform:
-    """world_from_base; the identity if the file does not give it."""
+    """Return world_from_base; the identity if the file does not define it."""
     position = [number(instance, f"base_frame_pos_{axis}") or 0.0 for axis in "xyz"]
     turned = [number(instance, f"base_frame_orient_u{n}") for n in range(4)]
     quaternion = [1.0 if n == 0 and u is None else u or 0.0 for n, u in enumerate(turned)]
@@ -103,7 +103,7 @@ def base_frame(instance: Instance) -> Transform:
 
 
 def number(instance: Instance, attribute: str) -> float | None:
-    """The value of an attribute; None if it is missing or not a number."""
+    """Return the value of an attribute; None if it is missing or not a number."""
     try:
         return float(instance[attribute])
     except (KeyError, ValueError):

@@ -1,4 +1,4 @@
-"""The signals of a controller backup: `SYSPAR/EIO.cfg`.
+"""Signals of a controller backup: `SYSPAR/EIO.cfg`.
 
 Types, widths, default values and limits of signals, and the cross connections between them. A run
 does not need to know which bus and device carries a signal.
@@ -28,11 +28,11 @@ from rapidsim.station.signals import follows_itself
 _MOST_ACTORS = 5
 _OF_UNITS = (Status.UNIT_ACTIVE, Status.UNIT_NOT_MOVING)
 _ROBOT = re.compile(r"ROB_\d+", re.IGNORECASE)
-"""The units whose states are shown."""
+"""Units whose states system outputs show."""
 
 
 class _Shown(NamedTuple):
-    """What a system output shows, and of what."""
+    """Status shown by a system output, with its task and unit."""
 
     status: Status
     task: str | None
@@ -40,10 +40,10 @@ class _Shown(NamedTuple):
 
 
 def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
-    """The signals of an I/O configuration and how they are wired.
+    """Return the signals of an I/O configuration and their connections.
 
     Returns:
-        Signals and cross connections, and a remark for each connection left out.
+        Signals and cross connections, and a remark for each skipped connection.
     """
     signals = (_signal(one) for one in types.get("EIO_SIGNAL", ()))
     shown, others = _system_outputs(types.get("SYSSIG_OUT", ()))
@@ -54,7 +54,7 @@ def backup_io(types: Configuration) -> tuple[CellIo, tuple[str, ...]]:
 
 
 def _limit_speed(instances: Iterable[Instance]) -> tuple[str, ...]:
-    """A remark for inputs that slow a robot down, which no input of a run does."""
+    """Return a remark for inputs that slow a robot down, which no input of a run does."""
     names = [
         f"`{instance.get('signal', '')}`"
         for instance in instances
@@ -68,7 +68,7 @@ def _limit_speed(instances: Iterable[Instance]) -> tuple[str, ...]:
 def _system_outputs(
     instances: Iterable[Instance],
 ) -> tuple[Mapping[str, _Shown], tuple[str, ...]]:
-    """What signals show, by folded name; and a remark for what no run shows."""
+    """Return the status shown by each output, by folded name, with remarks on unsupported ones."""
     known = {status.lower(): status for status in Status}
     shown: dict[str, _Shown] = {}
     others: dict[str, list[str]] = {}
@@ -86,7 +86,7 @@ def _system_outputs(
 
 
 def _unit(instance: Instance) -> str:
-    """The unit of a system output; which argument names it differs between statuses."""
+    """Return the unit of a system output; which argument names it differs between statuses."""
     arguments = (instance.get(f"arg{number}") for number in (1, 3, 4, 2))
     return next((one for one in arguments if one), FIRST_ROBOT)
 
@@ -99,7 +99,7 @@ def _showing(signal: SignalDeclaration, visible: Mapping[str, _Shown]) -> Signal
 
 
 def _signal(instance: Instance) -> SignalDeclaration | None:
-    """One signal; None where it has no name, or a type that RAPID does not know."""
+    """Return one signal; None if it has no name, or a type that RAPID does not know."""
     name = instance.get("name", "")
     word = instance.get("signaltype", "").lower()
     if not name or word not in [one.value for one in SignalKind]:
@@ -109,7 +109,7 @@ def _signal(instance: Instance) -> SignalDeclaration | None:
     if kind in (SignalKind.AI, SignalKind.AO):
         lowest, highest = _number(instance.get("minlog")), _number(instance.get("maxlog"))
         if lowest is not None and highest is not None and lowest >= highest:
-            # Both are 0 where the signal is used without limits.
+            # Both are 0 if the signal is used without limits.
             lowest = highest = None
         return SignalDeclaration(name, kind, start, lowest, highest)
     width = 1

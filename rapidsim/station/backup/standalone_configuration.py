@@ -1,7 +1,7 @@
 """Configuration files outside a backup: SYS.cfg, EIO.cfg and MOC.cfg to load into a controller.
 
-This is how a program published for a controller comes with its tasks and signals: in a folder of
-their own, or beside the modules, which are a cell then.
+A program published for a controller often includes its tasks and signals in this form: in a
+separate folder, or next to the modules, which then form a cell.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class ConfiguredTask:
 
 @value_class(frozen=True, slots=True)
 class StandaloneConfiguration:
-    """The content of a folder's configuration files."""
+    """Content of a folder's configuration files."""
 
     tasks: tuple[ConfiguredTask, ...]
     io: CellIo
@@ -62,10 +62,10 @@ def loose_configuration(folder: Path) -> StandaloneConfiguration:
 
 
 def loose_station(cell: LooseCell) -> Station:
-    """The station of modules with configuration files beside them.
+    """Return the station of modules with configuration files next to them.
 
-    Modules that SYS.cfg does not load belong to the first task that moves; a task none of whose
-    modules is there is left out.
+    Modules that SYS.cfg does not load belong to the first task that moves; a task without any
+    present module is skipped.
     """
     configured = configured_in(cell.root, *cell.below)
     station = configured_cell(configured)

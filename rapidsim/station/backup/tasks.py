@@ -1,4 +1,4 @@
-"""The tasks in a configuration: CAB_TASKS in `SYS.cfg`."""
+"""Tasks in a configuration: CAB_TASKS in `SYS.cfg`."""
 
 from __future__ import annotations
 
@@ -12,22 +12,22 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class TaskSettings:
-    """The settings of one task."""
+    """Settings of one task."""
 
     name: str
     kind: TaskKind
-    """Semistatic where nothing is said, as on a controller."""
+    """Semistatic if not specified, as on a controller."""
     moves: bool
     entry: str | None
     group: str | None
     """Its mechanical unit group."""
     queue: QueueSettings
     refers_late: bool
-    """Whether it is loaded with references that nothing declares: -BindRef 0."""
+    """Whether it is loaded with unresolved references: -BindRef 0."""
 
 
 def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]:
-    """The tasks by folded name."""
+    """Return the tasks by folded name."""
     found: dict[str, TaskSettings] = {}
     for task in configuration.get("CAB_TASKS", ()):
         name, word = task.get("name", ""), task.get("type", "").lower()
@@ -45,7 +45,7 @@ def configured_tasks(configuration: Configuration) -> Mapping[str, TaskSettings]
 
 
 def _queue_of(task: Instance) -> QueueSettings:
-    """The message queue of a task; the controller gives none where nothing is said."""
+    """Return the message queue of a task; none by default, as on a controller."""
     kind, mode = task.get("rmqtype", "").lower(), task.get("rmqmode", "").lower()
     size, most = task.get("rmqmaxmsgsize", ""), task.get("rmqmaxnoofmsg", "")
     usual = QueueSettings()

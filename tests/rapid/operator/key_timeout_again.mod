@@ -3,7 +3,7 @@ MODULE key_timeout_again
   PROC main()
     VAR num key;
     TPReadFK key,"?","a","b","c","d","e"\MaxTime:=2; ! -> ? ! -> ? ! -> ? ! -> ? ! -> ?
-    ! stops: 4 retries did not help: TPReadFK: nobody answered within 2 s (ERR_EXCRTYMAX)
+    ! stops: 4 retries did not help: TPReadFK: no answer within 2 s (ERR_EXCRTYMAX)
   ERROR
     RETRY;
   ENDPROC

@@ -5,6 +5,6 @@ MODULE number_uncaught
   PROC main()
     TPReadNum count,"How many?"\MaxTime:=3;
     ! -> How many?
-    ! stops: TPReadNum: nobody answered within 3 s (ERR_TP_MAXTIME)
+    ! stops: TPReadNum: no answer within 3 s (ERR_TP_MAXTIME)
   ENDPROC
 ENDMODULE
