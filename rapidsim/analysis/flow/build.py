@@ -18,8 +18,8 @@ from rapidsim.analysis.flow.graph import (
     RAISED,
     Block,
     ControlFlowGraph,
-    Edge,
     EdgeKind,
+    FlowEdge,
 )
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.library.traits import Trait
@@ -121,7 +121,7 @@ class _Builder:
         by: tree.Node | None = None,
         holds: bool | None = None,
     ) -> None:
-        self._blocks[block].edges.append(Edge(to, kind, by, holds))
+        self._blocks[block].edges.append(FlowEdge(to, kind, by, holds))
 
     def _after(
         self,

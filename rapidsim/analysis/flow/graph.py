@@ -42,7 +42,7 @@ NORMAL = EdgeKind.NEXT | EdgeKind.JUMP | EdgeKind.BACK | EdgeKind.RETURN
 
 
 @dataclass(slots=True, eq=False)
-class Edge:
+class FlowEdge:
     """A transition to another block."""
 
     to: int
@@ -58,7 +58,7 @@ class Block:
     """Steps that execute one after another."""
 
     steps: list[tree.Node] = field(default_factory=list)
-    edges: list[Edge] = field(default_factory=list)
+    edges: list[FlowEdge] = field(default_factory=list)
 
 
 ENTRY, EXIT, RAISED, ENDED = range(4)

@@ -11,13 +11,13 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from typing import TypeVar
 
-from rapidsim.analysis.flow.graph import NORMAL, ControlFlowGraph, Edge, EdgeKind
+from rapidsim.analysis.flow.graph import NORMAL, ControlFlowGraph, EdgeKind, FlowEdge
 from rapidsim.syntax import tree
 
 S = TypeVar("S")
 
 
-def _unchanged(edge: Edge, state: S) -> S | None:
+def _unchanged(edge: FlowEdge, state: S) -> S | None:
     return state
 
 
@@ -26,7 +26,7 @@ def forward(
     starts: Mapping[int, S],
     step: Callable[[tree.Node, S], S | None],
     join: Callable[[S, S], S],
-    along: Callable[[Edge, S], S | None] = _unchanged,
+    along: Callable[[FlowEdge, S], S | None] = _unchanged,
     kinds: EdgeKind = NORMAL,
 ) -> dict[int, S]:
     """Return the state at the beginning of each reached block.
@@ -80,7 +80,7 @@ def backward(
     ends: Mapping[int, S],
     step: Callable[[tree.Node, S], S],
     join: Callable[[int, Sequence[S]], S],
-    along: Callable[[Edge, S], S | None] = _unchanged,
+    along: Callable[[FlowEdge, S], S | None] = _unchanged,
     kinds: EdgeKind = NORMAL,
 ) -> dict[int, S]:
     """Return the state at the end of each block.

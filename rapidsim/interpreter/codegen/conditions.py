@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from rapidsim.analysis.flow.build import build_graph
-from rapidsim.analysis.flow.graph import Edge, EdgeKind
+from rapidsim.analysis.flow.graph import EdgeKind, FlowEdge
 from rapidsim.analysis.flow.solve import forward
 from rapidsim.analysis.program import Program, RoutineSymbol, does
 from rapidsim.analysis.tree_walk import blocks, descendants, statements
@@ -110,7 +110,7 @@ class _Conditions:
         assigned = self._assigned(node)
         return {data: known for data, known in bounds.items() if data is not assigned}
 
-    def along(self, edge: Edge, bounds: _Bounds) -> _Bounds:
+    def along(self, edge: FlowEdge, bounds: _Bounds) -> _Bounds:
         """What is known past an edge."""
         if edge.holds is None or not isinstance(
             edge.by, tree.Binary | tree.Unary | tree.Parenthesised

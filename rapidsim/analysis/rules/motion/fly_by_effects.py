@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from typing import TypeAlias
 
-from rapidsim.analysis.flow.graph import ENDED, ENTRY, EXIT, NORMAL, RAISED, Edge
+from rapidsim.analysis.flow.graph import ENDED, ENTRY, EXIT, NORMAL, RAISED, FlowEdge
 from rapidsim.analysis.flow.solve import backward
 from rapidsim.analysis.flow.summaries import summarise
 from rapidsim.analysis.program_parts import Facts, ProgramPart
@@ -157,7 +157,7 @@ class _RoutineAnalysis:
                     moves[move] = moves.get(move, False) or (is_sure and ahead.end)
         return _Summary(effects, self._first.end, moves)
 
-    def _along(self, edge: Edge, ahead: _Ahead) -> _Ahead | None:
+    def _along(self, edge: FlowEdge, ahead: _Ahead) -> _Ahead | None:
         if edge.to == EXIT and edge.by is not None:
             return _EARLY_RETURN
         if edge.holds is False and isinstance(edge.by, tree.DataReference):
