@@ -13,13 +13,15 @@ PAGE = (ROOT / "ARCHITECTURE.md").read_text(encoding="utf-8")
 FOLDERS = sorted(path.parent for path in PACKAGE.rglob("__init__.py") if path.parent != PACKAGE)
 DOORS = {PACKAGE / "cli", PACKAGE / "syntax" / "tree"}
 """Folders whose `__init__` hands out names too."""
+ENTRIES = [" ".join(text.split()) for text in re.split(r"\n(?=- |\d+\. |\n)", PAGE)]
+"""Paragraphs and items of lists, each as one line."""
 ROWS = {
-    room: row
-    for row in PAGE.splitlines()
-    if row.startswith("| `")
-    for room in re.findall(r"`(\w+)/`", row.split(" | ")[0])
+    room: entry
+    for entry in ENTRIES
+    if entry.startswith("- `")
+    for room in re.findall(r"`(\w+)/`", entry.split(": ")[0])
 }
-"""The rows of the table of rooms, by room."""
+"""The entries of the list of rooms, by room."""
 BASES = (ROOT, PACKAGE)
 PATH = re.compile(r"`([\w./-]+/|[\w./-]+\.(?:py|md|toml|lark|txt))`")
 
@@ -49,7 +51,7 @@ def test_whatever_the_page_names_exists() -> None:
     room_of = {row: PACKAGE / room for room, row in ROWS.items()}
     missing = [
         name
-        for line in PAGE.splitlines()
+        for line in ENTRIES
         for name in PATH.findall(line)
         if not any((base / name).exists() for base in (*BASES, room_of.get(line, ROOT)))
         and not any(room_of.get(line, ROOT / "tests").rglob(name))
