@@ -41,7 +41,7 @@ def least_motion(
     Args:
         robot: The arm.
         base_from_flange: The poses in order.
-        start: Joints (n,) [rad] from which the arm comes; without them the first pose is free.
+        start: Initial joints (n,) [rad]; without them the first pose is free.
 
     Returns:
         The joints with the least total motion, or the index of the first pose that no branch
