@@ -163,7 +163,7 @@ def _axes_5_6(wrist: Array, t4: Array) -> tuple[Array, Array]:
 
 
 def _hold(angles: Array, undetermined: Mask, near: Array) -> Array:
-    """Replace undetermined angles (k,) by `near` (k,); by the last determined one for one `near`."""
+    """Replace undetermined angles (k,) by `near` (k,); by the last determined with one `near`."""
     if near.ndim:
         return np.where(undetermined, near, angles)
     last = np.maximum.accumulate(np.where(undetermined, -1, np.arange(len(angles))))
