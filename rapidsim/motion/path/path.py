@@ -80,7 +80,7 @@ class Path:
 
     @cached_property
     def segment_starts(self) -> Array:
-        """s (segments,) at the middle of the corner before each segment; 0 for the first."""
+        """Parameters s (segments,) at the middle of the corner before each segment, first 0."""
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.layout.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
@@ -99,12 +99,12 @@ class Path:
 
     @property
     def breakpoints(self) -> Array:
-        """s of zone edges, middles of corners, and both ends, ascending."""
+        """Parameter s of zone edges, middles of corners, and both ends, ascending."""
         return self.layout.bounds
 
     @cached_property
     def stops(self) -> Array:
-        """s where the arm must come to rest between the ends, ascending."""
+        """Parameter s of the stops between the ends, where the arm must come to rest, ascending."""
         corners, places = self.layout.corners, self.layout.places[1:-1]
         sharp = np.flatnonzero(corners.radius == 0.0)
         kinked = np.ones(len(sharp), dtype=bool)

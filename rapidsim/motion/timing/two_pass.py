@@ -24,15 +24,15 @@ _STEEP = 1e-12
 
 
 def solve(stages: Stages, caps: Array, start_speed: float) -> tuple[Array, float]:
-    """Find the fastest x at the nodes.
+    """Return the fastest x at the nodes.
 
     Args:
-        stages: The limits of u.
+        stages: Limits of u.
         caps: Largest x at the nodes, shape (m + 1,).
         start_speed: Path speed [m/s] at the first node.
 
     Returns:
-        x (m + 1,), and the largest x at the first node from which the rest can be driven.
+        x (m + 1,), and the largest x at the first node from which the rest is feasible.
     """
     caps = np.append(np.minimum(caps[:-1], stages.widest), 0.0)
     slack, tilt = stages.slack, stages.tilt
