@@ -2,7 +2,7 @@
 
 A survey for checking: each path is tested separately, from its start joints on their branch,
 without corners and without dynamics. Poses are as dense as the joint motion requires. For failures
-found here, `path.build_path` returns the exact place, one path at a time.
+found here, `building.build_path` returns the exact place, one path at a time.
 """
 
 from __future__ import annotations

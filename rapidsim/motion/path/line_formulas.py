@@ -101,7 +101,7 @@ def turning_on(
         rate: Rotation rate [rad/m] of the line before.
         next_start: Rotation at the start of the line after.
         next_rate: Rotation rate [rad/m] of the line after.
-        before: Position on the line before with both derivatives; see `layout.Sides`.
+        before: Position on the line before with both derivatives; see `parameterisation.Sides`.
         after: Position on the line after with both derivatives.
     """
     backwards, forwards = turned_twice((start, rate, next_start, next_rate), before[0], after[0])

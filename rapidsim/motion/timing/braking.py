@@ -19,11 +19,11 @@ from rapidsim.motion.timing.time_optimal import fastest_drive
 from rapidsim.motion.timing.time_scaling import TimeScaling
 
 PATH_STOP_S = 0.7
-r"""Braking time [s] of a soft stop: \PStop."""
+r"""Braking time [s] of a path stop, the gentlest: \PStop."""
 PROGRAM_STOP_S = 0.3
 """Braking time [s] of a program stop: our choice, about the values in tables of stopping times."""
 SOFT_STOP_S = 0.15
-r"""Braking time [s] of a quick stop: \SStop."""
+r"""Braking time [s] of a soft stop: \SStop."""
 _STANDSTILL = 1e-9
 """Path speed [m/s] that counts as rest."""
 _BEFORE_S = 1.0

@@ -1,4 +1,4 @@
-"""Numerical solvers at poses of a trajectory: the benefit of a start near the solution."""
+"""Numerical solvers at poses of a trajectory: the benefit of a seed near the solution."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ SOLVERS = ("lm", "trf", "bfgs")
 
 @value_class(frozen=True, slots=True)
 class SeededSolve:
-    """A solver at a sequence of poses."""
+    """Result of a solver at a sequence of poses."""
 
     solver: str
     warm: bool
@@ -30,7 +30,7 @@ class SeededSolve:
 
 
 def compared_starts(followed: FollowedTrajectory) -> tuple[SeededSolve, ...]:
-    """Each of SciPy's solvers, cold and warm, at poses spaced evenly along a trajectory."""
+    """Return results of SciPy's solvers, cold and warm, at poses spaced evenly on a trajectory."""
     from rapidsim.motion.configurations.scipy_solvers import search  # noqa: PLC0415
 
     robot, samples = followed.robot, followed.samples
