@@ -1,8 +1,9 @@
 """Point-by-point loops over the formulas for lines, for compilation; else columns are used.
 
-`CurveColumns` contains the arrays of a layout for both loops: the table of `line_derivatives.Lines`, s at
-the start of each curve, lengths of curves, radii of corners for position and for orientation, and
-for each piece its curve and the corners that contain its position and orientation, or -1.
+`CurveColumns` contains the arrays of a layout for both loops: the table of
+`line_derivatives.Lines`, s at the start of each curve, lengths of curves, radii of corners for
+position and for orientation, and for each piece its curve and the corners that contain its position
+and orientation, or -1.
 """
 
 from __future__ import annotations
