@@ -1,7 +1,7 @@
-"""Changes spans of text in the program's files and leaves every other byte as it is.
+"""Edits of text spans in the program's files that keep every other byte.
 
-Encoding, byte order mark and line endings stay. All files are checked before the first is written,
-and each is replaced as a whole.
+Encoding, byte order mark and line endings are kept. All files are checked before the first is
+written, and each is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ def write_edits(
     """Edit files.
 
     Args:
-        edits: What to replace, by the name of the file; spans do not overlap.
-        files: The program as it was read.
+        edits: Replacements, by file name; spans do not overlap.
+        files: The program files as they were read.
         subject: What is written, in the plural, for messages: "fixes".
 
     Returns:
@@ -50,7 +50,7 @@ def write_edits(
 
 
 def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -> bytes:
-    """The bytes of a file after replacing text.
+    """Return the bytes of a file after replacing text.
 
     Raises:
         InputError: See `write_edits`.
@@ -81,7 +81,7 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -
 
 
 def edited_text(text: str, edits: Iterable[TextEdit]) -> str:
-    """A text after replacing spans."""
+    """Return a text after replacing spans."""
     pieces: list[str] = []
     end_before = 0
     for start, end, new in sorted(edits):

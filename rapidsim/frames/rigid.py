@@ -38,19 +38,19 @@ def product(a_from_b: Nine[Number], b_from_c: Nine[Number]) -> Nine[Number]:
 
 
 def moved(a_from_b: Rigid, point_in_b: Vector) -> Vector:
-    """A point [m], expressed in a."""
+    """Return a point [m], expressed in a."""
     (a, b, c, d, e, f, g, h, i), (u, v, w) = a_from_b
     x, y, z = point_in_b
     return a * x + b * y + c * z + u, d * x + e * y + f * z + v, g * x + h * y + i * z + w
 
 
 def composed(a_from_b: Rigid, b_from_c: Rigid) -> Rigid:
-    """a_from_c."""
+    """Return a_from_c."""
     return product(a_from_b[0], b_from_c[0]), moved(a_from_b, b_from_c[1])
 
 
 def inverse(a_from_b: Rigid) -> Rigid:
-    """b_from_a."""
+    """Return b_from_a."""
     (a, b, c, d, e, f, g, h, i), (x, y, z) = a_from_b
     return (a, d, g, b, e, h, c, f, i), (
         -(a * x + d * y + g * z),
@@ -86,7 +86,7 @@ def from_transform(transform: Transform) -> Rigid:
 
 
 def to_transform(rigid: Rigid) -> Transform:
-    """The same transform as arrays."""
+    """Convert to a transform of arrays."""
     matrix, translation = rigid
     # Not reshaped: a view would keep a second array, and long runs have millions of these.
     rows = (matrix[:3], matrix[3:6], matrix[6:])

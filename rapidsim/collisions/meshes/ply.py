@@ -43,10 +43,10 @@ class _Element:
 
 
 def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
+    """Return vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
 
     Raises:
-        InputError: If it is not a PLY file, or is truncated.
+        InputError: If the data are not a PLY file, or are truncated.
     """
     head, mark, body = data.partition(b"end_header")
     if not data.startswith(b"ply") or not mark:
@@ -87,7 +87,7 @@ def _header(head: bytes) -> tuple[str, list[_Element]]:
 def _rows(
     body: bytes, order: str, elements: Sequence[_Element]
 ) -> dict[str, list[Sequence[float]]]:
-    """x, y, z of each vertex; the corners of each face."""
+    """Return x, y, z of each vertex, and the corners of each face."""
     words = iter(body.split()) if not order else None
     place = 0
 

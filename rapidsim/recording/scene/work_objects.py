@@ -91,7 +91,7 @@ def object_origins(run: RecordedRobot) -> Array:
 
 
 def _entity(run: RecordedRobot, name: str, part: str) -> str:
-    """Return the entity of a part of a work object, whose name may be an expression."""
+    """Return the entity of part of a work object; the name may be an expression (`wobjs{1}`)."""
     return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
 
