@@ -16,7 +16,7 @@ from rapidsim.module_files import STANDARD_INPUT, packed_station
 from rapidsim.output_files import whole_file
 
 TextEdit = tuple[int, int, str]
-"""Start and end, in characters, of what is replaced, and by what."""
+"""Start and end of the replaced span, in characters, and the new text."""
 
 
 def write_edits(
@@ -27,7 +27,7 @@ def write_edits(
     Args:
         edits: Replacements, by file name; spans do not overlap.
         files: The program files as they were read.
-        subject: What is written, in the plural, for messages: "fixes".
+        subject: Subject of the edits in messages, in the plural, such as "fixes".
 
     Returns:
         The files written.

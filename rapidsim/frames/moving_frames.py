@@ -128,7 +128,7 @@ class Screw:
     """
 
     axis: int
-    """Position among the external axes, from 0."""
+    """Index among the external axes, from 0."""
     direction: Array
     """Shape (3,), unit length: along a linear axis, about a rotating one."""
     through: Array | None

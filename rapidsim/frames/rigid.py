@@ -1,4 +1,4 @@
-"""One rigid transform in plain floats.
+"""Single rigid transform in plain floats.
 
 For one transform at a time, plain Python is several times as fast as arrays; batches live in
 `transform`. A `Rigid` is a matrix of nine floats, row by row, and a translation [m]; names are

@@ -20,7 +20,7 @@ class FrameChange:
     time_s: float
     frame: Transform
     parent: str = ""
-    """The frame it is in, where that may change too."""
+    """Parent frame, for frames whose parent may change; else empty."""
 
 
 def changes(

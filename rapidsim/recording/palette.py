@@ -67,7 +67,7 @@ SPEEDS: tuple[Colour, ...] = (
     (255, 140, 40),
     (255, 70, 70),
 )
-"""From slow to fast, one colour per tenth of the range."""
+"""Colours from slow to fast, one per tenth of the range."""
 
 SIGNAL_ON: Colour = (46, 180, 90)
 SIGNAL_OFF: Colour = (70, 76, 88)

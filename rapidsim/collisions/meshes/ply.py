@@ -39,7 +39,7 @@ class _Element:
     name: str
     count: int
     columns: list[tuple[str, str, str | None]] = field(default_factory=list)
-    """Name, type, and the type of the count of a list."""
+    """Name and type, and for a list the type of its count."""
 
 
 def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:

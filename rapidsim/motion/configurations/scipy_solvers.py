@@ -41,7 +41,7 @@ class SolverHistory:
     """Remaining angle [rad]."""
     starts: int
     iterations: int
-    """Steps of all starts; for `lm`, of which SciPy counts only evaluations, those."""
+    """Steps of all starts; for `lm` evaluations, as SciPy does not count its steps."""
 
 
 def search(

@@ -78,8 +78,8 @@ class Curves:
     tool_turn: Array
     """Rotation vector of the tool relative to the path's own frame over the whole curve."""
     detour: Array
-    """Rotation vector of the tool's deviation from that turn, scaled so that it is 4 x (1 - x) of
-    it along the arc: through the orientation of the circle point; 0 if there is no deviation."""
+    """Rotation vector of the tool's deviation from that turn, which is `detour * x * (1 - x)` at
+    share x of the arc, to pass through the orientation of the circle point; 0 if not needed."""
     start_joints: Array
     """Shape (m, n + e): the joints of the arm, then the external axes."""
     joint_travel: Array

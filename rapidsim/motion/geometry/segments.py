@@ -138,7 +138,7 @@ class Speed:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Segment:
-    """One move from the end of the previous one to its own end."""
+    """A move from the end of the previous one to its own end."""
 
     geometry: Geometry
     start: Waypoint

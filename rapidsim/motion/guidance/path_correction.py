@@ -41,7 +41,7 @@ class PathCorrection:
     _filter: LowPass = field(init=False)
     _motion: JointMotion = field(init=False)
     _axes: Array = field(init=False)
-    """base_from_path (3, 3) of the last cycle."""
+    """base_from_path (3, 3) of the last cycle in which it was defined."""
     _goal: Array = field(init=False)
 
     def __post_init__(self) -> None:

@@ -70,7 +70,7 @@ class DhTable:
     """
 
     base: Transform
-    """From the base frame to frame 0; the unit matrix where axis 1 is the z axis of the base."""
+    """Transform from base to frame 0; the identity if axis 1 is the z axis of the base."""
     theta: Array
     """Offset added to each joint (n,) [rad]; for a sliding joint the whole angle."""
     d: Array
@@ -79,7 +79,7 @@ class DhTable:
     alpha: Array
     """Shape (n,) [rad]."""
     flange: Transform
-    """From the last frame to the flange; mostly the unit matrix."""
+    """Transform from the last frame to the flange; usually the identity."""
     slides: Mask
     """Shape (n,): mask of the joints that slide along their axis; the others turn."""
 

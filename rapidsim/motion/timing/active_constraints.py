@@ -1,4 +1,4 @@
-"""Active constraints: which axis or programmed speed limits a segment for most of its time."""
+"""Active constraints: the axis or programmed speed that limits a segment for most of its time."""
 
 from __future__ import annotations
 

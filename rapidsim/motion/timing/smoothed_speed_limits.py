@@ -105,7 +105,7 @@ def _keep_below_lines(
 
 
 def within(times: Array, window: float) -> tuple[Index, Index]:
-    """Indices of the first ascending time (k,) within a window [s] of each, and past the last."""
+    """Return indices (k,) of the first time within a window [s] of each, and past the last."""
     first = np.searchsorted(times, times - window, side="left")
     return first, np.searchsorted(times, times + window, side="right")
 

@@ -12,7 +12,7 @@ from rapidsim.motion.waypoints.plan import TcpMotion
 LARGEST_STEP = 0.5
 """Largest step [rad] of an axis between two samples; faster motion is a jump."""
 _SMOOTH = 0.1
-"""Deviation [rad] of the joints half-way between two samples from their mean without a jump."""
+"""Deviation [rad] of the joints midway between two samples from their mean without a jump."""
 _HALVINGS = 24
 """Bisections of the time between two samples, after which a branch change is on the path itself."""
 

@@ -19,14 +19,14 @@ class SeededSolve:
 
     solver: str
     warm: bool
-    """Each begins with the joints of the pose before; else with joints at 0."""
+    """Whether each search is seeded with the joints of the previous pose, else with joints at 0."""
     poses: int
     solved_count: int
     starts: int
-    """In all: one a pose where the first start found it."""
+    """Total number of starts: one per pose if the first start succeeds."""
     iterations: int
     seconds: float
-    """By the clock on the wall; nothing depends on it."""
+    """Wall time [s]; nothing depends on it."""
 
 
 def compared_starts(followed: FollowedTrajectory) -> tuple[SeededSolve, ...]:

@@ -38,7 +38,7 @@ _AXIS_FROM_JOINT = np.array(
         [0.0, 0.0, 0.0, 1.0],
     ]
 )
-"""Matrix of waist, shoulder, elbow, levelling axis and flange angle per joint."""
+"""Shape (5, 4): angles of waist, shoulder, elbow, levelling axis and flange per joint value."""
 _LINKS = (0, 1, 2, 4)
 _DOWN = np.diag([1.0, -1.0, -1.0])
 """Flange with all joints at 0: x forward, z down."""

@@ -9,7 +9,7 @@ from rapidsim.motion.kinematics.closed_form.scara import JOINT_COUNT, SLIDING, S
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
 
 _EXACT = 1e-9
-"""[m] and sines; descriptions that were rounded or measured from drawings are further off."""
+"""Tolerance [m], and of sines; descriptions with rounded or measured values exceed it."""
 _DIRECTIONS = np.array([[0.0, 0.0, 1.0]] * 3 + [[0.0, 0.0, -1.0]])
 
 

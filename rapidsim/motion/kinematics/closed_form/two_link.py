@@ -11,7 +11,7 @@ import numpy as np
 from rapidsim.frames.transform import Array
 
 REACH_TOLERANCE = 1e-9
-"""Share of the reach by which a wrist centre may lie outside and still count as just reached."""
+"""Share of the reach by which a wrist centre may be outside and still count as reached."""
 
 
 def close_triangle(
