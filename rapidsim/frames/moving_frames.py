@@ -79,7 +79,7 @@ class Twists:
         )
 
     def inverse(self) -> Twists:
-        """b_from_a."""
+        """Return the inverse, b_from_a."""
         back = np.swapaxes(self.rotation, -1, -2)
         swing = cross(self.turning, self.position)
         return Twists(

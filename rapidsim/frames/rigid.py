@@ -45,12 +45,12 @@ def moved(a_from_b: Rigid, point_in_b: Vector) -> Vector:
 
 
 def composed(a_from_b: Rigid, b_from_c: Rigid) -> Rigid:
-    """Return a_from_c."""
+    """Compose two transforms: a_from_c."""
     return product(a_from_b[0], b_from_c[0]), moved(a_from_b, b_from_c[1])
 
 
 def inverse(a_from_b: Rigid) -> Rigid:
-    """Return b_from_a."""
+    """Return the inverse, b_from_a."""
     (a, b, c, d, e, f, g, h, i), (x, y, z) = a_from_b
     return (a, d, g, b, e, h, c, f, i), (
         -(a * x + d * y + g * z),

@@ -46,7 +46,7 @@ class Transform:
         return len(self.translation)
 
     def inverse(self) -> Transform:
-        """Return b_from_a."""
+        """Return the inverse, b_from_a."""
         rotation = np.swapaxes(self.rotation, -1, -2)
         return Transform(rotation, -np.einsum("...ij,...j->...i", rotation, self.translation))
 

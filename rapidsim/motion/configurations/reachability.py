@@ -18,7 +18,7 @@ LIMIT_TOLERANCE = 1e-9
 POSE_TOLERANCE = radians(ROUNDED_POSE)
 """Excess [rad] of a revolute joint that is accepted, with a warning, at a pose of a program."""
 SLIDING_TOLERANCE = radians(ROUNDED_AWAY)
-"""Tolerance of a prismatic joint, 0.05 mm: targets at the top of its stroke are usual, and are
+"""Tolerance of a sliding joint, 0.05 mm: targets at the top of its stroke are usual, and are
 written with as many digits as the position of the flange."""
 
 

@@ -26,7 +26,7 @@ class Differential:
 
     jacobian: Array
     """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s], or
-    [m/s] for a prismatic joint."""
+    [m/s] for a sliding joint."""
     singular_values: Array
     """Shape (min(6, n),), in falling order."""
     manipulability: float

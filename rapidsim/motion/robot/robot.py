@@ -114,7 +114,7 @@ class Robot:
     external: tuple[ExternalAxis, ...] = ()
     """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
-    """Shapes that replace those of the description; None for the latter."""
+    """Shapes that replace the shapes of the description; None to keep these."""
 
     def units(self, per: str = "") -> str:
         """Return RAPID's units of all joints, such as `deg/s` or, if one slides, `deg, j3 in mm`.
@@ -163,7 +163,7 @@ class Robot:
         return f"<robot {self.name[:60]}, {len(self.joints)} axes>"
 
     def forward(self, joints: Array) -> Transform:
-        """Return base_from_flange of joint vectors (..., n) [rad]; for ABB arms of tool0."""
+        """Return base_from_flange of joint vectors (..., n) [rad]; ABB's flange is tool0."""
         return self.kinematics.forward(np.asarray(joints, dtype=np.float64))
 
     def inverse(self, base_from_flange: Transform) -> Branches:
@@ -180,8 +180,8 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
             bars.
 
     Raises:
-        RobotError: If the name is not known, the file cannot be read, or the kind of arm is not
-        supported; the message says which.
+        RobotError: If the name is unknown, the file cannot be read, or the kind of arm is not
+            supported; the message contains the reason.
         InputError: If the package that reads URDF files is not installed.
     """
     text = str(name_or_path)
