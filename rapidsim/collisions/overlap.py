@@ -83,7 +83,7 @@ def depths(
 def shortest(
     parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> Array:
-    """Return separating translations [m], with directions refined until these stop shrinking."""
+    """Return separating translations (k,) [m], refined from those of `depths`."""
     least, best = depths(parts, first, second, second_from_first)
     width = np.full(len(first), 0.35)
     for _ in range(_ROUNDS if len(first) else 0):

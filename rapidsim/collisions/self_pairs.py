@@ -141,7 +141,7 @@ def _is_proven_separate(
     done; the others are bisected.
     """
     if any(joint.slides for joint in robot.joints):
-        return False  # The reach of links differs between postures.
+        return False  # Distances between joints differ between postures.
     a, b = pair
     first, second = links[a].number, links[b].number
     zero = np.zeros(len(robot.joints))

@@ -19,7 +19,7 @@ def rotation_from_vector(vector: Array) -> Array:
 
 
 def vector_from_rotation(rotation: Array) -> Array:
-    """Return rotation vectors (..., 3) [rad], at most half a turn long, from matrices."""
+    """Return rotation vectors (..., 3) [rad], up to half a turn, of matrices (..., 3, 3)."""
     quaternion = quaternion_from_matrix(rotation)
     axis = quaternion[..., 1:]
     sine = np.linalg.norm(axis, axis=-1)

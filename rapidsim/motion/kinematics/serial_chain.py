@@ -39,7 +39,7 @@ class SerialChain:
     axis_from_joint: Array
     """Shape (m, n): axis angles per joint value; the unit matrix unless rods couple axes."""
     links: tuple[int, ...]
-    """Index of the axis that moves the link of each of the n joints."""
+    """Index, from 0, of the axis that moves the link of each of the n joints."""
 
     @staticmethod
     def uncoupled(axes: AxesAtZero) -> SerialChain:

@@ -36,7 +36,7 @@ class NearArm:
 
 
 def near_arm(axes: AxesAtZero) -> NearArm | None:
-    """Return the near arm of six axes; None if they lack more than the wrist intersection."""
+    """Return the near arm of six axes; None if more than axis 6 prevents a closed form."""
     if len(axes.points) != 6:
         return None
     crossing = point_nearest(axes.points[3:5], axes.directions[3:5])
