@@ -446,7 +446,7 @@ class _Search:
 
 
 def _first_of(order: Array, *keys: Index) -> Index:
-    """Return the first of rows with equal keys (k,), in the order of `order`."""
+    """Return the indices of the rows that are first in `order` among rows with equal keys (k,)."""
     rows = np.lexsort((order, *keys))
     change = np.zeros(len(rows), dtype=np.bool_)
     for key in keys:

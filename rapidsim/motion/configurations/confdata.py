@@ -216,7 +216,7 @@ def within_limits(
 
 
 def distinct(joints: Array, turns: Array) -> list[Array]:
-    """Return joint vectors (k, n) [rad] without those equal to an earlier one up to turns (n,)."""
+    """Return joint vectors (k, n) [rad] that differ from all earlier ones, up to turns (n,)."""
     difference = joints[:, None] - joints
     difference -= nearest_turns(difference, turns)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME

@@ -128,7 +128,7 @@ class Kinematics(Protocol):
 
     @property
     def single(self) -> ScalarKinematics:
-        """These queries for one pose."""
+        """Kinematics of the arm for one pose, in plain floats."""
         return ScalarFromBatch(self)
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:

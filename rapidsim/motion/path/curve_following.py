@@ -174,7 +174,7 @@ def _raw_joints(
 def _joints_in_general(
     layout: PathParameterisation, arms: JointMapper, s: Array, piece: Index
 ) -> tuple[Array, Mask]:
-    """Return such joints for any arm and curve, without closed formulas."""
+    """Return joints near linear interpolation for any arm and curve, and a mask."""
     row = layout.row[piece]
     near = layout.curves.joints_at(row, s - layout.places[row])
     near[:, arms.kinematics.joint_count :] = layout.course(s, piece).value

@@ -428,7 +428,7 @@ class Trajectory:
         return times if np.ndim(place) else float(times[0])
 
     def _times_at(self, places: Array) -> Array:
-        """Return such times for positions (k,)."""
+        """Return the first times (k,) [s] of the visible motion at positions S (k,) [m]."""
         times = self._command.time_at(places)
         if self._windows.filter_time > 0.0:
             # The mean over a window passes a position after the command has.
