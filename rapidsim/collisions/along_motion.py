@@ -1,9 +1,9 @@
 """Contacts and clearances along a motion, checked continuously between sampling instants.
 
-The gaps at both ends of a stretch and the distance travelled in between bound the smallest gap
-within (`travel.py`). The first stretches are many steps long; where one leaves a contact possible,
-or a gap smaller than any so far, its ends are measured, and then it is bisected. What is still
-undecided after the shortest step is no contact.
+The gaps at both ends of an interval and the distance travelled in between bound the smallest gap
+within (`travel`). The first intervals are many steps long; where one leaves a contact possible, or
+a gap smaller than any so far, its ends are measured, and then it is bisected. An interval that is
+undecided after the shortest step counts as no contact.
 """
 
 from __future__ import annotations
@@ -26,28 +26,28 @@ from rapidsim.values import value_class
 
 _NEARER_M = 5e-4
 _NEARER = 0.02
-"""A clearance is given to this or that share of it."""
+"""Tolerance of a clearance: the larger of a length [m] and a share of it."""
 _BLOCK = 2000
-"""Instants of a first look at once."""
+"""Number of instants in the first pass of a block."""
 _AT_ONCE = 100_000
-"""Pairs and instants whose bounds are found at once."""
+"""Number of pairs times instants whose bounds are computed at once."""
 _MOST_LOOKS = 400_000
-"""Pairs and instants checked in a block before it is given up."""
+"""Number of pairs times instants checked in a block before the search gives up."""
 _ROUND, _BEST = 400, 24
-"""Stretches that are looked at in one round, the nearest of each move first; of a move so many."""
+"""Number of intervals checked in one round, nearest first, and the maximum of one move."""
 _DEPTHS = 30
-"""Instants at which the depth of a contact is measured."""
+"""Number of instants at which the depth of a contact is measured."""
 _MOST_DEPTHS = 500
-"""How many contacts, the first of the run, have their depth measured."""
+"""Number of contacts, from the first of the run, whose depth is measured."""
 
 
 def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> CollisionReport:
     """Check the whole motion.
 
     Args:
-        scene: What moves.
-        end_s: When [s] the run ends.
-        bodies: The bodies of the scene, to share them between several motions.
+        scene: Arms, bodies and pairs.
+        end_s: End of the run [s].
+        bodies: Bodies of the scene, to share them between several motions; None to build them.
     """
     if not scene.pairs:
         return CollisionReport((), ())
@@ -59,9 +59,9 @@ def search(scene: Scene, end_s: float, bodies: Bodies | None = None) -> Collisio
 
 
 def _sample_times(scene: Scene, end_s: float) -> list[Array]:
-    """Instants (k,) of each block; a block begins where the last one ends.
+    """Return the instants (k,) of each block; a block begins at the end of the previous one.
 
-    Where all arms stand still a block is one long step. Each brief move has an instant of its own.
+    While all arms rest a block is one long step. Each brief move has an instant of its own.
     """
     busy = [stretch for arm in scene.arms for stretch in arm.busy]
     changes = [one.from_s for body in scene.bodies for one in body.carried[1:]]
@@ -90,7 +90,7 @@ def _sample_times(scene: Scene, end_s: float) -> list[Array]:
 
 
 def _stepped(begin: float, between: Array, end: float) -> Array:
-    """Instants [s] from begin to end, no farther apart than a step, with those between."""
+    """Return instants [s] from begin to end, at most a step apart, including those in `between`."""
     edges = np.concatenate([[begin], between, [end]])
     wide = np.diff(edges)
     steps = np.maximum(np.ceil(wide / STEP_S), 2 if len(edges) == 2 else 1).astype(np.int64)
@@ -100,7 +100,7 @@ def _stepped(begin: float, between: Array, end: float) -> Array:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Best:
-    """The nearest of one move."""
+    """Nearest approach in one move."""
 
     gap: float
     time_s: float
@@ -109,20 +109,20 @@ class _Best:
 
     @property
     def wanted(self) -> float:
-        """Stretches that come no closer than this need not be checked."""
+        """Gap [m]; intervals that are no closer need not be checked."""
         return self.gap - max(_NEARER_M, _NEARER * self.gap)
 
 
 @value_class(slots=True)
 class _Touch:
-    """The first contact of a pair in one move."""
+    """First contact of a pair in one move."""
 
     time_s: float
     point: Array
 
 
 _Key = tuple[int, int]
-"""A pair and a move."""
+"""Pair and move."""
 
 
 class _Search:
@@ -134,7 +134,7 @@ class _Search:
         self._owner: Index = np.array([pair.owner for pair in scene.pairs])
         self._touch_only = np.array([pair.touch_only for pair in scene.pairs])
         self._best: dict[_Key, _Best] = {}
-        # Of each robot and move: from which gap on a stretch is no news; and that gap itself.
+        # Per robot and move: the gap from which on an interval is irrelevant, and the smallest gap.
         self._wanted = np.full((len(scene.arms), 1), FARTHEST_M)
         self._nearest = self._wanted.copy()
         self._touch: dict[_Key, _Touch] = {}
@@ -170,7 +170,7 @@ class _Search:
             )
 
     def check_enclosed(self) -> None:
-        """Find bodies that start inside a hollow one, whose surface they need not touch."""
+        """Find bodies that start inside a hollow body, whose surface they need not touch."""
         poses, centre = self._scene.poses(np.zeros(1)), self._bodies.bounds.centre
         for number, pair in enumerate(self._scene.pairs):
             for one, other in ((pair.first, pair.second), (pair.second, pair.first)):
@@ -183,7 +183,7 @@ class _Search:
                     self._touch.setdefault((number, move), _Touch(0.0, world))
 
     def _initial_intervals(self) -> PairIntervals:
-        """The longest stretches of a block in which bounds of the bodies leave questions."""
+        """Return the longest intervals of a block that bounds of the bodies leave undecided."""
         pairs = len(self._first)
         nodes: Index = np.unique(np.append(np.arange(0, self._steps, LONGEST), self._steps - 1))
         start, end = np.arange(len(nodes) - 1), np.arange(1, len(nodes))
@@ -206,16 +206,16 @@ class _Search:
         return found[0].and_also(*found[1:])
 
     def _bounded(self, pair: Index, at: Index) -> Array:
-        """The gaps of pairs (k,) at instants (k,) by their bounds."""
+        """Return lower bounds of the gaps of pairs (k,) at instants (k,) by bounding volumes."""
         first, second = self._first[pair], self._second[pair]
         return self._bodies.bounds.gaps(first, second, self._seen(pair, at))
 
     def _seen(self, pair: Index, at: Index) -> Transform:
-        """second_from_first of pairs (k,) at instants (k,)."""
+        """Return second_from_first of pairs (k,) at instants (k,)."""
         return self._poses.seen(self._first[pair], self._second[pair], at)
 
     def _least(self, some: PairIntervals) -> Array:
-        """How near (k,) [m] bodies come at most."""
+        """Return lower bounds (k,) [m] of the gaps within intervals."""
         way, slack = np.empty((2, len(some.pair)))
         whole = (some.start < self._steps) & (some.end < self._steps)
         steps, parts = some.rows(whole), some.rows(~whole)
@@ -233,19 +233,19 @@ class _Search:
         return lasts
 
     def _moves(self, some: PairIntervals) -> tuple[Index, Index, Index]:
-        """Whose stretches (k,) are, and the moves at their starts and ends."""
+        """Return the robots that own intervals (k,), and the moves at their starts and ends."""
         owner, moves = self._owner[some.pair], self._poses.moves
         return owner, moves[some.start, owner], moves[some.end, owner]
 
     def _many_moves(self, some: PairIntervals) -> Mask:
-        """Which stretches are of several steps and moves."""
+        """Mask of intervals with several steps and moves."""
         _, before, after = self._moves(some)
         several = (some.start < self._steps) & (some.end < self._steps)
         several &= (some.end - some.start > 1) & (before != after)
         return several
 
     def _matters(self, some: PairIntervals, least: Array) -> tuple[Mask, Mask]:
-        """Which stretches may hold a contact that is not known, and which the nearest of a move."""
+        """Masks of intervals that may contain a new contact, and a new nearest point of a move."""
         owner, before, after = self._moves(some)
         touches = least < -TOUCH_M
         long = (self._lasts(some) > SHORTEST_S) | ~some.seen
@@ -259,7 +259,7 @@ class _Search:
         return touches & long, nearer & long
 
     def _touched(self, pair: Index, move: Index) -> Array:
-        """When (k,) [s] pairs first touch in a move; never is inf."""
+        """Return the times (k,) [s] of the first contact of pairs in a move; inf for none."""
         width = self._wanted.shape[1]
         keys = np.array([pair * width + move for pair, move in self._touch])
         order = np.argsort(keys)
@@ -269,7 +269,7 @@ class _Search:
         return np.where(known, times[at], np.inf)
 
     def _nearest_of_moves(self, some: PairIntervals, least: Array) -> Mask:
-        """The stretches of each move that most likely hold its nearest place."""
+        """Mask of the intervals of each move that most likely contain its nearest point."""
         owner, _, move = self._moves(some)
         order = np.lexsort((least, move, owner))
         starts = np.flatnonzero(
@@ -281,13 +281,13 @@ class _Search:
         return chosen
 
     def _measured(self, some: PairIntervals) -> PairIntervals:
-        """Stretches with their ends measured, as far as they matter."""
+        """Measure the ends of intervals, as far as they are relevant."""
         if not len(some.pair):
             return some
         owner, before, after = self._moves(some)
         wanted = np.maximum(self._nearest[owner, before], self._nearest[owner, after])
         wanted[self._touch_only[some.pair]] = 0.0
-        # A gap that is left open must not be what leaves the stretch open.
+        # The bound for a gap that is not measured must not leave the interval undecided.
         least = self._least(some)
         way = some.gap_start + some.gap_end - 2.0 * least
         enough = wanted + way + TOUCH_M
@@ -313,7 +313,7 @@ class _Search:
         return replace(some, gap_start=begin, gap_end=end, seen_start=yes, seen_end=yes)
 
     def _note(self, pair: Index, at: Index, gap: Array, point: Array) -> None:
-        """Remember contacts and nearest places."""
+        """Record contacts and nearest points."""
         poses, owner = self._poses, self._owner[pair]
         move, times = poses.moves[at, owner], poses.times[at]
         touching = np.flatnonzero(gap < -TOUCH_M)
@@ -331,7 +331,7 @@ class _Search:
             self._wanted[owner[k], move[k]] = best.wanted
 
     def _halves(self, some: PairIntervals, least: Array) -> tuple[PairIntervals, ...]:
-        """The two halves of stretches, whose gap in the middle is no nearer than `least`."""
+        """Halve intervals; the gap in the middle is at least `least`."""
         if not len(some.pair):
             return ()
         middle: Index = (some.start + some.end) // 2
@@ -353,7 +353,7 @@ class _Search:
         )
 
     def result(self) -> CollisionReport:
-        """All contacts and clearances."""
+        """Return all contacts and clearances."""
         bodies, pairs = self._scene.bodies, self._scene.pairs
         touched = sorted(self._touch.items(), key=lambda one: (one[1].time_s, one[0]))
         depths = self._depths([key for key, _ in touched[:_MOST_DEPTHS]])
@@ -387,9 +387,10 @@ class _Search:
         return CollisionReport(contacts, clearances, self._decided)
 
     def _places(self, touched: Sequence[tuple[_Key, _Touch]]) -> dict[_Key, Array]:
-        """Where (3,) pairs are nearest to each other just before they touch.
+        """Return the nearest points (3,) of pairs just before they touch.
 
-        Once they overlap, corners of one are known to be in the other, and not where it met them.
+        Once they overlap, only corners of one body inside the other are known, not the contact
+        point.
         """
         if not touched:
             return {}
@@ -407,8 +408,8 @@ class _Search:
         return {key: world[k] for k, (key, _) in enumerate(touched) if apart[k]}
 
     def _depths(self, touched: Sequence[_Key]) -> dict[_Key, float]:
-        """How deep [m] pairs are in each other at most, from their contact in a move on."""
-        # As far as the contact goes, in ever longer steps.
+        """Return the largest depths [m] of pairs from their contact on, within the move."""
+        # Until the end of the contact, in increasing steps.
         later = np.concatenate([[0.0], 0.002 * 1.25 ** np.arange(_DEPTHS)])
         found: dict[_Key, float] = {}
         some = max(1, _BLOCK // len(later))
@@ -433,7 +434,7 @@ class _Search:
         return found
 
     def _continued(self) -> set[_Key]:
-        """Contacts of pairs that touched in the move before and touch where this one begins."""
+        """Return contacts of pairs that touched in the previous move and still do at the start."""
         keys = [(p, move) for p, move in self._touch if (p, move - 1) in self._touch]
         if not keys:
             return set()
@@ -445,7 +446,7 @@ class _Search:
 
 
 def _first_of(order: Array, *keys: Index) -> Index:
-    """Of rows with equal keys (k,) that which comes first."""
+    """Return the indices of the rows that are first in `order` among rows with equal keys (k,)."""
     rows = np.lexsort((order, *keys))
     change = np.zeros(len(rows), dtype=np.bool_)
     for key in keys:

@@ -1,6 +1,6 @@
 """Distances between bodies of many parts, for many poses at once.
 
-Bounding volumes of parts show which parts matter; the exact distance is computed only for those.
+Bounding volumes of parts select the relevant parts; the exact distance is computed only for those.
 Bodies with very many parts, such as the triangles of a casting, have bounds around groups of parts
 as well.
 """
@@ -19,15 +19,15 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
 _GROUPED = 64
-"""A body of more parts has them in groups."""
+"""Number of parts above which a body has groups."""
 _IN_GROUP = 16
 _ROWS_AT_ONCE = 400_000
 _FEW = 400
-"""How many pairs of groups are checked at once: fewer steps cost more than fewer pairs save."""
+"""Number of pairs of groups checked at once: fewer steps cost more than fewer pairs save."""
 _CLOSE_M, _CLOSE = 5e-8, 2e-3
-"""How exact gaps are, or to which share of them, where that is more."""
+"""Absolute [m] and relative tolerance of gaps; the larger one applies."""
 _EXACT_M, _EXACT = 2.0 * _CLOSE_M, 2.0 * _CLOSE
-"""What is known no better than this is not known."""
+"""Error [m], and as a share, above which a gap counts as unknown."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -35,19 +35,19 @@ class Gaps:
     """Gaps between pairs of bodies (k,)."""
 
     least: Array
-    """[m]: the bodies are at least this far apart."""
+    """[m]: lower bounds of the gaps."""
     distances_found: Array
-    """[m]: of two points that were found; inf where nothing nearer than asked for is, -inf where
-    the bodies overlap by more than they may."""
+    """[m]: distance between two points; inf if no gap is below the requested one, -inf if the
+    bodies overlap by more than is tolerated."""
     point: Array
-    """Shape (k, 3): where the second body is nearest to the first."""
+    """Shape (k, 3): point of the second body nearest to the first."""
 
 
 class Bodies:
     """Bodies, queried in pairs."""
 
     def __init__(self, bodies: Sequence[Sequence[ConvexPart]]) -> None:
-        """Lay out the parts of all bodies, those that are near each other together."""
+        """Arrange the parts of all bodies, with parts near each other in groups."""
         parts: list[ConvexPart] = []
         groups: list[int] = []
         ends: list[int] = []
@@ -62,18 +62,18 @@ class Bodies:
         self._part_bounds = Bounds(self._parts.low, self._parts.high, self._parts.bound)
         self._group_bounds = _around(self._part_bounds, self._group_ends)
         self.bounds = _around(self._group_bounds, self._groups_of)
-        """Of the bodies."""
+        """Bounds of the bodies."""
 
     def gaps(
         self, first: Index, second: Index, second_from_first: Transform, enough: Array
     ) -> Gaps:
-        """Gaps of pairs of bodies.
+        """Return the gaps of pairs of bodies.
 
         Args:
             first: Indices of the first bodies (k,).
-            second: Indices of the second ones (k,); points and directions are in their frames.
-            second_from_first: Poses of the first ones (k,).
-            enough: Above this gap (k,) [m] a lower bound suffices.
+            second: Indices of the second bodies (k,); points and directions are in their frames.
+            second_from_first: Poses of the first bodies (k,).
+            enough: Gap (k,) [m] above which a lower bound suffices.
         """
         count = len(first)
         gaps = Gaps(np.full(count, np.inf), np.full(count, np.inf), np.zeros((count, 3)))
@@ -91,13 +91,13 @@ class Bodies:
     def depths(
         self, first: Index, second: Index, second_from_first: Transform, *, exact: bool
     ) -> Array:
-        """Penetration depths (k,) [m] of pairs: those of their deepest parts; 0 if disjoint.
+        """Return penetration depths (k,) [m] of pairs, of their deepest parts; 0 if disjoint.
 
         Args:
             first: Indices of the first bodies (k,).
-            second: Indices of the second ones (k,).
-            second_from_first: Poses of the first ones (k,).
-            exact: Whether to find the shortest way out for the deepest parts, not just any.
+            second: Indices of the second bodies (k,).
+            second_from_first: Poses of the first bodies (k,).
+            exact: Whether to find the shortest separation of the deepest parts, not just any.
         """
         found = np.zeros(len(first))
         pairs, row = _all_pairs(self._groups_of, first, second, np.arange(len(first)))
@@ -141,14 +141,14 @@ class Bodies:
         table = (item, group_a, group_b)
         more = near < bound[item]
         if np.count_nonzero(more) > _FEW:
-            # The nearest pair of bounds first: what is found there makes most others needless.
+            # The nearest pair of bounds first: its gap makes most others unnecessary.
             best = np.lexsort((near, item))[starts]
             self._narrow(gaps, some, best[nearest < bound], bound, table, second_from_first)
             bound = np.minimum(bound, gaps.distances_found[some])
             more = near < bound[item]
             more[best] = False
         self._narrow(gaps, some, np.flatnonzero(more), bound, table, second_from_first)
-        # All that was not looked at, or not to its end, is no nearer than was asked for.
+        # Pairs that were not checked, or not completely, are no nearer than requested.
         found = gaps.distances_found[some] - _slack(gaps.distances_found[some])
         gaps.least[some] = np.maximum(nearest, np.minimum(bound, found))
 
@@ -161,7 +161,7 @@ class Bodies:
         table: tuple[Index, Index, Index],
         second_from_first: Transform,
     ) -> None:
-        """Find the gaps of all parts in pairs of groups."""
+        """Compute the gaps of all parts in pairs of groups."""
         if not len(rows):
             return
         item, group_a, group_b = table
@@ -179,7 +179,8 @@ class Bodies:
         value, point = got.distances_found.copy(), got.second.copy()
         over = np.flatnonzero(np.isneginf(value))
         while len(over):
-            # One part of each pair of bodies first: where that is deep in, others say no more.
+            # First one part of each pair of bodies: if it is deep inside, the others add no
+            # information.
             some_rows, first = np.unique(row[over], return_index=True)
             tried = over[first]
             a, pose = part_a[tried], second_from_first[row[tried]]
@@ -191,7 +192,7 @@ class Bodies:
             known = np.isin(row[over], some_rows[deep > TOUCH_M])
             value[over[known]] = np.inf
             over = over[~known]
-        # Where the search stopped early, what it found is not the gap.
+        # If the search stopped early, its result is not the gap.
         overlap = np.isneginf(got.distances_found)
         exact = overlap | (
             got.distances_found - np.where(overlap, 0.0, got.least) < _slack(got.distances_found)
@@ -208,20 +209,20 @@ class Bodies:
 
 
 def _slack(gap: Array) -> Array:
-    """How much (k,) [m] less gaps may be than what was found; 0 where none was."""
+    """Return the amounts (k,) [m] by which gaps may be smaller than found; `_EXACT_M` at least."""
     slack: Array = np.maximum(_EXACT_M, _EXACT * np.where(np.isfinite(gap), gap, 0.0))
     return slack
 
 
 def _from_to(edges: Sequence[int]) -> Index:
-    """Where each of some runs begins and ends, (n, 2)."""
+    """Return start and end of each of some consecutive ranges, (n, 2)."""
     return np.column_stack([edges[:-1], edges[1:]]).astype(np.int64)
 
 
 def _all_pairs(
     within: Index, first: Index, second: Index, row: Index
 ) -> tuple[tuple[Index, Index], Index]:
-    """All that is within the first things (k,) with all within the second, and their rows (k,)."""
+    """Return all pairs of elements of the first and second ranges (k,), and their rows (k,)."""
     (begin_a, end_a), (begin_b, end_b) = within[first].T, within[second].T
     wide, count = end_b - begin_b, (end_a - begin_a) * (end_b - begin_b)
     each = np.repeat(np.arange(len(first)), count)
@@ -231,7 +232,7 @@ def _all_pairs(
 
 
 def _around(bounds: Bounds, groups: Index) -> Bounds:
-    """Bounds of groups (n, 2) of things that lie one after the other."""
+    """Return bounds of groups (n, 2) of consecutive elements."""
     starts = groups[:, 0]
     low = np.minimum.reduceat(bounds.low, starts, axis=0)
     high = np.maximum.reduceat(bounds.high, starts, axis=0)
@@ -241,7 +242,7 @@ def _around(bounds: Bounds, groups: Index) -> Bounds:
 
 
 def _grouped(body: Sequence[ConvexPart]) -> list[list[ConvexPart]]:
-    """The parts of a body, singly, or grouped by nearness if there are many."""
+    """Return the parts of a body, one per group, or grouped by nearness if there are many."""
     if len(body) <= _GROUPED:
         return [[part] for part in body]
     centres = np.array([part.centre for part in body])

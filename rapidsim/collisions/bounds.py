@@ -1,6 +1,6 @@
 """Cheap lower bounds of distances between bodies, from their bounding spheres and boxes.
 
-Each body has a box along the axes of its own frame, and a sphere around the centre of the box.
+Each body has a box along the axes of its frame, and a sphere around the centre of the box.
 """
 
 from __future__ import annotations
@@ -12,22 +12,22 @@ from rapidsim.frames.transform import Array, Transform
 
 
 class Bounds:
-    """Bounding boxes and spheres, each in a frame of its own."""
+    """Bounding boxes and spheres, each in the frame of its body."""
 
     def __init__(self, low: Array, high: Array, bound: Array) -> None:
-        """Keep boxes by their corners (n, 3) [m], and radii (n,) [m] of spheres."""
+        """Store boxes by their corners (n, 3) [m], and radii (n,) [m] of spheres."""
         self.low, self.high = low, high
         self.centre: Array = 0.5 * (low + high)
         self._half: Array = 0.5 * (high - low)
         self.bound: Array = np.minimum(bound, np.linalg.norm(self._half, axis=1))
 
     def gaps(self, first: Index, second: Index, second_from_first: Transform) -> Array:
-        """Lower bounds of the distances [m] of pairs (k,); negative where nothing is known.
+        """Return lower bounds of the distances [m] of pairs (k,); negative if undecided.
 
         Args:
-            first: Indices of the first ones (k,).
-            second: Indices of the second ones (k,).
-            second_from_first: Poses of the first ones (k,).
+            first: Indices of the first bodies (k,).
+            second: Indices of the second bodies (k,).
+            second_from_first: Poses of the first bodies (k,).
         """
         turn = second_from_first.rotation
         half_a, half_b = self._half[first], self._half[second]

@@ -1,4 +1,4 @@
-"""The results of a search along a motion: contacts and clearances."""
+"""Results of a collision search along a motion: contacts and clearances."""
 
 from __future__ import annotations
 
@@ -6,41 +6,41 @@ from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
 FARTHEST_M = 0.5
-"""Bodies farther apart have no clearance worth a number."""
+"""Distance [m] above which no clearance is reported."""
 
 
 @value_class(frozen=True, slots=True)
 class BodyName:
-    """The name of a body in messages."""
+    """Name of a body in messages."""
 
     name: str
     robot: int | None = None
-    """Which of the robots it is a link or the tool of; None for an object."""
+    """Index of the robot whose link or tool it is; None for an object."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Contact:
-    """Two bodies touch."""
+    """A contact of two bodies."""
 
     time_s: float
-    """The first instant."""
+    """First instant [s]."""
     robot: int
-    """Whose move it is."""
+    """Index of the robot whose move it is."""
     move: int
-    """The index of the move of that robot."""
+    """Index of the move of that robot."""
     first: BodyName
     second: BodyName
     point: Array
-    """Where (3,) [m] in the world."""
+    """Position (3,) [m] in the world."""
     depth_m: float | None
-    """How far the bodies overlap at most while that move lasts; None after many contacts."""
+    """Largest overlap [m] of the bodies during that move; None after many contacts."""
     continued: bool = False
-    """Whether they touched at the end of the move before already."""
+    """Whether they already touched at the end of the previous move."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Clearance:
-    """The closest that two bodies came during one move."""
+    """Smallest distance of two bodies during one move."""
 
     distance_m: float
     time_s: float
@@ -49,7 +49,7 @@ class Clearance:
     first: BodyName
     second: BodyName
     point: Array
-    """Where (3,) [m] in the world: on the second body."""
+    """Position (3,) [m] in the world, on the second body."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -57,9 +57,8 @@ class CollisionReport:
     """All results along a motion."""
 
     contacts: tuple[Contact, ...]
-    """In order of time."""
+    """Contacts in order of time."""
     clearances: tuple[Clearance, ...]
-    """One a move in whose course bodies came nearer than `FARTHEST_M`, in order of moves."""
+    """Clearances in order of moves, one per move with bodies nearer than `FARTHEST_M`."""
     decided: bool = True
-    """Whether everything was checked to the end; a motion that slides along a body for long may
-    not be."""
+    """Whether the search was completed; it may not be if a motion slides along a body for long."""

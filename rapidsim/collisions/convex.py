@@ -1,8 +1,8 @@
 """Convex parts, between which distances are computed.
 
 A part is the hull of some points, or a disc swept along an axis, plus a rounding radius; so a
-sphere is one point, a capsule two, a box eight. Faces are not needed: a part is only queried for
-its farthest point in a direction (support mapping).
+sphere is one point, a capsule two, a box eight. Faces are not needed: the only query is for the
+farthest point in a direction (support mapping).
 """
 
 from __future__ import annotations
@@ -19,31 +19,31 @@ from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 _FEW = 8
-"""Points of parts that are looked at in one array; those with more are looked at one by one."""
+"""Number of points up to which parts are processed in one array, others one by one."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class ConvexPart:
-    """A convex body [m] in the frame of the body it belongs to."""
+    """Convex part [m] in the frame of its body."""
 
     points: Array
-    """Shape (k, 3); of a disc swept along an axis, the middles of its two ends."""
+    """Shape (k, 3); for a swept disc the centres of its two ends."""
     radius: float = 0.0
-    """How far the surface is from the hull of the points."""
+    """Distance [m] of the surface from the hull of the points."""
     disc: float = 0.0
-    """Radius of a disc at each point, square to the line through the two; 0 for none."""
+    """Radius [m] of a disc at each point, normal to the line through both; 0 for none."""
     normals: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    """Shape (n, 3): directions square to its largest faces, where others come to lie flat."""
+    """Shape (n, 3): normals of its largest faces, on which other bodies come to rest."""
 
     @property
     def centre(self) -> Array:
-        """The centre (3,) of a bounding sphere."""
+        """Centre (3,) of a bounding sphere."""
         middle: Array = 0.5 * (self.points.min(axis=0) + self.points.max(axis=0))
         return middle
 
     @property
     def bound(self) -> float:
-        """The radius of that sphere."""
+        """Radius [m] of the bounding sphere around `centre`."""
         far = float(np.linalg.norm(self.points - self.centre, axis=1).max())
         return float(np.hypot(far, self.disc)) + self.radius
 
@@ -52,7 +52,7 @@ class ConvexParts:
     """Many parts, queried together for their farthest points."""
 
     def __init__(self, parts: Sequence[ConvexPart]) -> None:
-        """Lay the parts out in arrays."""
+        """Store the parts in arrays."""
         self.count = len(parts)
         self.radius = np.array([part.radius for part in parts])
         low = np.array([part.points.min(axis=0) for part in parts]).reshape(-1, 3)
@@ -68,7 +68,7 @@ class ConvexParts:
         self._few = np.zeros((self.count, _FEW, 3))
         self._axis = np.zeros((self.count, 3))
         self._clouds: dict[int, Array] = {}
-        """Points (3, k) of those with many."""
+        """Points (3, k) of parts with many points."""
         for number, part in enumerate(parts):
             if len(part.points) > _FEW:
                 self._clouds[number] = np.ascontiguousarray(part.points.T)
@@ -81,7 +81,7 @@ class ConvexParts:
         wide = self._disc[:, None] * np.sqrt(np.maximum(1.0 - self._axis**2, 0.0))
         wide += self.radius[:, None]
         self.low, self.high = low - wide, high + wide
-        """Corners (n, 3) of the boxes around all parts."""
+        """Corners (n, 3) of the bounding boxes of all parts."""
         self.half: Array = 0.5 * (self.high - self.low)
         """Half the edges (n, 3) of these boxes, whose middles are the centres."""
         self._is_cloud = np.array([len(part.points) > _FEW for part in parts], dtype=np.bool_)
@@ -92,7 +92,7 @@ class ConvexParts:
         )
 
     def normals(self, part: Index) -> tuple[Array, npt.NDArray[np.bool_]]:
-        """The normals (k, m, 3) of parts (k,), and which of them are valid (k, m)."""
+        """Return the normals (k, m, 3) of parts (k,), and a mask (k, m) of valid ones."""
         count, end = self._normal_counts[part], self._normal_ends[part]
         number = np.arange(count.max(initial=0))
         there = number < count[:, None]
@@ -102,9 +102,9 @@ class ConvexParts:
         return self._normals[row], there
 
     def farthest(self, part: Index, direction: Array) -> Array:
-        """The farthest points (k, 3) of parts (k,) in directions (k, 3).
+        """Return the farthest points (k, 3) of parts (k,) in directions (k, 3).
 
-        The radius of a part is left out: it is the same in all directions.
+        The radius of a part is ignored: it is equal in all directions.
         """
         few = self._few[part]
         reach = np.einsum("kij,kj->ki", few, direction)

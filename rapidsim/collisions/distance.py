@@ -22,15 +22,15 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
 CLOSE_M = 1e-10
-"""Between what is known to be possible and what was found."""
+"""Tolerance [m] between the lower bound and the distance found."""
 _OVERLAP_M = 1e-9
-"""Hulls nearer than this overlap."""
+"""Distance [m] of hulls below which they overlap."""
 _MOST_STEPS = 100
 _FLAT = 1e-12
 _AFTER, _BEFORE = np.array([1, 2, 0]), np.array([2, 0, 1])
 _EDGE = np.arange(3)
 _ONE, _OTHER = np.array([0, 0, 1]), np.array([1, 2, 2])
-"""Which two of the three edges from the newest point span each side."""
+"""Indices of the two edges from the newest point that span each side."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -38,17 +38,17 @@ class Distances:
     """Distances of pairs (k,)."""
 
     least: Array
-    """[m]: the bodies are no nearer; -inf where their hulls overlap."""
+    """[m]: lower bounds of the distances; -inf if the hulls overlap."""
     distances_found: Array
-    """[m]: between two points that were found; equal to `least` but where the search stopped early.
-    Below 0 where the bodies overlap by no more than their radii; -inf where their hulls do."""
+    """[m]: distance between two points; equal to `least` unless the search stopped early. Negative
+    if the bodies overlap by at most their radii; -inf if their hulls overlap."""
     direction: Array
-    """Shape (k, 3): a unit vector from the second body to the first, in the frame they are in; zero
-    where the hulls overlap."""
+    """Shape (k, 3): unit vector from the second body to the first, in the frame of the second; zero
+    if the hulls overlap."""
     first: Array
-    """Shape (k, 3): the point of the first body's surface that is nearest."""
+    """Shape (k, 3): nearest point on the surface of the first body."""
     second: Array
-    """Shape (k, 3)"""
+    """Shape (k, 3): nearest point on the surface of the second body."""
 
 
 def distances(
@@ -60,16 +60,16 @@ def distances(
     close: float = CLOSE_M,
     share: float = 0.0,
 ) -> Distances:
-    """Distances of pairs of parts.
+    """Return the distances of pairs of parts.
 
     Args:
         parts: All parts.
         first: Indices of the first parts (k,).
         second: Indices of the second parts (k,); all results are in their frames.
-        second_from_first: Poses of the first ones (k,).
-        enough: Above this distance [m] the exact one does not matter.
+        second_from_first: Poses of the first parts (k,).
+        enough: Distance [m] above which a lower bound suffices.
         close: Absolute tolerance [m].
-        share: Relative tolerance; the larger of the two counts.
+        share: Relative tolerance; the larger of both applies.
     """
     count = len(first)
     enough = np.broadcast_to(np.asarray(enough, dtype=np.float64), (count,))
@@ -77,14 +77,14 @@ def distances(
     rotation, translation = second_from_first.rotation, second_from_first.translation
     apart = np.einsum("kij,kj->ki", rotation, parts.centre[first]) + translation
     apart -= parts.centre[second]
-    # From the box around the second body: of what stands far off, that is mostly the way.
+    # From the box around the second body: for distant bodies close to the final direction.
     outside = np.sign(apart) * np.maximum(np.abs(apart) - parts.half[second], 0.0)
     apart = np.where((outside != 0.0).any(axis=1)[:, None], outside, apart)
     apart[np.abs(apart).max(axis=1) < _FLAT] = (1.0, 0.0, 0.0)
     least, found = np.full(count, -np.inf), np.full(count, np.inf)
     ends = np.zeros((count, 2, 3))
-    # What is still open, row by row. The newest point of a simplex stands first, as a point of the
-    # first body and one of the second; points that are not there are copies of it.
+    # Open pairs, row by row. The newest point of a simplex is first, as a point of the first body
+    # and one of the second; missing points are copies of it.
     rows: Index = np.arange(count)
     some = _UndecidedPairs(
         first,
@@ -122,7 +122,7 @@ def distances(
         nearest = np.einsum("ki,kinj->knj", shares, some.corners)
         way = nearest[:, 0] - nearest[:, 1]
         length = np.sqrt(np.einsum("ki,ki->k", way, way))
-        # Where rounding lets nothing come nearer, what was found is as good as it gets.
+        # If rounding prevents a smaller distance, the result cannot be improved.
         before = found[rows]
         better = length < before - 1e-14
         over = length <= _OVERLAP_M
@@ -131,7 +131,7 @@ def distances(
         stuck = ~better
         least[rows[stuck]] = np.maximum(least[rows[stuck]], found[rows[stuck]] - close)
         least[rows[over]] = -np.inf
-        # Points that have no share are left out; those that have stand in front.
+        # Points without a share are dropped; the others are moved to the front.
         order = np.argsort(shares <= 0.0, axis=1, kind="stable")
         some.corners[:] = some.corners[np.arange(len(rows))[:, None], order]
         some.size[:] = (shares > 0.0).sum(axis=1)
@@ -162,17 +162,17 @@ class _UndecidedPairs:
     rotation: Array
     translation: Array
     round_off: Array
-    """[m]: the sum of both radii."""
+    """[m]: sum of both radii."""
     enough: Array
     direction: Array
     """Shape (k, 3)"""
     corners: Array
-    """Shape (k, 4, 2, 3): of the simplex, on the first body and on the second."""
+    """Shape (k, 4, 2, 3): corners of the simplex, on the first body and on the second."""
     size: Index
-    """How many of its corners are there."""
+    """Number of valid corners."""
 
     def rows(self, at: npt.NDArray[np.bool_]) -> _UndecidedPairs:
-        """A subset."""
+        """Return a subset of the pairs."""
         return _UndecidedPairs(*(getattr(self, name)[at] for name in _NAMES))
 
 
@@ -180,14 +180,14 @@ _NAMES = tuple(one.name for one in fields(_UndecidedPairs))
 
 
 def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
-    """The shares (k, 4) of corners (k, 4, 3) in the point of each simplex nearest to the origin.
+    """Return shares (k, 4) of corners (k, 4, 3) in the point of each simplex nearest to the origin.
 
     Args:
-        corners: The newest one first.
-        other_rows: How many stand behind it (k,), up to three; what is behind these does not count.
+        corners: Corners of the simplices, the newest first.
+        other_rows: Number (k,) of other valid corners, up to three; further corners are ignored.
 
     Returns:
-        Exact zeros for corners without a share. The newest has one: the point before it was the
+        Exact zeros for corners without a share. The newest has one: the previous point was the
         nearest of all others.
     """
     count = len(corners)
@@ -215,7 +215,7 @@ def _nearest_of_simplices(corners: Array, other_rows: Index) -> Array:
         fits[:, 7] = there[:, 2] & (volume**2 > _FLAT * squares.prod(axis=1))
         shares[~fits] = 0.0
         own = 1.0 - shares.sum(axis=2)
-        # Numbers that are none are no shares either.
+        # NaN is not a valid share either.
         fits &= (shares >= 0.0).all(axis=2) & (own >= 0.0)
     places = newest[:, None] + shares @ edges
     squares = np.where(fits, np.einsum("kij,kij->ki", places, places), np.inf)

@@ -1,6 +1,6 @@
-"""The bodies of a cell: objects, what carries them, which pairs are not checked.
+"""Bodies of a cell: objects, their parents, and pairs that are not checked.
 
-Plain values, made from the station file.
+Plain values, built from the station file.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ GREY: Colour = (150, 156, 168)
 
 
 class ParentKind(StrEnum):
-    """What an object is fixed to."""
+    """Kind of frame that an object is fixed to."""
 
     WORLD = "world"
     WOBJ = "wobj"
@@ -31,11 +31,11 @@ class Parent:
 
     kind: ParentKind = ParentKind.WORLD
     name: str = ""
-    """Of the work object, or of the mechanical unit of a positioner."""
+    """Name of the work object, or of the mechanical unit of a positioner."""
     link: int = 0
-    """How many joints move the link; of a positioner how many of its axes, 0 for all."""
+    """Number of joints that move the link; for a positioner the number of its axes, 0 for all."""
     robot: str | None = None
-    """The task or the label of the robot; None for the first."""
+    """Task or label of the robot; None for the first."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -50,17 +50,17 @@ class CellObject:
 
     @property
     def hex_colour(self) -> str:
-        """The colour as style sheets write it."""
+        """Colour in the format of style sheets."""
         red, green, blue = self.colour[:3]
         return f"#{red:02x}{green:02x}{blue:02x}"
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Attachment:
-    """While a condition on signals holds, a robot carries an object on its flange."""
+    """A condition on signals under which a robot holds an object on its flange."""
 
     when: str
-    """The condition, as a station file writes it."""
+    """Condition, in the syntax of a station file."""
     object: str
     robot: str | None = None
 
@@ -76,13 +76,13 @@ class IgnoredPair:
 
 @value_class(frozen=True, slots=True, eq=False)
 class CellGeometry:
-    """Everything a station says about bodies."""
+    """All bodies and settings for collision checking in a station file."""
 
     objects: tuple[CellObject, ...] = ()
     attachments: tuple[Attachment, ...] = ()
     ignored: tuple[IgnoredPair, ...] = ()
     clearance_m: float = 0.0
-    """A run that comes closer than this is reported."""
+    """Distance [m] below which a run is reported."""
     stops: bool = False
     """Whether a contact ends the run."""
     own_links: bool = True

@@ -21,28 +21,28 @@ class PairIntervals:
     pair: Index
     start: Index
     end: Index
-    """Positions of the instants."""
+    """Indices of the instants."""
     gap_start: Array
     gap_end: Array
-    """No nearer than this [m] at start and end."""
+    """Lower bounds [m] of the gaps at start and end."""
     seen_start: Mask
     seen_end: Mask
-    """Whether the gap was measured as far as it matters."""
+    """Whether the gap was measured as far as it is relevant."""
     bend: Array
-    """Acceleration [m/s2] of one body seen from the other, where that is all there is to know."""
+    """Bound on the relative acceleration [m/s2] of both bodies, within a step."""
 
     @property
     def seen(self) -> Mask:
-        """Whether both ends were measured."""
+        """Mask of intervals with both ends measured."""
         both: Mask = self.seen_start & self.seen_end
         return both
 
     def rows(self, at: Index | Mask) -> PairIntervals:
-        """A subset."""
+        """Return a subset of the intervals."""
         return PairIntervals(*(getattr(self, name)[at] for name in _NAMES))
 
     def and_also(self, *others: PairIntervals) -> PairIntervals:
-        """These followed by others."""
+        """Return these intervals followed by others."""
         every = (self, *others)
         return PairIntervals(*(np.concatenate([getattr(one, n) for one in every]) for n in _NAMES))
 
@@ -53,6 +53,6 @@ _NAMES = tuple(one.name for one in fields(PairIntervals))
 def unseen(
     pair: Index, start: Index, end: Index, gap_start: Array, gap_end: Array
 ) -> PairIntervals:
-    """Stretches whose ends have not been measured."""
+    """Return intervals whose ends have not been measured."""
     no = np.zeros(len(pair), dtype=np.bool_)
     return PairIntervals(pair, start, end, gap_start, gap_end, no, no.copy(), np.zeros(len(pair)))

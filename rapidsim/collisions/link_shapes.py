@@ -1,8 +1,8 @@
-"""The bodies of an arm's links, from its description or from the user's files.
+"""Bodies of an arm's links, from its description or from the user's files.
 
 Collision shapes if the description has them, else visual shapes. Each piece of a mesh is replaced
 by its convex hull. Links that no joint of the arm moves (a rod, the finger of a gripper) and shapes
-in unsupported formats are left out and reported.
+in unsupported formats are omitted and reported.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.values import value_class
 
 BASE = 0
-"""The number of the link that does not move."""
+"""Number of the link that does not move."""
 _MOST_M = 100.0
 _LEAST_LINK_M, _MOST_LINK_M = 0.005, 10.0
 
@@ -37,23 +37,23 @@ class LinkShape:
     """A shape fixed to one link."""
 
     number: int
-    """How many joints of the arm move it."""
+    """Number of joints of the arm that move it."""
     shape: Shape
-    """In the frame of the link."""
+    """Shape in the frame of the link."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class LinkShapes:
-    """The bodies of an arm."""
+    """Bodies of an arm."""
 
     links: tuple[LinkShape, ...]
-    """From base to flange; links without a body are left out."""
+    """From base to flange; links without a body are omitted."""
     remarks: tuple[str, ...] = ()
-    """What of the arm is not checked."""
+    """Remarks on parts of the arm that are not checked."""
 
 
 def link_shapes(robot: Robot) -> LinkShapes:
-    """The bodies of an arm; without a description there are none, which is reported."""
+    """Return the bodies of an arm; empty without a description, which is reported."""
     if robot.meshes is not None:
         return _from_meshes(robot.meshes, _at_zero(robot))
     if robot.urdf is None:
@@ -94,7 +94,7 @@ def _from_urdf(file: Path, joint_names: tuple[str, ...]) -> LinkShapes:
 
 @lru_cache(maxsize=8)
 def _from_meshes(meshes: LinkMeshes, at_zero: tuple[tuple[float, ...], ...]) -> LinkShapes:
-    """The bodies in files, by where the links are with all joints at zero, row by row.
+    """Return the bodies in files, for the poses of links with all joints at zero, row by row.
 
     Raises:
         InputError: If a file cannot be read, or cannot be a link.
@@ -112,7 +112,7 @@ def _from_meshes(meshes: LinkMeshes, at_zero: tuple[tuple[float, ...], ...]) -> 
         own = shape.hull_of_each_piece(Triangles(unit_m * mesh.vertices, mesh.faces, mesh.closed))
         base_from_link = np.array(place).reshape(3, 4)
         moved = Transform(base_from_link[:, :3], base_from_link[:, 3]).inverse()
-        # Links are turned as the base is with the joints at zero, whatever frame moves them.
+        # With joints at zero, links are parallel to the base, for any frame of the shapes.
         if not meshes.in_base:
             moved = Transform(moved.rotation, np.zeros(3))
         links.append(LinkShape(number, own.moved(moved)))
@@ -126,10 +126,10 @@ def _at_zero(robot: Robot) -> tuple[tuple[float, ...], ...]:
 
 
 def shapes_of_meshes(robot: Robot, meshes: LinkMeshes) -> Robot:
-    """An arm with shapes from files, which are read here.
+    """Return an arm with shapes from files, which are read here.
 
     Raises:
-        InputError: If one cannot be read, or cannot be a link.
+        InputError: If a file cannot be read, or cannot be a link.
     """
     found = replace(robot, meshes=meshes)
     link_shapes(found)
@@ -139,7 +139,7 @@ def shapes_of_meshes(robot: Robot, meshes: LinkMeshes) -> Robot:
 def _frames(
     root: ElementTree.Element, joint_names: Sequence[str]
 ) -> dict[str, tuple[int, Transform]]:
-    """How many joints move each link, and where it is on the last link that a joint moves."""
+    """Return, by link, the number of joints that move it and its pose on the last moved link."""
     joints = {}
     for joint in root.findall("joint"):
         child, parent = joint.find("child"), joint.find("parent")
@@ -178,11 +178,11 @@ def _origin(tag: ElementTree.Element) -> Transform:
 
 
 def _geometry(geometry: ElementTree.Element | None, file: Path) -> Shape | None:
-    """A body of a link; None where there is none.
+    """Return a body of a link; None if it has no geometry of a supported kind.
 
     Raises:
         InputError: If the file of a mesh cannot be read.
-        ValueError: If a size is missing or none.
+        ValueError: If a size is missing or invalid.
     """
     tag = next(iter(geometry), None) if geometry is not None else None
     if tag is None:
@@ -200,7 +200,7 @@ def _geometry(geometry: ElementTree.Element | None, file: Path) -> Shape | None:
             name = tag.get("filename", "")
             if "://" in name and not name.startswith("file://"):
                 raise InputError(f"`{name}` can only be resolved in its ROS workspace")
-            # ROS lays descriptions and meshes in two folders of one package.
+            # ROS stores descriptions and meshes in two folders of one package.
             room = file.absolute().parent.parent
             mesh = read_mesh(file.parent / name.removeprefix("file://"), room)
             scale = _sizes(tag.get("scale", "1 1 1"), 3)

@@ -1,8 +1,8 @@
 """Penetration depth of bodies: the shortest translation that separates them.
 
-The translation is searched for among directions: the normals of faces on which others lie flat, and
-some all around, the best of which is refined until it stops improving. The result is therefore
-never shorter than the true one, and equal to it where a face normal gives it.
+The search tries directions: the normals of faces on which others lie flat, and some all around, the
+best of which is refined until it stops improving. The result is therefore never shorter than the
+true translation, and equal to it if that is along a face normal.
 """
 
 from __future__ import annotations
@@ -13,15 +13,15 @@ from rapidsim.collisions.convex import ConvexParts, Index
 from rapidsim.frames.transform import Array, Transform
 
 TOUCH_M = 1e-5
-"""Bodies that overlap by no more touch: a part that lies on a table is no collision."""
+"""Overlap [m] up to which bodies only touch: a part lying on a table is not a collision."""
 _ALL_AROUND = 60
 _ROUNDS = 14
 _AT_ONCE = 500
-"""Pairs for which all directions are tried at once."""
+"""Number of pairs for which all directions are tried at once."""
 
 
 def _around() -> Array:
-    """Unit vectors (k, 3) all around, evenly."""
+    """Return unit vectors (k, 3) distributed evenly over the sphere."""
     number = np.arange(_ALL_AROUND) + 0.5
     height = 1.0 - 2.0 * number / _ALL_AROUND
     angle = np.pi * (1.0 + 5.0**0.5) * number
@@ -35,7 +35,7 @@ _AROUND = _around()
 def flat_overlaps(
     parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
-    """Overlaps [m] of parts along the normals of faces they lie flat on, and directions (k, 3).
+    """Return overlaps [m] of parts along normals of flat faces, and directions (k, 3).
 
     Infinite for parts without such faces.
 
@@ -43,7 +43,7 @@ def flat_overlaps(
         parts: All parts.
         first: Indices of the first parts (k,).
         second: Indices of the second parts (k,).
-        second_from_first: Poses of the first ones (k,).
+        second_from_first: Poses of the first parts (k,).
     """
     own, of_own = parts.normals(first)
     own = np.einsum("kij,knj->kni", second_from_first.rotation, own)
@@ -58,9 +58,9 @@ def flat_overlaps(
 def depths(
     parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> tuple[Array, Array]:
-    """How far [m] at most the first parts must move to leave the second, and directions (k, 3).
+    """Return upper bounds [m] of the separating translations of the first parts, and directions.
 
-    The arguments are those of `flat_overlaps`.
+    Parameters as for `flat_overlaps`; directions have shape (k, 3).
     """
     found = []
     for begin in range(0, len(first), _AT_ONCE):
@@ -83,7 +83,7 @@ def depths(
 def shortest(
     parts: ConvexParts, first: Index, second: Index, second_from_first: Transform
 ) -> Array:
-    """The same, with directions (k, 3) refined until the distances stop shrinking."""
+    """Return separating translations (k,) [m], refined from those of `depths`."""
     least, best = depths(parts, first, second, second_from_first)
     width = np.full(len(first), 0.35)
     for _ in range(_ROUNDS if len(first) else 0):
@@ -104,7 +104,7 @@ def _best(
     offsets: Array,
     offset: Array | None = None,
 ) -> tuple[Array, Array]:
-    """The least overlap of pairs (k,) in directions (k, n, 3), of those that are there."""
+    """Return the least overlap of pairs (k,) in valid directions (k, n, 3), and the direction."""
     count, number, _ = offsets.shape
     every = np.repeat(np.arange(count), number)
     turned = np.einsum("kji,knj->kni", second_from_first.rotation, offsets)

@@ -1,4 +1,4 @@
-"""Moving bodies: the pose of each at any time of a run, and which pairs are checked."""
+"""Moving bodies: the pose of each at any time of a run, and the pairs to check."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from rapidsim.motion.trajectory.trajectory import JointSamples
 from rapidsim.values import value_class
 
 STEP_S = 0.016
-"""How often a motion is sampled where nothing is near."""
+"""Sampling interval [s] of a motion with no bodies nearby."""
 SHORTEST_S = 4e-5
-"""A contact begins within this of the instant given."""
+"""Accuracy [s] of the reported start of a contact."""
 Bodily = int | Index
-"""The number of a body, or of some."""
+"""Index of a body, or indices of several."""
 _ALL = slice(None)
 
 
@@ -32,11 +32,11 @@ class SceneFrame:
     """A frame that moves with a robot, or the world frame."""
 
     robot: int | None = None
-    """None for the world."""
+    """Index of the robot; None for the world."""
     link: int = 0
-    """How many joints move it; one more than there are joints for the flange."""
+    """Number of joints that move it; number of joints + 1 for the flange."""
     axes: tuple[int, ...] = ()
-    """Of what a positioner carries the external axes of the robot that move it, outermost first."""
+    """External axes of the robot that move the frame of a positioner, outermost first."""
 
 
 WORLD = SceneFrame()
@@ -44,7 +44,7 @@ WORLD = SceneFrame()
 
 @value_class(frozen=True, slots=True, eq=False)
 class AttachedBody:
-    """From an instant on, a body is fixed to a frame."""
+    """Attachment of a body to a frame from an instant on."""
 
     from_s: float
     frame: SceneFrame
@@ -58,25 +58,25 @@ class Body:
     label: BodyName
     shape: Shape
     carried: tuple[AttachedBody, ...]
-    """In order of time, the first from the start on."""
+    """Attachments in order of time, the first from the start on."""
 
     @property
     def is_static(self) -> bool:
-        """Whether it never moves."""
+        """Whether the body never moves."""
         return len(self.carried) == 1 and self.carried[0].frame.robot is None
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Pair:
-    """Two bodies that must not touch; if one of them is stationary, it is the second."""
+    """Two bodies that must not touch; a stationary one is the second."""
 
     first: int
     second: int
     owner: int
-    """The robot whose move it is."""
+    """Index of the robot whose move it is."""
     touch_only: bool
-    """Whether how near they come is no news: of links of one arm, and of a part and what it lies
-    on."""
+    """Whether only contacts are checked, no clearance: for links of one arm, and for a part and the
+    body it lies on."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -85,18 +85,18 @@ class Arm:
 
     robot: Robot
     world_from_base: Transform
-    """With all external axes at zero."""
+    """Base frame with all external axes at zero."""
     at: Callable[[Array], JointSamples]
-    """Its axes at some instants (k,) [s]."""
+    """Returns its axes at some instants (k,) [s]."""
     busy: tuple[tuple[float, float], ...]
-    """From when to when [s] it may move."""
+    """Intervals [s] in which it may move."""
     brief_s: Array = field(default_factory=lambda: np.zeros(0))
-    """The middles of moves that are over within a step."""
+    """Middles [s] of moves that are shorter than a step."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Poses:
-    """The poses of all bodies at some instants."""
+    """Poses of all bodies at some instants."""
 
     times: Array
     """Shape (k,)"""
@@ -105,20 +105,20 @@ class Poses:
     translation: Array
     """Shape (k, b, 3)"""
     moves: npt.NDArray[np.int64]
-    """Shape (k, r): the move of each robot."""
+    """Shape (k, r): move of each robot."""
 
     def of(self, body: int) -> Transform:
-        """The poses of one body in the world (k,)."""
+        """Return the poses of one body in the world (k,)."""
         return Transform(self.rotation[:, body], self.translation[:, body])
 
     def seen(self, first: Bodily, second: Bodily, at: Bodily | slice = _ALL) -> Transform:
-        """second_from_first of two bodies, or of pairs at some instants (k,)."""
+        """Return second_from_first of two bodies, or of pairs at some instants (k,)."""
         back = np.swapaxes(self.rotation[at, second], 1, 2)
         apart = self.translation[at, first] - self.translation[at, second]
         return Transform(back @ self.rotation[at, first], np.einsum("kij,kj->ki", back, apart))
 
     def and_also(self, other: Poses) -> Poses:
-        """These followed by others."""
+        """Return these poses followed by others."""
         return Poses(
             np.concatenate([self.times, other.times]),
             np.concatenate([self.rotation, other.rotation]),
@@ -136,11 +136,11 @@ class Scene:
     pairs: tuple[Pair, ...]
 
     def shapes(self) -> Bodies:
-        """The bodies prepared for distance computation."""
+        """Return the bodies prepared for distance computation."""
         return Bodies([body.shape.parts for body in self.bodies])
 
     def poses(self, times: Array) -> Poses:
-        """The poses of all bodies at instants (k,) [s]."""
+        """Return the poses of all bodies at instants (k,) [s]."""
         count = len(times)
         rotation = np.empty((count, len(self.bodies), 3, 3))
         translation = np.empty((count, len(self.bodies), 3))
@@ -169,9 +169,9 @@ class Scene:
 def arm_frames(
     number: int, arm: Arm, postures: JointSamples, used: Iterable[SceneFrame]
 ) -> Mapping[SceneFrame, Transform]:
-    """world_from_link (k,) of the base, each link and the flange of an arm, and its positioners.
+    """Return world_from_link (k,) of base, links and flange of an arm, and of its positioners.
 
-    Only those that are used.
+    For positioners only the used frames.
     """
     joints = postures.joints
     count = len(joints)
@@ -198,7 +198,7 @@ def arm_frames(
 
 
 def last_link_from_flange(robot: Robot) -> Transform:
-    """The pose of the flange on the last link; the same in every pose."""
+    """Return the pose of the flange on the last link, which is constant."""
     zero = np.zeros(len(robot.joints))
     base_from_links = robot.kinematics.link_frames(zero)
     return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)

@@ -1,10 +1,11 @@
-"""Which links of an arm are checked against each other.
+"""Selection of the links of an arm that are checked against each other.
 
-Adjacent links share a joint and always touch. Of the others, those are left out that touch in
-almost every posture (their shapes overlap by construction) or never. This is determined from random
-postures; for links that came close without touching, it is proved where possible that they touch in
-no posture within limits: every posture is near a sampled one, nearer than the distance of the links
-there. For arms of the catalogue the result, and how it was found, is stored in `self_pairs.toml`.
+Adjacent links share a joint and always touch. Other pairs are skipped if they touch in almost every
+posture (their shapes overlap by construction) or never. This is determined from random postures;
+for links that came close without touching, it is proved if possible that they touch in no posture
+within
+limits: every posture is near a sampled one, nearer than the distance of the links there. For
+    arms of the catalogue the result, and its derivation, is stored in `self_pairs.toml`.
 """
 
 from __future__ import annotations
@@ -28,15 +29,15 @@ from rapidsim.values import value_class
 FILE_NAME = "self_pairs.toml"
 SEED = 21
 _ALWAYS = 0.9
-"""Share of the postures from which on a pair touches by the making of its shapes."""
+"""Share of the postures above which a pair touches by the construction of its shapes."""
 _NEVER_M = 0.02
-"""A pair that never came as near as this never touches."""
+"""Smallest distance [m] above which a pair never touches."""
 _POSTURES = 300
 _HALF_TURN = np.pi
 _LOOKS = 3000
-"""Postures of an arm that the catalogue does not have, to show that a pair never touches."""
+"""Number of postures, for an arm outside the catalogue, to prove that a pair never touches."""
 _SHOWN_M = 0.002
-"""Of links that come nearer nobody shows that they never touch: it takes too many looks."""
+"""Distance [m] of links below which no proof is attempted: it takes too many postures."""
 _SEEN_RAD = 0.1
 
 
@@ -49,13 +50,13 @@ class SelfPair:
     touching: float
     """Share of the postures in which they touch."""
     nearest_m: float
-    """The least distance of the other postures."""
+    """Smallest distance in the other postures."""
     proven_separate: bool = False
-    """Whether no posture within limits lets them touch."""
+    """Whether it is proved that they touch in no posture within limits."""
 
     @property
     def left_out(self) -> str | None:
-        """Why the pair is not checked; None if it is."""
+        """Reason why the pair is not checked; None if it is."""
         if self.touching >= _ALWAYS:
             return "their shapes overlap"
         if not self.touching and self.nearest_m > _NEVER_M:
@@ -66,7 +67,7 @@ class SelfPair:
 
 
 def judged_pairs(robot: Robot, shapes: LinkShapes) -> tuple[tuple[int, int], ...]:
-    """The links of an arm that are checked against each other."""
+    """Return the pairs of links of an arm that are checked against each other."""
     stored = None if robot.urdf is None or robot.meshes else robot.urdf.parent / FILE_NAME
     if robot.maker is not None and stored is not None and stored.is_file():
         return tuple((a, b) for a, b in tomllib.loads(input_text(stored))["judged"])
@@ -82,13 +83,13 @@ def _by_postures(robot: Robot, links: tuple[LinkShape, ...]) -> tuple[tuple[int,
 def self_pairs(
     robot: Robot, links: Sequence[LinkShape], postures: int, sample_count: int = _LOOKS
 ) -> tuple[SelfPair, ...]:
-    """How often and how closely non-adjacent links meet in random postures within limits.
+    """Measure how often and how closely non-adjacent links meet in random postures within limits.
 
     Args:
         robot: The arm.
         links: Its bodies.
-        postures: How many postures to sample.
-        sample_count: Further postures to sample before a pair stays undecided.
+        postures: Number of postures to sample.
+        sample_count: Maximum number of further postures for a proof, else the pair is undecided.
     """
     bodies = Bodies([link.shape.parts for link in links])
     joints = random_postures(robot, postures)
@@ -114,7 +115,7 @@ def self_pairs(
 def _seen_often(
     bodies: Bodies, pair: tuple[int, int], numbers: tuple[int, int], seen: Transform
 ) -> SelfPair:
-    """How two links stand to each other, the first seen from the second in postures (k,)."""
+    """Return contact share and distance of two links; `seen` is the first in the second (k,)."""
     row = np.zeros(len(seen), dtype=np.int64)
     apart = bodies.bounds.gaps(row + pair[0], row + pair[1], seen)
     near = np.flatnonzero(apart < _NEVER_M)
@@ -132,14 +133,15 @@ def _is_proven_separate(
     pair: tuple[int, int],
     sample_count: int,
 ) -> bool:
-    """Whether it can be shown that two links touch in no posture within limits.
+    """Whether it can be proved that two links touch in no posture within limits.
 
-    Postures between them are cut into boxes. From its middle one moves no point of the second link,
-    seen from the first, farther than all joints turn, times how far the link can be from each; a
-    box whose middle leaves more room is done with, and the others are cut in two.
+    The joints between them are divided into boxes. From the middle of a box no point of the second
+    link, in the frame of the first, moves farther than the sum over the joints of half the box
+    times the link's greatest distance from the joint. A box with a larger distance in its middle is
+    done; the others are bisected.
     """
     if any(joint.slides for joint in robot.joints):
-        return False  # How far links are from each other is not the same in all postures.
+        return False  # Distances between joints differ between postures.
     a, b = pair
     first, second = links[a].number, links[b].number
     zero = np.zeros(len(robot.joints))
@@ -154,7 +156,7 @@ def _is_proven_separate(
     steps = np.linalg.norm(np.diff(origins, axis=0), axis=1)
     arms = np.array([own + steps[joint + 1 : second].sum() for joint in turning])
     lower, upper = (limit[turning] for limit in _limits(robot))
-    # Beyond a whole turn links stand as they have stood.
+    # Poses repeat beyond 360 degrees.
     whole = upper - lower > 2.0 * _HALF_TURN
     lower, upper = np.where(whole, -_HALF_TURN, lower), np.where(whole, _HALF_TURN, upper)
     middle, half = 0.5 * (lower + upper)[None], 0.5 * (upper - lower)[None]
@@ -181,28 +183,28 @@ def _is_proven_separate(
 
 
 def _seen(base_from_link: Transform, first: int, second: int) -> Transform:
-    """second_from_first (k,) of two links."""
+    """Return second_from_first (k,) of two links."""
     return link_frame(base_from_link, second).inverse() @ link_frame(base_from_link, first)
 
 
 def random_postures(robot: Robot, count: int, seed: int = SEED) -> Array:
-    """Joints (count, n) [rad] within limits; unlimited ones within one turn."""
+    """Return joints (count, n) [rad] within limits; unlimited ones within one turn."""
     lower, upper = _limits(robot)
-    # Plain numbers of a fixed seed: the same postures on every machine.
+    # Uniform numbers of a fixed seed: equal postures on every machine.
     share = np.random.default_rng(seed).random((count, len(lower)))
     joints: Array = lower + share * (upper - lower)
     return joints
 
 
 def _limits(robot: Robot) -> tuple[Array, Array]:
-    """Lower and upper limits (n,) [rad]; of joints without limits those of a turn."""
+    """Return lower and upper limits (n,) [rad]; of one turn for joints without limits."""
     lower = np.where(np.isfinite(robot.lower), robot.lower, -_HALF_TURN)
     upper = np.where(np.isfinite(robot.upper), robot.upper, _HALF_TURN)
     return lower, upper
 
 
 def link_frame(base_from_link: Transform, number: int) -> Transform:
-    """base_from_link (k,) of a link by its number; that of the base is fixed."""
+    """Return base_from_link (k,) of a link by its number; that of the base is fixed."""
     if number:
         return base_from_link[:, number - 1]
     count = len(base_from_link)

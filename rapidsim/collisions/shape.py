@@ -1,7 +1,7 @@
-"""Shapes of a cell: convex parts for checking, and what is drawn.
+"""Shapes of a cell: convex parts for checking, and surfaces for drawing.
 
 A non-convex shape is checked by its triangles, each a part, or by the convex hull of each piece;
-`hollow_m` bounds how far such a hull may extend beyond the body.
+`hollow_m` bounds the distance of such a hull from the body.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.values import value_class
 
 _CONVEX_M = 1e-4
-"""A piece that protrudes beyond none of its faces by more than this is convex."""
+"""Protrusion [m] beyond its faces up to which a piece is convex."""
 _NORMALS = 24
-"""Faces of a piece on which others may come to lie."""
+"""Number of faces of a piece on which other bodies may come to rest."""
 _AROUND = 48
 _ASKEW = np.array([0.5377, 0.3119, 0.7834])
 _HALF_SPACE_M = 100.0
@@ -45,14 +45,14 @@ _BOX_FACES = np.array(
 
 
 class Filling(StrEnum):
-    """The parts of a mesh that are checked."""
+    """Parts of a mesh that are checked."""
 
     SOLID = "solid"
     """A closed surface: the body that it bounds."""
     SURFACE = "surface"
-    """The triangles alone, with nothing between them."""
+    """Only the triangles, with nothing between them."""
     HULL = "hull"
-    """The hull of all corners."""
+    """Hull of all corners."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -61,16 +61,16 @@ class Shape:
 
     parts: tuple[ConvexPart, ...]
     vertices: Array
-    """Shape (k, 3): the surface that is drawn."""
+    """Shape (k, 3): vertices of the drawn surface."""
     faces: Faces
     """Shape (f, 3)"""
     hollow_m: float = 0.0
-    """How much deeper the body may be than the shape that is checked."""
+    """Depth [m] by which the checked shape may exceed the body."""
     solid: Triangles | None = None
-    """A closed surface whose triangles are the parts: it has an inside that no part fills."""
+    """Closed surface whose triangles are the parts, which leave its inside empty; else None."""
 
     def moved(self, a_from_b: Transform) -> Shape:
-        """The same body in frame a."""
+        """Return the body in frame a."""
         solid = self.solid
         return replace(
             self,
@@ -88,7 +88,7 @@ class Shape:
 
 
 def union(shapes: Sequence[Shape]) -> Shape:
-    """Several bodies as one."""
+    """Return several bodies as one."""
     starts = np.cumsum([0, *(len(one.vertices) for one in shapes)])
     return Shape(
         tuple(part for one in shapes for part in one.parts),
@@ -99,26 +99,26 @@ def union(shapes: Sequence[Shape]) -> Shape:
 
 
 def box(size: Array) -> Shape:
-    """A box of size (3,) around the origin."""
+    """Return a box of size (3,) around the origin."""
     corners = _CORNERS * (0.5 * np.asarray(size))
     return Shape((ConvexPart(corners, normals=np.eye(3)),), corners, _BOX_FACES)
 
 
 def half_space() -> Shape:
-    """The half-space below z = 0, as far as a cell extends."""
+    """Return the half-space below z = 0, limited to the extent of a cell."""
     size = np.array([2.0 * _HALF_SPACE_M, 2.0 * _HALF_SPACE_M, _DEEP_M])
     return box(size).moved(Transform(np.eye(3), np.array([0.0, 0.0, -0.5 * _DEEP_M])))
 
 
 def sphere(radius: float) -> Shape:
-    """A sphere around the origin."""
+    """Return a sphere around the origin."""
     bow = np.linspace(-0.5 * np.pi, 0.5 * np.pi, _AROUND // 2 + 1)
     surface = _turned(radius * np.column_stack([np.cos(bow), np.sin(bow)]))
     return Shape((ConvexPart(np.zeros((1, 3)), radius=radius),), *surface)
 
 
 def cylinder(radius: float, length: float) -> Shape:
-    """A cylinder along z, centred at the origin."""
+    """Return a cylinder along z, centred at the origin."""
     ends = _ends(0.5 * length)
     half = 0.5 * length
     surface = _turned(np.array([[0.0, -half], [radius, -half], [radius, half], [0.0, half]]))
@@ -127,7 +127,7 @@ def cylinder(radius: float, length: float) -> Shape:
 
 
 def capsule(radius: float, length: float) -> Shape:
-    """A cylinder along z with a hemisphere at either end, centred at the origin."""
+    """Return a cylinder along z with a hemisphere at either end, centred at the origin."""
     bow = np.linspace(0.0, 0.5 * np.pi, _AROUND // 4 + 1)
     cap = radius * np.column_stack([np.cos(bow), np.sin(bow)])
     upper = cap + np.array([0.0, 0.5 * length])
@@ -156,9 +156,9 @@ def is_inside(solid: Triangles, point: Array) -> bool:
 
 
 def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
-    """The body that a mesh represents.
+    """Return the body that a mesh represents.
 
-    A convex piece is one part; of other pieces each triangle is one.
+    A convex piece is one part; for other pieces each triangle is a part.
     """
     if filling is Filling.HULL:
         return _hulls(mesh, [mesh.faces])
@@ -180,7 +180,7 @@ def of_mesh(mesh: Triangles, filling: Filling) -> Shape:
 
 
 def hull_of_each_piece(mesh: Triangles) -> Shape:
-    """The convex hulls of the pieces of a mesh, without those inside another: for arms."""
+    """Return the convex hulls of the pieces of a mesh, without those inside another: for arms."""
     return _hulls(mesh, components(mesh.faces, len(mesh.vertices)))
 
 
@@ -204,7 +204,7 @@ def _hulls(mesh: Triangles, pieces: Sequence[Faces]) -> Shape:
 
 
 def _convex(vertices: Array, faces: Faces) -> ConvexPart:
-    """The hull of a piece, with the normals of its largest faces."""
+    """Return the hull of a piece, with the normals of its largest faces."""
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     across = np.cross(b - a, c - a)
     largest = np.argsort(-np.linalg.norm(across, axis=1), kind="stable")[:_NORMALS]
@@ -213,7 +213,7 @@ def _convex(vertices: Array, faces: Faces) -> ConvexPart:
 
 
 def _is_in_hull(points: Array, vertices: Array, faces: Faces) -> bool:
-    """Whether points (k, 3) are well inside a convex piece, so that no two are in each other."""
+    """Whether points (k, 3) are well inside a convex piece, so that no two contain each other."""
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     normals /= np.linalg.norm(normals, axis=1)[:, None]
@@ -229,7 +229,7 @@ def _ends(half: float) -> Array:
 
 
 def _turned(outline: Array) -> tuple[Array, Faces]:
-    """The surface that a line (k, 2) of radii and heights makes around z."""
+    """Return the surface of revolution around z of a line (k, 2) of radii and heights."""
     angles = np.linspace(0.0, 2.0 * np.pi, _AROUND, endpoint=False)
     circle = np.column_stack([np.cos(angles), np.sin(angles)])
     rings = len(outline)

@@ -1,4 +1,4 @@
-"""How far bodies of pairs move relative to each other between the instants of a motion.
+"""Relative travel of pairs of bodies between the instants of a motion.
 
 Between two instants a body moves no farther than it shifts and turns, and deviates from the
 straight path by no more than its acceleration allows. Over many instants distances add up.
@@ -18,16 +18,16 @@ from rapidsim.frames.transform import Array, Transform
 _SAFETY = 2.0
 _NEIGHBOURS = 2
 _LEVELS = 5
-"""Stretches of up to two to this power steps are asked for."""
+"""Exponent of the longest interval in steps, plus one."""
 LONGEST = 2 ** (_LEVELS - 1)
-"""Steps of the longest stretch."""
+"""Number of steps of the longest interval."""
 
 
 class Travel:
-    """The relative distances travelled by all pairs over the steps of a block."""
+    """Relative travel of all pairs over the steps of a block."""
 
     def __init__(self, scene: Scene, bounds: Bounds, poses: Poses) -> None:
-        """Sum up the ways of pairs; those whose second body stands share that of the first."""
+        """Sum up the travel of pairs; pairs of one body with static bodies share a column."""
         columns: dict[tuple[int, int], int] = {}
         of_pair = []
         for pair in scene.pairs:
@@ -53,7 +53,7 @@ class Travel:
         around = [wide[at : at + count - 1] for at in range(2 * _NEIGHBOURS + 2)]
         self._bend = _SAFETY * np.maximum.reduce(around) + 0.1 * pull.max(axis=0)
         slack = self._bend * (step**2 / 8.0)
-        # The largest of 1, 2, 4 ... steps from each on.
+        # Maximum over 1, 2, 4 ... steps from each instant on.
         self._slacks = np.zeros((_LEVELS, count, len(columns)))
         self._slacks[0, :-1] = slack
         for level in range(1, _LEVELS):
@@ -63,7 +63,7 @@ class Travel:
             np.maximum(here[:-half], below[half:], out=here[:-half])
 
     def between(self, pair: Index, start: Index, end: Index) -> tuple[Array, Array]:
-        """Distances (k,) [m] that pairs move between instants, and how far off straight lines."""
+        """Return distances (k,) [m] that pairs move between instants, and deviations from lines."""
         column = self._column[pair]
         level = np.log2(end - start + 0.5).astype(np.int64)
         slack = np.maximum(
@@ -72,20 +72,20 @@ class Travel:
         return self._way[end, column] - self._way[start, column], slack
 
     def bend(self, pair: Index, step: Index) -> Array:
-        """Accelerations (k,) [m/s2] of one body relative to the other."""
+        """Return accelerations (k,) [m/s2] of one body relative to the other."""
         found: Array = self._bend[step, self._column[pair]]
         return found
 
 
 def turned(first: Array, other: Array) -> Array:
-    """How far at most a point at distance 1 moves between two rotations (...)."""
+    """Upper bound of the displacement of a point at distance 1 between two rotations (...)."""
     apart = first - other
     moved: Array = np.sqrt(0.5 * np.einsum("...ij,...ij->...", apart, apart))
     return moved
 
 
 def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> Array:
-    """How far (k,) [m] at most points of bodies move on the straight path between two poses."""
+    """Upper bounds (k,) [m] of point displacements on the straight path between two poses."""
     centre = bounds.centre[first]
     shift = np.linalg.norm(
         np.einsum("kij,kj->ki", end.rotation - start.rotation, centre)
@@ -98,7 +98,7 @@ def straight(bounds: Bounds, first: Index, start: Transform, end: Transform) -> 
 
 
 def _second(values: Array, step: Array) -> Array:
-    """Second derivatives of values (k, n) at the instants between steps (k - 1, 1)."""
+    """Return second derivatives of values (k, n) at the instants between steps (k - 1, 1)."""
     rate = np.diff(values, axis=0) / step
     found: Array = 2.0 * np.diff(rate, axis=0) / (step[1:] + step[:-1])
     return found

@@ -1,1 +1,1 @@
-"""Exports a run to files for other tools: trace tables, event lines."""
+"""Exports of a run to files for other tools: trace tables, event lines."""

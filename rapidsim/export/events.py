@@ -1,4 +1,4 @@
-"""Writes the events of a run as JSON lines, one object per event, in order of time."""
+"""Writer of the events of a run as JSON lines, one object per event, in order of time."""
 
 from __future__ import annotations
 

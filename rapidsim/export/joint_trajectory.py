@@ -1,4 +1,4 @@
-"""The motion of a run as a ROS joint trajectory: the message `JointTrajectory` as JSON.
+"""Motion of a run as a ROS joint trajectory: the message `JointTrajectory` as JSON.
 
 Joint names are those in the robot's description, prefixed with the task if several robots move;
 external axes are only in the other traces.
@@ -29,7 +29,7 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
     Args:
         simulation: The run.
         path: The file to write.
-        dt: Time [s] between points; there is one at the exact end, too.
+        dt: Time [s] between points; one more point is at the exact end.
 
     Returns:
         The path written.
@@ -65,7 +65,7 @@ def write_joint_trajectory(simulation: Simulation, path: Path, dt: float) -> Pat
 
 
 def _columns(robot_run: RobotRun, times: Array) -> tuple[Array, Array, Array]:
-    """Joints (k, n) [rad, m], their speeds and accelerations at some instants (k,) [s]."""
+    """Return joints (k, n) [rad, m], their speeds and accelerations at some instants (k,) [s]."""
     units = np.array([joint.unit for joint in robot_run.robot.joints])
     samples = evaluate(robot_run.trajectory, times)
     speed, acceleration = joint_rates(robot_run.trajectory, samples)

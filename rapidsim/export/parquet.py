@@ -1,4 +1,4 @@
-"""The trace table as Apache Parquet, a block of rows at a time."""
+"""Trace table as Apache Parquet, written in blocks of rows."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.export.table import RowBlock
 
 
 def write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
-    """Write rows; `move` is a 64-bit integer, `task` a string, everything else a double."""
+    """Write rows; `move` is a 64-bit integer, `task` a string, all other columns are doubles."""
     kinds = {"move": pa.int64(), "task": pa.string()}
     schema = pa.schema([(name, kinds.get(name, pa.float64())) for name in names])
     with pq.ParquetWriter(path, schema) as writer:

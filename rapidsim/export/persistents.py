@@ -1,7 +1,7 @@
-"""Writes the final values of persistents into their declarations in the program's files.
+"""Writer of the final values of persistents into their declarations in the program's files.
 
 As on a controller when a module is saved: only the text of the values changes, and in a record or
-array only the parts that differ. Encoding, line endings and every other byte stay.
+array only the components that differ. Encoding, line endings and every other byte are kept.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def write_persistents(
     """Write new initial values; all files are checked before the first is written.
 
     Args:
-        changes: The values that the run left.
-        files: The program as it was read.
+        changes: Values at the end of the run.
+        files: The program files as they were read.
 
     Returns:
         The files written, none if nothing changed.
@@ -43,13 +43,13 @@ def write_persistents(
 
 
 def _in_encoding(edit: TextEdit, file: SourceFile) -> TextEdit:
-    """A file of plain ASCII stays one, so that nobody has to guess its encoding afterwards."""
+    """Return an edit that keeps an ASCII file ASCII, so that its encoding stays unambiguous."""
     start, end, new = edit
     return start, end, _NOT_ASCII.sub(_code, new) if file.text.isascii() else new
 
 
 def _edits(change: PersistentChange) -> list[TextEdit]:
-    """What a change replaces in the text of its file."""
+    """Return the replacements of a change in the text of its file."""
     start, end = change.declared.start, change.declared.end
     if start == end:
         return [(start, end, f":={change.new}")]
@@ -65,5 +65,5 @@ def _edits(change: PersistentChange) -> list[TextEdit]:
 
 
 def _code(character: re.Match[str]) -> str:
-    """A character as RAPID writes it by its code."""
+    """Return a character as its code in RAPID syntax."""
     return f"\\{ord(character[0]):02X}"

@@ -1,4 +1,4 @@
-"""A run as a table: one row per sampling time, columns in RAPID's units."""
+"""Table of a run: one row per sampling time, columns in RAPID's units."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ DEFAULT_DT = 0.012
 """[s]"""
 MOST_ROWS = 20_000_000
 BLOCK = 20_000
-"""Rows evaluated at once, so that a long run needs no more memory than a short one."""
+"""Number of rows evaluated at once, so that memory does not grow with the run."""
 _SAME_INSTANT_S = 1e-9
 _MM_PER_M = 1000.0
 
@@ -27,15 +27,15 @@ class RowBlock:
     """Some rows of the table."""
 
     move: list[int]
-    """The column `move`: index of the move under way."""
+    """Column `move`: index of the active move."""
     numbers: tuple[Array | None, ...]
-    """All other columns of numbers (k,), in order; None for those that the robot has not."""
+    """All other numeric columns (k,), in order; None for axes that the robot lacks."""
     task: str | None = None
-    """The column `task`, the last one; None where there is one robot."""
+    """Column `task`, the last one; None if there is only one robot."""
 
 
 def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
-    """Names of the columns; `move` is the second and the only integer column."""
+    """Return the names of the columns; `move` is the second and the only integer column."""
     joints = tuple(f"j{k}" for k in range(1, joint_count + 1))
     external = tuple(f"e{k}" for k in range(1, external_count + 1))
     pose = ("x_mm", "y_mm", "z_mm", "q1", "q2", "q3", "q4")
@@ -43,10 +43,10 @@ def columns(joint_count: int, external_count: int = 0) -> tuple[str, ...]:
 
 
 def blocks(simulation: Simulation, dt: float) -> Iterator[RowBlock]:
-    """The rows: every `dt` [s] from 0, and the exact end.
+    """Return the rows in blocks: every `dt` [s] from 0, and the exact end.
 
     Raises:
-        InputError: If `dt` is not positive or gives too many rows.
+        InputError: If `dt` is not positive or results in too many rows.
     """
     times, widths = sample_times(simulation, dt), table_widths(simulation)
     several = len(simulation.robots) > 1
@@ -58,7 +58,7 @@ def blocks(simulation: Simulation, dt: float) -> Iterator[RowBlock]:
 
 
 def table_widths(simulation: Simulation) -> tuple[int, int]:
-    """How many columns there are for joints and external axes."""
+    """Return the numbers of columns for joints and external axes."""
     return (
         max(len(one.robot.joints) for one in simulation.robots),
         max(len(one.robot.external) for one in simulation.robots),
@@ -68,7 +68,7 @@ def table_widths(simulation: Simulation) -> tuple[int, int]:
 def _block_of(
     robot_run: RobotRun, offset: int, times: Array, widths: tuple[int, int], *, several: bool
 ) -> RowBlock:
-    """Rows of one robot, in the columns of the widest."""
+    """Return rows of one robot, in the columns of the robot with most axes."""
     own = block(robot_run.trajectory.at(times), robot_run.robot.external)
     joints, external = len(robot_run.robot.joints), len(robot_run.robot.external)
     first_axis, rest = 1 + joints, 1 + joints + external
@@ -84,10 +84,10 @@ def _block_of(
 
 
 def sample_times(simulation: Simulation, dt: float) -> Array:
-    """The times (k,) [s] of the rows.
+    """Return the times (k,) [s] of the rows.
 
     Raises:
-        InputError: If `dt` is not positive or gives too many rows.
+        InputError: If `dt` is not positive or results in too many rows.
     """
     end_s = simulation.motion_end_s
     if not dt > 0.0:
@@ -105,7 +105,7 @@ def sample_times(simulation: Simulation, dt: float) -> Array:
 
 
 def block(samples: Samples, external: Sequence[ExternalAxis] = ()) -> RowBlock:
-    """The rows at some times; `external` are the external axes."""
+    """Return the rows at some times; `external` are the external axes."""
     pose = samples.base_from_tcp
     return RowBlock(
         samples.move.tolist(),

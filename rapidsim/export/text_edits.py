@@ -1,7 +1,7 @@
-"""Changes spans of text in the program's files and leaves every other byte as it is.
+"""Edits of text spans in the program's files that keep every other byte.
 
-Encoding, byte order mark and line endings stay. All files are checked before the first is written,
-and each is replaced as a whole.
+Encoding, byte order mark and line endings are kept. All files are checked before the first is
+written, and each is replaced as a whole.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rapidsim.module_files import STANDARD_INPUT, packed_station
 from rapidsim.output_files import whole_file
 
 TextEdit = tuple[int, int, str]
-"""Start and end, in characters, of what is replaced, and by what."""
+"""Start and end of the replaced span, in characters, and the new text."""
 
 
 def write_edits(
@@ -25,9 +25,9 @@ def write_edits(
     """Edit files.
 
     Args:
-        edits: What to replace, by the name of the file; spans do not overlap.
-        files: The program as it was read.
-        subject: What is written, in the plural, for messages: "fixes".
+        edits: Replacements, by file name; spans do not overlap.
+        files: The program files as they were read.
+        subject: Subject of the edits in messages, in the plural, such as "fixes".
 
     Returns:
         The files written.
@@ -50,7 +50,7 @@ def write_edits(
 
 
 def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -> bytes:
-    """The bytes of a file after replacing text.
+    """Return the bytes of a file after replacing text.
 
     Raises:
         InputError: See `write_edits`.
@@ -81,7 +81,7 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -
 
 
 def edited_text(text: str, edits: Iterable[TextEdit]) -> str:
-    """A text after replacing spans."""
+    """Return a text after replacing spans."""
     pieces: list[str] = []
     end_before = 0
     for start, end, new in sorted(edits):

@@ -1,6 +1,6 @@
-"""Writes the motion of a run as a table: CSV, JSON or Parquet, by file suffix.
+"""Writer of the motion of a run as a table: CSV, JSON or Parquet, by file suffix.
 
-`.ros.json` writes a ROS joint trajectory instead (`joint_trajectory.py`).
+`.ros.json` writes a ROS joint trajectory instead (`joint_trajectory`).
 
 Numbers are written with enough digits to read the same double back. Angles are in degrees, lengths
 in mm; the TCP is in the robot's base frame, quaternions have the scalar first.
@@ -35,7 +35,7 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
 
     Args:
         simulation: The run.
-        path: The file to write; its suffix decides the format.
+        path: The file to write; its suffix determines the format.
         dt: Time [s] between rows.
 
     Returns:
@@ -53,9 +53,9 @@ def write_trace(simulation: Simulation, path: str | Path, dt: float = DEFAULT_DT
 
 
 def write_samples(samples: Samples, path: str | Path, convention: Convention) -> Path:
-    """Write samples of a motion in the same format, with the tool orientation as Euler angles, too.
+    """Write samples of a motion in the trace format, with Euler angles of the tool orientation.
 
-    The extra columns come last and are named after the convention, such as `rz_deg`. See
+    The extra columns are the last ones, with names by convention, such as `rz_deg`. See
     `write_trace`.
     """
     names = (
@@ -87,7 +87,7 @@ def _write_csv(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> 
 
 
 def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
-    """An array of one object a row, one row a line."""
+    """Write an array of one object per row, one row per line."""
     keys = [f'"{name}":' for name in names]
     with path.open("w", encoding="utf-8", newline="") as file:
         separator = "[\n"
@@ -102,13 +102,13 @@ def _write_json(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) ->
 
 def _write_parquet(path: Path, names: tuple[str, ...], rows: Iterator[RowBlock]) -> None:
     require("pyarrow", "a trace as Parquet")
-    from rapidsim.export.parquet import write_parquet  # noqa: PLC0415 - Not everybody has it.
+    from rapidsim.export.parquet import write_parquet  # noqa: PLC0415 - Optional package.
 
     write_parquet(path, names, rows)
 
 
 def _texts(block: RowBlock) -> Iterator[tuple[str, ...]]:
-    """The fields of each row; `repr` of a float is the shortest text that reads back equal."""
+    """Yield the fields of rows; `repr` of a float is the shortest text that reads back equal."""
     count = len(block.move)
     time_s, *rest = (
         repeat("", count) if column is None else map(repr, column.tolist())

@@ -1,4 +1,4 @@
-"""The variants of a sweep as a table: one row per variant, as Parquet or CSV."""
+"""Table of the variants of a sweep: one row per variant, as Parquet or CSV."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ _ROWS_AT_ONCE = 50_000
 def write_variants(sweep: Sweep, path: Path) -> Path:
     """Write the variants.
 
-    Columns: `variant`, one for each key that varies [mm or deg], `moves`, `unreachable`,
-    `other_configuration`, `margin_deg`, and of variants that were run `end`, `time_s`, `findings`.
+    Columns: `variant`, one per varying key [mm or deg], `moves`, `unreachable`,
+    `other_configuration`, `margin_deg`, and for simulated variants `end`, `time_s`, `findings`.
     Unknown values are null, in CSV empty.
 
     Raises:
@@ -41,7 +41,7 @@ def write_variants(sweep: Sweep, path: Path) -> Path:
 
 
 def _columns(sweep: Sweep, rows: slice) -> dict[str, list[object]]:
-    """Some rows, a list a column; None where nothing is known."""
+    """Return some rows as columns; None for unknown values."""
     margins = sweep.margin_deg[rows]
     runs = sweep.runs[rows]
     return {
@@ -67,7 +67,7 @@ def _write_csv(sweep: Sweep, path: Path) -> None:
 
 
 def _write_parquet(sweep: Sweep, path: Path) -> None:
-    import pyarrow as pa  # noqa: PLC0415 - Not everybody has it.
+    import pyarrow as pa  # noqa: PLC0415 - Optional package.
     import pyarrow.parquet as pq  # noqa: PLC0415
 
     whole = {"variant", "moves", "unreachable", "other_configuration", "findings"}

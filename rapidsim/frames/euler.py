@@ -11,11 +11,11 @@ import numpy as np
 from rapidsim.frames.transform import Array
 
 _LOCKED = 1e-9
-"""Cosine or sine of the middle angle below which only the sum of the outer two is known."""
+"""Cosine or sine of the middle angle below which only the sum of the outer two is determined."""
 
 
 class Convention(StrEnum):
-    """The order in which three angles turn a frame."""
+    """Order of the three rotations of a frame."""
 
     ZYX = "zyx"
     """About z, the new y, the new x: RAPID's OrientZYX, KUKA's A, B, C."""
@@ -24,12 +24,12 @@ class Convention(StrEnum):
     ZYZ = "zyz"
     """About z, the new y, the new z."""
     RPY = "rpy"
-    """Roll, pitch, yaw about the x, y, z that stand still: URDF, FANUC's W, P, R. The same
-    rotation as `ZYX` with the angles the other way round."""
+    """Roll, pitch, yaw about the fixed axes x, y, z: URDF, FANUC's W, P, R. Equal to `ZYX` with the
+    angles in reverse order."""
 
     @property
     def names(self) -> tuple[str, str, str]:
-        """The names of the three angles."""
+        """Names of the three angles."""
         match self:
             case Convention.ZYX:
                 return "rz", "ry", "rx"
@@ -49,11 +49,11 @@ _AXES: Mapping[Convention, tuple[int, int, int]] = MappingProxyType(
         Convention.RPY: (2, 1, 0),
     }
 )
-"""About which axes a frame turns, one after the other; `RPY` has its angles the other way round."""
+"""Successive rotation axes of a frame; `RPY` has its angles in reverse order."""
 
 
 def rotation_from_euler(angles: Array, convention: Convention) -> Array:
-    """Matrices (..., 3, 3) from angles (..., 3) [rad]."""
+    """Return matrices (..., 3, 3) from angles (..., 3) [rad]."""
     angles = np.asarray(angles, dtype=np.float64)
     first, second, third = (angles[..., k] for k in range(3))
     if convention is Convention.RPY:
@@ -64,17 +64,17 @@ def rotation_from_euler(angles: Array, convention: Convention) -> Array:
 
 
 def euler_from_rotation(rotation: Array, convention: Convention) -> Array:
-    """Angles (..., 3) [rad] from matrices (..., 3, 3).
+    """Return angles (..., 3) [rad] from matrices (..., 3, 3).
 
-    The middle angle is within a quarter turn, for `ZYZ` from 0 to half a turn. Where only the sum
-    of the other two matters (gimbal lock), one of them is 0: the last of the three, for `RPY` the
-    first.
+    The middle angle is within a quarter turn, for `ZYZ` from 0 to half a turn. If only the sum of
+    the other two is determined (gimbal lock), one of them is 0: the last of the three, for `RPY`
+    the first.
     """
     r = np.asarray(rotation, dtype=np.float64)
     if convention is Convention.ZYZ:
         sine = np.hypot(r[..., 0, 2], r[..., 1, 2])
         locked = sine < _LOCKED
-        # Straight up or down only a turn about z is left, mirrored at half a turn.
+        # With z vertical only a rotation about z remains, mirrored at half a turn.
         up = np.where(r[..., 2, 2] < 0.0, -1.0, 1.0)
         alone = np.arctan2(up * r[..., 1, 0], up * r[..., 0, 0])
         first = np.where(locked, alone, np.arctan2(r[..., 1, 2], r[..., 0, 2]))
@@ -100,7 +100,7 @@ def euler_from_rotation(rotation: Array, convention: Convention) -> Array:
 
 
 def _about(axis: int, angle: Array) -> Array:
-    """Turns (..., 3, 3) about one of the axes x, y, z."""
+    """Return rotations (..., 3, 3) about one of the axes x, y, z."""
     cosine, sine = np.cos(angle), np.sin(angle)
     turn = np.zeros((*angle.shape, 3, 3))
     following, last = (axis + 1) % 3, (axis + 2) % 3

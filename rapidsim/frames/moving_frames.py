@@ -1,6 +1,6 @@
 """Frames that move along a path: poses with their derivatives, composed and inverted.
 
-Every derivative is with respect to the path parameter; the product rule does the rest.
+Every derivative is with respect to the path parameter; the product rule yields the rest.
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ class Twists:
 
     @property
     def base_from_tcp(self) -> Transform:
-        """The poses."""
+        """Poses without derivatives."""
         return Transform(self.rotation, self.position)
 
     def __getitem__(self, index: Index | slice) -> Twists:
-        """Some of them, copied."""
+        """Return a subset, copied."""
         return Twists(*(np.array(part[index]) for part in self._parts))
 
     def put(self, index: Index, motion: Twists) -> None:
@@ -79,7 +79,7 @@ class Twists:
         )
 
     def inverse(self) -> Twists:
-        """b_from_a."""
+        """Return the inverse, b_from_a."""
         back = np.swapaxes(self.rotation, -1, -2)
         swing = cross(self.turning, self.position)
         return Twists(
@@ -97,7 +97,7 @@ class Twists:
         )
 
     def before(self, b_from_c: Transform) -> Twists:
-        """a_from_c, where c is fixed in b; poses (k,) or one."""
+        """Return a_from_c, where c is fixed in b; poses (k,) or one."""
         lever = rotate(self.rotation, b_from_c.translation)
         swing = cross(self.turning, lever)
         return Twists(
@@ -122,20 +122,20 @@ class ExternalCourse(NamedTuple):
 
 @value_class(frozen=True, slots=True, eq=False)
 class Screw:
-    """The motion of whatever one external axis carries, in base, with all axes at zero.
+    """Motion of the objects that one external axis carries, in base, with all axes at zero.
 
     Source: the product of exponentials; Lynch and Park (2017), Modern Robotics, section 4.1.
     """
 
     axis: int
-    """Position among the external axes, from 0."""
+    """Index among the external axes, from 0."""
     direction: Array
     """Shape (3,), unit length: along a linear axis, about a rotating one."""
     through: Array | None
     """A point (3,) [m] on the axis of rotation; None for a linear axis."""
 
     def motion(self, course: ExternalCourse) -> Twists:
-        """moved_from_unmoved along a course (k, e)."""
+        """Return moved_from_unmoved along a course (k, e)."""
         value, first, second = (part[:, self.axis, None] for part in course)
         still = np.zeros((len(value), 3))
         way, rate, change = (self.direction * part for part in (value, first, second))
@@ -156,7 +156,7 @@ class Screw:
 
 
 def standing(a_from_b: Transform, count: int) -> Twists:
-    """A stationary frame, `count` times."""
+    """Return a stationary frame, `count` times."""
     still = np.zeros((count, 3))
     position = np.broadcast_to(a_from_b.translation, (count, 3))
     rotation = np.broadcast_to(a_from_b.rotation, (count, 3, 3))
@@ -164,7 +164,7 @@ def standing(a_from_b: Transform, count: int) -> Twists:
 
 
 def carried(screws: Sequence[Screw], course: ExternalCourse) -> Twists:
-    """moved_from_unmoved for several axes in series, the outermost first."""
+    """Return moved_from_unmoved for several axes in series, the outermost first."""
     moved = standing(Transform.identity(), len(course.value))
     for screw in screws:
         moved = moved @ screw.motion(course)

@@ -1,4 +1,4 @@
-"""Unit quaternions, scalar first as RAPID writes them, as plain tuples.
+"""Unit quaternions, scalar first as in RAPID, as plain tuples.
 
 RAPID programs compute with single orientations; for one quaternion plain Python is faster than
 arrays and needs no NumPy at start-up. Batches live in `transform`.
@@ -15,12 +15,12 @@ IDENTITY: Quaternion = (1.0, 0.0, 0.0, 0.0)
 
 
 def norm(q: Quaternion) -> float:
-    """The length of a quaternion; 1 for a rotation."""
+    """Return the norm of a quaternion; 1 for a rotation."""
     return math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
 
 
 def normalised(q: Quaternion) -> Quaternion:
-    """The same rotation with unit length.
+    """Return the rotation as a quaternion of unit norm.
 
     Raises:
         ZeroDivisionError: If `q` is zero, which is not a rotation.
@@ -30,7 +30,7 @@ def normalised(q: Quaternion) -> Quaternion:
 
 
 def conjugate(q: Quaternion) -> Quaternion:
-    """The inverse rotation of a unit quaternion."""
+    """Return the inverse rotation of a unit quaternion."""
     return (q[0], -q[1], -q[2], -q[3])
 
 
@@ -62,14 +62,14 @@ def rotate(a_from_b: Quaternion, vector_in_b: Vector) -> Vector:
 
 
 def from_axis_angle(axis: Vector, angle: float) -> Quaternion:
-    """The rotation by `angle` [rad] about a unit axis."""
+    """Return the rotation by `angle` [rad] about a unit axis."""
     half = 0.5 * angle
     s = math.sin(half)
     return (math.cos(half), axis[0] * s, axis[1] * s, axis[2] * s)
 
 
 def from_zyx(z: float, y: float, x: float) -> Quaternion:
-    """Rz(z) Ry(y) Rx(x), angles in rad: RAPID's OrientZYX."""
+    """Return Rz(z) Ry(y) Rx(x), angles in rad: RAPID's OrientZYX."""
     about_z = from_axis_angle((0.0, 0.0, 1.0), z)
     about_y = from_axis_angle((0.0, 1.0, 0.0), y)
     about_x = from_axis_angle((1.0, 0.0, 0.0), x)
@@ -77,7 +77,7 @@ def from_zyx(z: float, y: float, x: float) -> Quaternion:
 
 
 def angle_between(a: Quaternion, b: Quaternion) -> float:
-    """Angle [rad] of the shortest rotation from a to b.
+    """Return the angle [rad] of the shortest rotation from a to b.
 
     The form with atan2 keeps its precision for tiny angles and near half turns, where acos of the
     dot product loses half of the digits.

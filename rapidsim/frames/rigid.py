@@ -1,4 +1,4 @@
-"""One rigid transform in plain floats.
+"""Single rigid transform in plain floats.
 
 For one transform at a time, plain Python is several times as fast as arrays; batches live in
 `transform`. A `Rigid` is a matrix of nine floats, row by row, and a translation [m]; names are
@@ -38,19 +38,19 @@ def product(a_from_b: Nine[Number], b_from_c: Nine[Number]) -> Nine[Number]:
 
 
 def moved(a_from_b: Rigid, point_in_b: Vector) -> Vector:
-    """A point [m], expressed in a."""
+    """Return a point [m], expressed in a."""
     (a, b, c, d, e, f, g, h, i), (u, v, w) = a_from_b
     x, y, z = point_in_b
     return a * x + b * y + c * z + u, d * x + e * y + f * z + v, g * x + h * y + i * z + w
 
 
 def composed(a_from_b: Rigid, b_from_c: Rigid) -> Rigid:
-    """a_from_c."""
+    """Compose two transforms: a_from_c."""
     return product(a_from_b[0], b_from_c[0]), moved(a_from_b, b_from_c[1])
 
 
 def inverse(a_from_b: Rigid) -> Rigid:
-    """b_from_a."""
+    """Return the inverse, b_from_a."""
     (a, b, c, d, e, f, g, h, i), (x, y, z) = a_from_b
     return (a, d, g, b, e, h, c, f, i), (
         -(a * x + d * y + g * z),
@@ -86,7 +86,7 @@ def from_transform(transform: Transform) -> Rigid:
 
 
 def to_transform(rigid: Rigid) -> Transform:
-    """The same transform as arrays."""
+    """Convert to a transform of arrays."""
     matrix, translation = rigid
     # Not reshaped: a view would keep a second array, and long runs have millions of these.
     rows = (matrix[:3], matrix[3:6], matrix[6:])

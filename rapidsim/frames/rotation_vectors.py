@@ -8,9 +8,9 @@ from rapidsim.frames.transform import Array, quaternion_from_matrix
 
 
 def rotation_from_vector(vector: Array) -> Array:
-    """Rotation matrices (..., 3, 3) from rotation vectors (..., 3) [rad]."""
+    """Return rotation matrices (..., 3, 3) from rotation vectors (..., 3) [rad]."""
     angle = np.linalg.norm(vector, axis=-1)[..., None, None]
-    # sinc and its kin keep every digit at angle 0, where the axis is undefined.
+    # sinc and similar functions keep every digit at angle 0, where the axis is undefined.
     sine = np.sinc(angle / np.pi)
     cosine = 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
     cross = cross_matrix(vector)
@@ -19,7 +19,7 @@ def rotation_from_vector(vector: Array) -> Array:
 
 
 def vector_from_rotation(rotation: Array) -> Array:
-    """Rotation vectors (..., 3) [rad], at most half a turn long, from matrices (..., 3, 3)."""
+    """Return rotation vectors (..., 3) [rad], up to half a turn, of matrices (..., 3, 3)."""
     quaternion = quaternion_from_matrix(rotation)
     axis = quaternion[..., 1:]
     sine = np.linalg.norm(axis, axis=-1)
@@ -31,7 +31,7 @@ def vector_from_rotation(rotation: Array) -> Array:
 
 
 def cross_matrix(vector: Array) -> Array:
-    """Skew-symmetric matrices (..., 3, 3): multiplication by them is `vector x`."""
+    """Return skew-symmetric matrices (..., 3, 3): multiplication by them is `vector x`."""
     x, y, z = vector[..., 0], vector[..., 1], vector[..., 2]
     matrix = np.zeros((*vector.shape[:-1], 3, 3))
     matrix[..., 0, 1], matrix[..., 0, 2] = -z, y
@@ -41,13 +41,13 @@ def cross_matrix(vector: Array) -> Array:
 
 
 def rotate(rotation: Array, vector: Array) -> Array:
-    """Vectors (..., 3) rotated by matrices (..., 3, 3)."""
+    """Return vectors (..., 3) rotated by matrices (..., 3, 3)."""
     turned: Array = np.einsum("...ij,...j->...i", rotation, vector)
     return turned
 
 
 def cross(a: Array, b: Array) -> Array:
-    """Cross products of (..., 3); np.cross costs ten times as much for small batches."""
+    """Return cross products of (..., 3); np.cross costs ten times as much for small batches."""
     product = np.empty(np.broadcast_shapes(a.shape, b.shape))
     product[..., 0] = a[..., 1] * b[..., 2] - a[..., 2] * b[..., 1]
     product[..., 1] = a[..., 2] * b[..., 0] - a[..., 0] * b[..., 2]

@@ -19,7 +19,7 @@ _ROUNDING = 1e-9
 class Transform:
     """A rigid transform, or a batch of them: leading dimensions broadcast like NumPy's.
 
-    The arrays are not copied; whoever shares them must not change them.
+    The arrays are not copied; code that shares them must not change them.
     """
 
     rotation: Array
@@ -31,27 +31,27 @@ class Transform:
         """a_from_b @ b_from_c = a_from_c."""
         rotation = self.rotation @ other.rotation
         if self.translation.ndim == other.translation.ndim == 1:
-            # Where there is one of each, this is faster than what broadcasts.
+            # For single transforms, this is faster than broadcasting.
             return Transform(rotation, self.rotation @ other.translation + self.translation)
         moved = np.einsum("...ij,...j->...i", self.rotation, other.translation)
         return Transform(rotation, moved + self.translation)
 
     def __getitem__(self, index: object) -> Transform:
-        """Some of a batch: NumPy's indexing of the leading dimensions, `...` included."""
+        """Return part of a batch: NumPy's indexing of the leading dimensions, `...` included."""
         leading = index if isinstance(index, tuple) else (index,)
         return Transform(self.rotation[(*leading, _ALL, _ALL)], self.translation[(*leading, _ALL)])
 
     def __len__(self) -> int:
-        """How many transforms the first dimension of a batch holds."""
+        """Return the number of transforms in the first dimension of a batch."""
         return len(self.translation)
 
     def inverse(self) -> Transform:
-        """b_from_a."""
+        """Return the inverse, b_from_a."""
         rotation = np.swapaxes(self.rotation, -1, -2)
         return Transform(rotation, -np.einsum("...ij,...j->...i", rotation, self.translation))
 
     def apply(self, points_in_b: Array) -> Array:
-        """Points (..., 3) [m], expressed in a."""
+        """Return points (..., 3) [m], expressed in a."""
         turned: Array = np.einsum("...ij,...j->...i", self.rotation, points_in_b)
         return turned + self.translation
 
@@ -71,12 +71,12 @@ class Transform:
 
     @staticmethod
     def identity() -> Transform:
-        """The identity transform."""
+        """Return the identity transform."""
         return Transform(np.eye(3), np.zeros(3))
 
     @staticmethod
     def stacked(transforms: Sequence[Transform]) -> Transform:
-        """A batch from single transforms."""
+        """Return a batch from single transforms."""
         return Transform(
             np.array([one.rotation for one in transforms]).reshape(-1, 3, 3),
             np.array([one.translation for one in transforms]).reshape(-1, 3),
@@ -92,7 +92,7 @@ class Transform:
 
 
 def matrix_from_quaternion(quaternion: Array) -> Array:
-    """Rotation matrices (..., 3, 3) from quaternions (..., 4) of nonzero length, scalar first."""
+    """Return matrices (..., 3, 3) from quaternions (..., 4) of nonzero norm, scalar first."""
     q = quaternion / np.linalg.norm(quaternion, axis=-1, keepdims=True)
     w, x, y, z = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
     matrix = np.empty((*q.shape[:-1], 3, 3))
@@ -109,7 +109,7 @@ def matrix_from_quaternion(quaternion: Array) -> Array:
 
 
 def quaternion_from_matrix(rotation: Array) -> Array:
-    """Quaternions (..., 4), scalar first, from rotation matrices (..., 3, 3).
+    """Return quaternions (..., 4), scalar first, from rotation matrices (..., 3, 3).
 
     The scalar is not negative, except for rounding. Each row is computed from its largest
     component, so half turns lose no precision.
@@ -133,18 +133,18 @@ def quaternion_from_matrix(rotation: Array) -> Array:
     largest = np.argmax(np.diagonal(rows, axis1=-2, axis2=-1), axis=-1)
     q = np.take_along_axis(rows, largest[..., None, None], axis=-2)[..., 0, :]
     q = q / np.linalg.norm(q, axis=-1, keepdims=True)
-    # At a half turn the scalar is zero but for rounding, which shall not choose the sign.
+    # At a half turn the scalar is zero except for rounding, which must not determine the sign.
     positive: Array = np.where(q[..., :1] < -_ROUNDING, -q, q)
     return positive
 
 
 def slerp(start: Array, end: Array, fraction: Array) -> Array:
-    """Interpolate evenly from one orientation to another, the short way.
+    """Interpolate from one orientation to another at constant rate, along the shortest rotation.
 
     Args:
         start: Unit quaternion (4,), scalar first.
         end: Unit quaternion (4,).
-        fraction: Share of the turn (...); may lie outside 0..1.
+        fraction: Share of the rotation (...); may be outside 0..1.
 
     Returns:
         Unit quaternions (..., 4).

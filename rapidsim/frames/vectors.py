@@ -13,30 +13,30 @@ Three = tuple[Number, Number, Number]
 
 
 def plus(a: Three[Number], b: Three[Number]) -> Three[Number]:
-    """A + b."""
+    """Return a + b."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def minus(a: Three[Number], b: Three[Number]) -> Three[Number]:
-    """A - b."""
+    """Return a - b."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def scaled(a: Three[Number], factor: Number) -> Three[Number]:
-    """A times a number."""
+    """Return a times a number."""
     return a[0] * factor, a[1] * factor, a[2] * factor
 
 
 def dot(a: Three[Number], b: Three[Number]) -> Number:
-    """A . b."""
+    """Return a . b."""
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
 def crossed(a: Three[Number], b: Three[Number]) -> Three[Number]:
-    """A x b."""
+    """Return a x b."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 def length(a: Three[float]) -> float:
-    """|a|."""
+    """Return |a|."""
     return math.sqrt(dot(a, a))

@@ -1,4 +1,4 @@
-"""A callback that long computations call now and then; the caller can end them by raising."""
+"""Callback that long computations call regularly; the caller can end them by raising."""
 
 from __future__ import annotations
 
@@ -8,4 +8,4 @@ Look = Callable[[], None]
 
 
 def undisturbed() -> None:
-    """The callback that never interrupts."""
+    """Never interrupt: the default callback."""

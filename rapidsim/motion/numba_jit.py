@@ -1,7 +1,7 @@
-"""Loops compiled by numba if it is installed; the same code, the same results.
+"""Loops compiled by numba if it is installed: identical code and results.
 
-No result depends on it. numba is imported when the first batch comes that is long enough to be
-worth it, never by a mere check. RAPIDSIM_NUMBA=0 switches it off.
+No result depends on it. numba is imported for the first batch that is long enough to justify it,
+never by a mere check. RAPIDSIM_NUMBA=0 switches it off.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ from typing import Any, Final
 from rapidsim.extras import is_installed
 
 WORTH_COMPILING = 20_000
-"""Rows of a batch from which on loading compiled code, half a second, is worth while."""
+"""Number of rows of a batch from which on loading compiled code (half a second) pays."""
 COMPILING: Final = RLock()
 """Held while numba is imported, compiles or loads: an exception that another thread raises in the
-middle of it leaves numba broken for the rest of the process. Who raises one takes it first."""
+middle of it breaks numba for the rest of the process. Code that raises one acquires it first."""
 _SWITCH = "RAPIDSIM_NUMBA"
 
 _loaded = False
@@ -31,7 +31,7 @@ _loaded = False
 
 @contextmanager
 def jit_reconsidered() -> Iterator[None]:
-    """Reset what was found worth compiling: a run gives the same to the last digit after any other.
+    """Reset the decision to compile, so that a run is identical to the last digit after any other.
 
     Compiled code rounds like NumPy, except for the last digit.
     """
@@ -44,13 +44,13 @@ def jit_reconsidered() -> Iterator[None]:
 
 
 def jit_function(module: ModuleType, name: str, rows: int) -> Callable[..., Any] | None:
-    """A compiled function of a module; None if numba is not to be used for this many rows.
+    """Return a compiled function of a module; None if numba is not to be used for so few rows.
 
     Args:
         module: The module of the function; its `COMPILED` lists all it needs, in order, including
             functions of other modules.
         name: The function's name.
-        rows: How many rows it is needed for now.
+        rows: Number of rows of the current batch.
     """
     global _loaded
     if os.environ.get(_SWITCH) == "0" or (rows < WORTH_COMPILING and not _loaded):
@@ -64,7 +64,7 @@ def jit_function(module: ModuleType, name: str, rows: int) -> Callable[..., Any]
 
 @cache
 def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
-    """All functions of `module.COMPILED`, compiled; their calls of each other too."""
+    """Return all functions of `module.COMPILED`, compiled, with compiled calls of each other."""
     numba = import_module("numba")
 
     functions: Sequence[FunctionType] = module.COMPILED
@@ -72,18 +72,18 @@ def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
     space: dict[str, Any] = {}
     for one in modules:
         space.update(vars(one))
-    # numba compiles anew when the file of a function has changed, but does not look at the files of
-    # those that it calls; so the name under which it stores a function tells of all of them.
+    # numba recompiles when the file of a function has changed, but ignores the files of its
+    # callees; so the name under which it caches a function contains a digest of all of them.
     sources = b"".join(Path(one.__file__).read_bytes() for one in modules if one.__file__)
     digest = sha256(sources).hexdigest()[:16]
     for function in functions:
-        # A copy whose globals hold what is compiled already: compiled code calls nothing else.
+        # A copy with the compiled functions as globals: compiled code calls nothing else.
         own = FunctionType(function.__code__, space, function.__name__)
         own.__qualname__ = f"{function.__name__}_{digest}"
         try:
             dispatcher = numba.njit(own, cache=True, no_cfunc_wrapper=True)
         except RuntimeError:
-            # No folder that can be written to: then it is compiled anew in each run.
+            # No writable cache folder: compile in each run.
             dispatcher = numba.njit(own)
         # The first call with arguments of some types compiles, through this method.
         dispatcher.compile = _uninterrupted(dispatcher.compile)
@@ -92,7 +92,7 @@ def _functions(module: ModuleType) -> dict[str, Callable[..., Any]]:
 
 
 def _uninterrupted(compile_for: Callable[..., Any]) -> Callable[..., Any]:
-    """The same function, holding `COMPILING`."""
+    """Wrap a function so that it holds `COMPILING`."""
 
     def held(*arguments: Any) -> Any:
         with COMPILING:

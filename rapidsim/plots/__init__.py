@@ -1,1 +1,1 @@
-"""A run as pictures for papers and slides; the only room that imports matplotlib."""
+"""Pictures of a run for papers and slides; the only room that imports matplotlib."""

@@ -1,4 +1,4 @@
-"""The arm at the start and at the end of its motion, with the path between, in one still."""
+"""Still picture of the arm at the start and end of its motion, with the path between."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from rapidsim.simulation.results.sampling import SampledRun
 
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 _FLOOR = 0.14
-"""Radius of the ground through the size of the picture."""
+"""Radius of the ground relative to the size of the picture."""
 _ZOOM = 0.93
-"""Of the view in space, so that its labels stay clear of the next one."""
+"""Zoom of the 3D view, so that its labels do not overlap the next view."""
 
 
 def arm_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The robot of a run, in its base frame."""
+    """Draw the robot of a run, in its base frame."""
     first, last = run.robot_run.moves[0], run.robot_run.moves[-1]
     return arm_at_both_ends(
         run.robot_run.robot,
@@ -43,14 +43,14 @@ def arm_at_both_ends(
     title: str,
     theme: Theme,
 ) -> Figure:
-    """Both postures from three sides.
+    """Draw both postures from three sides.
 
     Args:
         robot: The arm.
-        joints: Along the motion (k, n) [rad].
+        joints: Joints along the motion (k, n) [rad].
         tools: flange_from_tcp at the start and at the end.
-        path: Of the TCP (p, 3) [mm] in base.
-        title: Of what it is.
+        path: Path of the TCP (p, 3) [mm] in base.
+        title: Title of the picture.
         theme: Light or dark.
     """
     figure = new_figure(f"Start and end: {title}", width=11.0, height=5.0)

@@ -1,7 +1,7 @@
-"""The objects of the cell around a path: outlines as seen from a side, and where something hits.
+"""Objects of the cell around a path: outlines as seen from a side, and contact points.
 
-A body is outlined as a draughtsman does it: where its surface turns away from the eye, and where
-it has a sharp edge on the near side.
+A body is outlined as in technical drawings: along its silhouette, and along sharp edges on the near
+side.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.values import value_class
 
 _AIR = 0.3
-"""Share of the path's size around it in which objects are seen."""
+"""Margin around the path, relative to its size, in which objects are drawn."""
 _SHARP = np.cos(np.radians(30.0))
-"""Faces that turn by more from one to the next meet in an edge."""
+"""Cosine of the angle between faces above which their common edge is sharp."""
 _MOST_FACES = 2000
-"""Of more only the outline is drawn."""
+"""Number of faces above which only the outline is drawn."""
 _MOVED_M = 1e-3
 _SEEN_FROM = np.array([0.58, -0.69, 0.44])
-"""Towards the eye of the view in space."""
+"""Direction towards the eye of the 3D view."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -45,28 +45,28 @@ class BodyOutline:
     faces: npt.NDArray[np.int64]
     """Shape (f, 3), each counterclockwise from outside."""
     normals: Array
-    """Shape (f, 3); zero where a face has no area."""
+    """Shape (f, 3); zero for a face without area."""
     edges: npt.NDArray[np.int64]
-    """The vertices (e, 2) at the ends of each edge."""
+    """Shape (e, 2): vertices at the ends of each edge."""
     neighbours: npt.NDArray[np.int64]
-    """The faces (e, 2) that meet there; twice the same at the border of an open surface."""
+    """Shape (e, 2): faces on both sides of each edge; equal at the border of an open surface."""
     is_sharp: npt.NDArray[np.bool_]
-    """Whether it is drawn wherever the eye sees it (e,): sharp edges and borders."""
+    """Shape (e,): whether the edge is drawn wherever it is visible: sharp edges and borders."""
     is_later: bool
-    """Whether it stands so at the end of the run, and elsewhere before."""
+    """Whether this is the pose at the end of the run, which differs from that at the start."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CellOutline:
-    """What is drawn of a cell besides the path."""
+    """Contents of a cell that are drawn in addition to the path."""
 
     bodies: tuple[BodyOutline, ...] = ()
     contacts: Array = field(default_factory=lambda: np.zeros((0, 3)))
-    """Where bodies begin to touch (c, 3) [mm]."""
+    """Points (c, 3) [mm] at which bodies begin to touch."""
 
 
 def cell_of(run: SampledRun, theme: Theme) -> CellOutline:
-    """The objects of the station in the frame of the pictures of a robot, and what it hits."""
+    """Return the station's objects in the picture frame of a robot, and its contacts."""
     collisions = run.simulation.collisions
     if collisions is None:
         return CellOutline()
@@ -90,11 +90,11 @@ def cell_of(run: SampledRun, theme: Theme) -> CellOutline:
 def outlined(
     colour: str, vertices: Array, faces: npt.NDArray[np.int64], *, is_later: bool = False
 ) -> BodyOutline:
-    """A body with what its outline takes from any side, which is found once for all views."""
+    """Return a body with the data for its outline from any side, computed once for all views."""
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     across = np.cross(b - a, c - a)
     normals = across / np.maximum(np.linalg.norm(across, axis=1, keepdims=True), 1e-12)
-    # Vertices in the same place are one corner.
+    # Coincident vertices are one corner.
     corner = np.unique(np.rint(1e3 * vertices), axis=0, return_inverse=True)[1].ravel()
     sides = np.concatenate([faces[:, (k, (k + 1) % 3)] for k in range(3)])
     _, first, edge, count = np.unique(
@@ -113,13 +113,14 @@ def outlined(
 
 
 def draw_cell(axes: Axes, cell: CellOutline, theme: Theme, view: tuple[int, int]) -> None:
-    """Draw it from a side, without a say in what the view shows."""
+    """Draw a cell from a side, without changing the limits of the view."""
     towards = np.cross(np.eye(3)[view[0]], np.eye(3)[view[1]])
     for body in cell.bodies:
         near = _near_faces(body, towards)
         if len(body.faces) <= _MOST_FACES:
             triangles = body.vertices[body.faces[near]][..., view]
-            # One path, whose triangles all turn alike, is filled without seams between them.
+            # One path, whose triangles all have one orientation, is filled without seams between
+            # them.
             surface = Path.make_compound_path(*map(Path, triangles))
             filling = PathPatch(surface, facecolor=body.colour, alpha=0.16, edgecolor="none")
             axes.add_artist(filling)
@@ -131,7 +132,7 @@ def draw_cell(axes: Axes, cell: CellOutline, theme: Theme, view: tuple[int, int]
 
 
 def draw_cell_in_space(axes: Axes3D, cell: CellOutline, theme: Theme) -> None:
-    """Draw what lies within the limits of the axes, which cut nothing off themselves."""
+    """Draw the parts within the limits of the axes, as 3D axes do not clip."""
     box = np.array([axes.get_xlim(), axes.get_ylim(), axes.get_zlim()]).T
     for body in cell.bodies:
         edges = _clipped(_outline(body, _near_faces(body, _SEEN_FROM)), box)
@@ -142,7 +143,7 @@ def draw_cell_in_space(axes: Axes3D, cell: CellOutline, theme: Theme) -> None:
 
 
 def grown(points: Array) -> Array:
-    """The box (2, 3) around points (k, 3) with the room for the cell beside them."""
+    """Return the box (2, 3) around points (k, 3) with a margin for the cell."""
     low, high = points.min(axis=0), points.max(axis=0)
     air = _AIR * float(np.max(high - low))
     return np.stack([low - air, high + air])
@@ -172,24 +173,24 @@ def _style(body: BodyOutline) -> dict[str, object]:
 
 
 def _near_faces(body: BodyOutline, towards: Array) -> npt.NDArray[np.bool_]:
-    """Which faces (f,) look towards the eye."""
+    """Mask of the faces (f,) that face the eye."""
     near: npt.NDArray[np.bool_] = body.normals @ towards > 0.0
     return near
 
 
 def _outline(body: BodyOutline, near: npt.NDArray[np.bool_]) -> Array:
-    """The edges (e, 2, 3) that are drawn where some faces are near."""
+    """Return the edges (e, 2, 3) to draw for a mask of near faces."""
     one, other = near[body.neighbours].T
     drawn: Array = body.vertices[body.edges[(one != other) | (body.is_sharp & one)]]
     return drawn
 
 
 def _clipped(edges: Array, box: Array) -> Array:
-    """What of edges (e, 2, 3) lies in a box (2, 3)."""
+    """Return the parts of edges (e, 2, 3) within a box (2, 3)."""
     begin, way = edges[:, 0], edges[:, 1] - edges[:, 0]
     with np.errstate(divide="ignore", invalid="ignore"):
         shares = (box[:, None] - begin) / way
-    # Along a plane of the box an edge is in it from end to end, or nowhere.
+    # An edge parallel to a plane of the box is on one side of it from end to end.
     beside = way == 0.0
     outside = beside & ((begin < box[0]) | (begin > box[1]))
     enters = np.where(beside, 0.0, np.min(shares, axis=0)).max(axis=1).clip(min=0.0)

@@ -1,4 +1,4 @@
-"""How near the bodies of the cell come in each move, and what each move hits."""
+"""Clearance of the bodies of the cell in each move, and the contacts of each move."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from rapidsim.simulation.results.sampling import SampledRun
 
 
 def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
-    """The nearest of each move from its start to its end, contacts at 0; None where none is known.
+    """Draw the clearance of each move over its time, contacts at 0; None without any data.
 
-    Moves that nothing came near have no line.
+    Moves without nearby bodies have no line.
     """
     collisions = run.simulation.collisions
     if collisions is None:

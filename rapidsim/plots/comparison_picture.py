@@ -1,8 +1,8 @@
-"""MoveJ against MoveL: the way that each would take to the same target.
+"""MoveJ against MoveL: the paths of both to one target.
 
-Between two targets MoveJ turns all joints in proportion, which is quick and not straight; MoveL
-keeps the TCP on the line, where the arm can. Shown for the moves of the program that reach
-farthest, the first one from the start of the run included.
+Between two targets MoveJ turns all joints in proportion, which is quick but not straight; MoveL
+keeps the TCP on the line, if the arm can. Shown for the moves of the program with the farthest
+ends, including the first one from the start of the run.
 """
 
 from __future__ import annotations
@@ -36,31 +36,31 @@ from rapidsim.values import value_class
 _POINTS = 101
 _MOST_ROWS = 3
 _NEAREST = 1e-3
-"""[m]; ways that are shorter have nothing to compare."""
+"""Length [m] below which paths are not compared."""
 _COMPARED = (Interpolation.JOINT, Interpolation.LINE, Interpolation.AXES)
 _LETTERS = 150
-"""Of a line of words over a row."""
+"""Number of characters per line of text above a row."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class ComparedMove:
-    """A move, and both ways to its end."""
+    """A move, with the joint and the linear path to its end."""
 
     move: ExecutedMove
     line: LinearAlternative
     joint: Array
-    """The TCP (k, 3) [m] in base where all joints turn in proportion."""
+    """TCP (k, 3) [m] in base for a proportional motion of all joints."""
 
     @property
     def reason(self) -> str | None:
-        """Why MoveL does not get there, as a run says it; None where it does."""
+        """Reason why MoveL is infeasible, as reported by a run; None if it is feasible."""
         if self.line.fault is None:
             return None
         return fault_violation(self.line.fault, target_name(self.move)).message.replace("`", "")
 
     @property
     def remark(self) -> str | None:
-        """What else a run would say of the line."""
+        """Remark on the configuration at the end of the line; None if it is as stored."""
         to, arrival = self.move.move.to, self.line.arrival
         if arrival is None or not isinstance(to, RobTarget):
             return None
@@ -74,7 +74,7 @@ class ComparedMove:
 
 
 def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
-    """The moves whose ends are farthest from their starts, in the order of the program."""
+    """Return the moves whose ends are farthest from their starts, in the order of the program."""
     found: dict[tuple[str, ...], tuple[float, ExecutedMove, Segment]] = {}
     segments = segments_of(run.robot_run)
     for move in run.robot_run.moves:
@@ -84,7 +84,7 @@ def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
         ends = (segment.start.base_from_tcp.translation, segment.end.base_from_tcp.translation)
         far = float(np.linalg.norm(ends[1] - ends[0]))
         if far > _NEAREST:
-            # The same way is told once, however often it is made, there or back.
+            # Each path is included once, for any number of repetitions in either direction.
             key = tuple(sorted(",".join(f"{x:.3f}" for x in end.tolist()) for end in ends))
             found.setdefault(key, (far, move, segment))
     farthest = sorted(found.values(), key=lambda one: -one[0])
@@ -99,7 +99,7 @@ def compared_moves(run: SampledRun) -> tuple[ComparedMove, ...]:
 
 
 def comparison_picture(run: SampledRun, theme: Theme) -> Figure | None:
-    """Both ways from two sides, and how far apart they are; None where nothing moves far."""
+    """Draw both paths from two sides, and their distance; None if nothing moves far."""
     compared = compared_moves(run)
     if not compared:
         return None
@@ -121,7 +121,7 @@ def _draw_row(row: SubFigure, compared: ComparedMove, theme: Theme) -> None:
     heading = f"line {move.place.span.line}: {move.move.instruction} {target_name(move)}"
     if told is not None:
         told = "\n".join(textwrap.wrap(f"MoveL: {told}", _LETTERS))
-    # An empty line of the heading holds the room for the words below it.
+    # Empty lines in the heading reserve space for the text below it.
     lines = 1 if told is None else 2 + told.count("\n")
     row.suptitle(heading + "\n" * (lines - 1), x=0.015, ha="left", fontsize=10.5)
     above, side, apart = row.subplots(1, 3)
@@ -186,7 +186,7 @@ def _mark_fault(
 
 
 def _joint_motion_path(robot_run: RobotRun, segment: Segment) -> Array:
-    """The TCP (k, 3) [m] where all joints turn in proportion."""
+    """Return the TCP (k, 3) [m] for a proportional motion of all joints."""
     share = np.linspace(0.0, 1.0, _POINTS)[:, None]
     joints = segment.start.joints + share * (segment.end.joints - segment.start.joints)
     flange_from_tcp = segment.tcp_from_flange.inverse()
@@ -194,7 +194,7 @@ def _joint_motion_path(robot_run: RobotRun, segment: Segment) -> Array:
 
 
 def _off_the_line(arc_length: Array, start: Array, end: Array) -> Array:
-    """Distance (k,) [mm] of points (k, 3) [m] from the line through two places (3,) [m]."""
+    """Return distances (k,) [mm] of points (k, 3) [m] from the line through two points (3,) [m]."""
     along = (end - start) / np.linalg.norm(end - start)
     distance: Array = MM * np.linalg.norm(np.cross(arc_length - start, along), axis=1)
     return distance

@@ -1,4 +1,4 @@
-"""A trajectory without a program as pictures: its way, places, joints, deviation and attitude."""
+"""Pictures of a trajectory without a program: path, position, joints, deviation, attitude."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _SIDES: tuple[tuple[str, tuple[int, ...]], ...] = (
 )
 _MOST_NAMES = 40
 _LEAST_OFF_MM = 0.01
-"""Axes of deviations go so far at least: rounding is not to look like a motion."""
+"""Minimum range [mm] of axes of deviations, so that rounding does not look like a motion."""
 _COLUMNS = 2
 
 
@@ -38,11 +38,11 @@ def write_followed_plots(
 
     Args:
         followed: The trajectory.
-        title: What it is called.
-        folder: Where to write; it comes to be if only its parent is there.
+        title: Title of the trajectory.
+        folder: Target folder, which is created if its parent exists.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written.
     """
     name = f"{title} on {followed.robot.title}"
     pictures = {
@@ -57,7 +57,7 @@ def write_followed_plots(
 
 
 def path_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
-    """The points with their numbers, the straight lines between them, and where the TCP went."""
+    """Draw the points with their numbers, the lines between them, and the path of the TCP."""
     figure = new_figure(f"Way of the TCP: {name}", width=11.0, height=8.4)
     grid = figure.add_gridspec(2, 2)
     space: Axes3D = figure.add_subplot(grid[0, 0], projection="3d")
@@ -89,7 +89,7 @@ def path_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figur
 
 
 def position_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
-    """The coordinates x, y, z of the TCP over time, and its speed."""
+    """Draw the coordinates x, y, z of the TCP over time, and its speed."""
     figure = new_figure(f"Position of the TCP: {name}", width=11.0, height=7.6)
     samples = followed.samples
     rows = figure.subplots(4, 1, sharex=True)
@@ -109,7 +109,7 @@ def position_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> F
 
 
 def joints_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
-    """Each joint's angle between its limits, with the share of its speed that it needs."""
+    """Draw each joint's angle between its limits, with the share of its speed that it needs."""
     robot, samples = followed.robot, followed.samples
     count = len(robot.joints)
     rows = -(-count // _COLUMNS)
@@ -129,7 +129,7 @@ def joints_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Fig
 
 
 def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
-    """How far the TCP is from what was asked, by forward kinematics of the solved joints."""
+    """Draw the distance of the TCP from the request, by forward kinematics of the joints."""
     figure = new_figure(f"Deviation: {name}", width=11.0, height=3.8)
     axes = figure.subplots()
     off = MM * followed.deviation
@@ -141,7 +141,7 @@ def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> 
     )
     axes.set_ylabel("distance [mm]")
     most = max(float(off.max()), _LEAST_OFF_MM)
-    # A little below 0, or a curve of zeros would hide in the frame.
+    # Slightly below 0, because the frame would hide a curve of zeros.
     axes.set_ylim(-0.05 * most, 1.1 * most)
     _mark_points([axes], followed, theme)
     time_axis(axes, followed.duration)
@@ -149,10 +149,10 @@ def deviation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> 
 
 
 def orientation_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figure:
-    """The attitude as quaternion with its norm, and how evenly it turns.
+    """Draw the attitude as a quaternion with its norm, and the uniformity of its rotation.
 
-    Beside the way by slerp stands what linear interpolation of the quaternions would do: the same
-    turn, faster in its middle.
+    Compares slerp with linear quaternion interpolation, which is an equal rotation that is faster
+    in its middle.
     """
     figure = new_figure(f"Orientation of the TCP: {name}", width=11.0, height=8.4)
     upper, middle, lower = figure.subplots(3, 1, sharex=True)
@@ -200,7 +200,7 @@ def _arm_picture(followed: FollowedTrajectory, name: str, theme: Theme) -> Figur
 
 
 def _mark_points(rows: list[Axes], followed: FollowedTrajectory, theme: Theme) -> None:
-    """Upright lines where points are passed."""
+    """Draw vertical lines at the times of the points."""
     begins = np.flatnonzero(np.diff(followed.samples.move)) + 1
     if len(begins) <= _MOST_NAMES:
         for axes in rows:

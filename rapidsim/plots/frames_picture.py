@@ -1,4 +1,4 @@
-"""The tree of frames that the moves of a run refer to: base, tools, work objects, targets."""
+"""Tree of frames that the moves of a run refer to: base, tools, work objects, targets."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.simulation.results.sampling import SampledRun
 from rapidsim.values import value_class
 
 _MOST_TARGETS = 12
-"""Of one work object; the others are counted."""
+"""Number of targets listed per work object; the others are only counted."""
 _INDENT = 0.45
 """[inch]"""
 _ROW = 0.27
@@ -26,11 +26,11 @@ class _Row:
     depth: int
     name: str
     words: str
-    """Where the frame is in its parent."""
+    """Pose of the frame in its parent."""
 
 
 def frames_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The tree, a row a frame, with positions in mm in the parent frame."""
+    """Draw the tree, one row per frame, with positions in mm in the parent frame."""
     rows = list(_rows(run))
     height = 1.0 + _ROW * len(rows)
     figure = new_figure(f"Frames: {title_of(run)}", width=11.0, height=height)
@@ -58,7 +58,7 @@ def frames_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def _parent(rows: list[_Row], number: int) -> int | None:
-    """The row that a row hangs on."""
+    """Return the parent row of a row; None for the root."""
     depth = rows[number].depth
     return next((k for k in range(number - 1, -1, -1) if rows[k].depth < depth), None)
 

@@ -1,4 +1,4 @@
-"""Which lines of the program cost the time."""
+"""Time per line of the program."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _MOST_LINES = 30
 
 
 def lines_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The time in moves and waits of each line in the order of the program; the slowest of many."""
+    """Draw the time in moves and waits of each line, in program order; of many, the slowest."""
     rows = _rows(run)
     order = sorted(range(len(rows)), key=lambda place: -rows[place][1])
     shown = [rows[place] for place in sorted(order[:_MOST_LINES])]
@@ -56,7 +56,7 @@ def lines_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def _rows(run: SampledRun) -> list[tuple[str, float, Interpolation | None]]:
-    """Words, time [s] and kind of each line that moves or waits, in the order of the program.
+    """Text, time [s] and kind of each line that moves or waits, in the order of the program.
 
     Waits have no kind.
     """

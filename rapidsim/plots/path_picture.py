@@ -1,4 +1,4 @@
-"""The path of the TCP: in space and from three sides, with targets and zones."""
+"""Path of the TCP: in space and from three sides, with targets and zones."""
 
 from __future__ import annotations
 
@@ -28,21 +28,21 @@ from rapidsim.simulation.results.sampling import SampledRun
 
 _MOST_NAMES = 25
 _MOST_TARGETS = 400
-"""Of more, neither points nor zones are drawn: they would cover the path."""
+"""Number of targets above which neither points nor zones are drawn: they would hide the path."""
 _THIN = 0.5
 _NAME_ROOM = np.array([0.07, 0.035])
-"""Shares of the width of a view that a name takes, across and upwards."""
+"""Size of a name, relative to the width of a view: horizontally and vertically."""
 _WIDE = 1.45
-"""Width of a view through its height."""
+"""Aspect ratio (width / height) of a view."""
 _SMALL = 0.45
-"""Share of the whole path below which its lines and arcs get a view of their own."""
+"""Share of the whole path below which its lines and arcs get separate views."""
 _AIR = 0.2
 _SIDES = (("from above", 0, 1), ("from the side", 0, 2), ("from the front", 1, 2))
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 
 
 def path_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The path in four views; and its lines and arcs from near, where they are small."""
+    """Draw the path in four views; and its lines and arcs from near, if they are small."""
     box, cell = _drawing(run), cell_of(run, theme)
     rows = 1 if box is None else 2
     shape = (2, 2) if box is None else (rows, 4)
@@ -73,7 +73,7 @@ def path_picture(run: SampledRun, theme: Theme) -> Figure:
 def _draw_space(
     axes: Axes3D, run: SampledRun, theme: Theme, cell: CellOutline, box: Array | None = None
 ) -> None:
-    """The path in space; with a box (2, 3) [mm] only what lies in it."""
+    """Draw the path in space; with a box (2, 3) [mm] only the part within it."""
     what = "in space" if box is None else "lines and arcs, in space"
     axes.set_title(f"{what}, {frame_of(run)}")
     for label, colour, place in _path_sections(run, theme):
@@ -105,20 +105,20 @@ def _draw_space(
 
 
 def _inside(places: Array, box: Array) -> np.typing.NDArray[np.bool_]:
-    """Which places (k, 3) lie in a box (2, 3)."""
+    """Mask of points (k, 3) within a box (2, 3)."""
     inside: np.typing.NDArray[np.bool_] = np.all((places >= box[0]) & (places <= box[1]), axis=1)
     return inside
 
 
 def _width(run: SampledRun) -> float:
-    """Width of the path: thin where many stretches lie side by side."""
+    """Return the line width of the path: thin if it has many adjacent sections."""
     return 1.4 if len(run.robot_run.moves) <= _MOST_TARGETS else _THIN
 
 
 def _draw_side(
     axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array | None
 ) -> None:
-    """The whole path from a side, with a frame around what is shown from near."""
+    """Draw the whole path from a side, with a frame around the part in the near view."""
     _draw_work(axes, run, theme, view)
     _draw_start(axes, run, theme, view)
     targets = _targets(run)
@@ -138,7 +138,7 @@ def _draw_side(
 def _draw_near(
     axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int], box: Array
 ) -> None:
-    """What lies in a box (2, 3) [mm], from a side."""
+    """Draw the contents of a box (2, 3) [mm], from a side."""
     _draw_work(axes, run, theme, view)
     inside = [one for one in _targets(run) if _inside(one[1][None], box)[0]]
     _draw_names(axes, inside, box[:, view], theme, view)
@@ -157,7 +157,7 @@ def _label(axes: Axes, view: tuple[int, int]) -> None:
 
 
 def _drawing(run: SampledRun) -> Array | None:
-    """The box (2, 3) [mm] around lines and arcs, where it would be a blot in the whole view."""
+    """Return the box (2, 3) [mm] around lines and arcs; None if large enough in the whole view."""
     lines = [
         number
         for number, move in enumerate(run.robot_run.moves)
@@ -167,7 +167,7 @@ def _drawing(run: SampledRun) -> Array | None:
     drawn = swept[np.isin(run.samples.move, lines)]
     if len(drawn) < 2 or len(lines) < 2:
         return None
-    # The way down to the work and back up is no part of it: the ends of lines are.
+    # Use only the ends of lines, without the approach to the work and the retreat.
     ends = np.array([end_mm(run, run.robot_run.moves[number]) for number in lines])
     low, high = ends.min(axis=0), ends.max(axis=0)
     size = float(np.max(high - low))
@@ -177,7 +177,7 @@ def _drawing(run: SampledRun) -> Array | None:
 
 
 def _draw_work(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, int]) -> None:
-    """Path, targets and zones from a side."""
+    """Draw path, targets and zones from a side."""
     for _, colour, place in _path_sections(run, theme):
         axes.plot(*place[:, view].T, color=colour, linewidth=_width(run))
     targets = _targets(run)
@@ -206,7 +206,7 @@ def _draw_names(
     theme: Theme,
     view: tuple[int, int],
 ) -> None:
-    """Names of targets in a view of `sweep` (k, 2) [mm]."""
+    """Draw names of targets in a view of `sweep` (k, 2) [mm]."""
     if not 0 < len(targets) <= _MOST_NAMES:
         return
     places = np.array([place for _, place in targets])[:, view]
@@ -216,12 +216,12 @@ def _draw_names(
 
 
 def _draw_start(axes: Axes, run: SampledRun, theme: Theme, view: tuple[int, ...]) -> None:
-    """A ring where the TCP is before the first move."""
+    """Draw a ring at the TCP before the first move."""
     mark_start(axes, places_mm(run)[0, view], theme)
 
 
 def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[str, Array]]:
-    """Names at places (k, 2) [mm] that leave room for one another; the others are left out."""
+    """Return names at points (k, 2) [mm] that do not overlap earlier ones; omit the others."""
     spans = np.ptp(np.concatenate([places, sweep]), axis=0)
     room = _NAME_ROOM * max(float(spans[0]), _WIDE * float(spans[1]), 1.0)
     kept: list[tuple[str, Array]] = []
@@ -232,7 +232,7 @@ def _spread_labels(names: list[str], places: Array, sweep: Array) -> list[tuple[
 
 
 def _path_sections(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]]:
-    """Label, colour and places (k, 3) [mm] of stretches; a label stands at the first of a kind."""
+    """Return label, colour and points (k, 3) [mm] of sections; the first of a kind has a label."""
     found: list[tuple[str, str, Array]] = []
     moves = run.robot_run.moves
     if not moves:
@@ -248,14 +248,14 @@ def _path_sections(run: SampledRun, theme: Theme) -> list[tuple[str, str, Array]
 def _of_kind(
     run: SampledRun, mask: np.typing.NDArray[np.bool_], label: str, colour: str
 ) -> list[tuple[str, str, Array]]:
-    """Stretches of one kind, as one line with gaps: many lines would take long to draw."""
+    """Return sections of one kind, as one line with gaps: many lines would be slow to draw."""
     places, gap = places_mm(run), np.full((1, 3), np.nan)
     parts = [part for piece in pieces(mask) for part in (places[piece], gap)]
     return [(label, colour, np.concatenate(parts))] if parts else []
 
 
 def _targets(run: SampledRun) -> list[tuple[str, Array]]:
-    """Each place that is gone to once (3,) [mm], by its first name."""
+    """Return each target position once (3,) [mm], with its first name."""
     found: dict[tuple[str, ...], tuple[str, Array]] = {}
     for move in run.robot_run.moves:
         place = end_mm(run, move)

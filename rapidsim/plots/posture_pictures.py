@@ -1,4 +1,4 @@
-"""Postures of an arm as pictures: the arm with its frames, and matrices as heat maps."""
+"""Pictures of postures of an arm: the arm with its frames, and matrices as heat maps."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from rapidsim.plots.write import write_pictures
 _AXES = ("x [mm]", "y [mm]", "z [mm]")
 _COLUMNS = 4
 _TRIAD = 0.11
-"""Length of the axes of a frame through the size of the arm."""
+"""Length of the axes of a frame relative to the size of the arm."""
 _FLOOR = 0.16
 _ZOOM = 0.93
-"""Of views in space, so that their labels stay clear of the next view."""
+"""Zoom of 3D views, so that their labels do not overlap the next view."""
 _ARROW = 0.35
 _TWIST = ("vx", "vy", "vz", "wx", "wy", "wz")
 
@@ -37,7 +37,7 @@ def write_posture_plots(postures: Postures, folder: Path) -> tuple[Path, ...]:
     """Write the pictures of postures, light and dark.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written.
     """
     pictures: dict[str, Callable[[Theme], Figure | None]] = {
         "pose": partial(pose_picture, postures),
@@ -48,7 +48,7 @@ def write_posture_plots(postures: Postures, folder: Path) -> tuple[Path, ...]:
 
 
 def pose_picture(postures: Postures, theme: Theme) -> Figure:
-    """One posture from three sides; several side by side in space."""
+    """Draw one posture from three sides, or several side by side in space."""
     if len(postures.rows) == 1:
         return _single(postures, theme)
     count = len(postures.rows)
@@ -68,7 +68,7 @@ def pose_picture(postures: Postures, theme: Theme) -> Figure:
 
 
 def joints_text(robot: Robot, joints: Array) -> str:
-    """Joints (n,) [rad] rounded to degrees, the sign of the unit behind the last."""
+    """Format joints (n,) [rad], rounded to degrees, with the unit after the last."""
     values = [f"{round(value) + 0}" for value in np.degrees(joints).tolist()]
     if not robot.kinematics.slides.any():
         return f"{', '.join(values)}°"
@@ -77,12 +77,12 @@ def joints_text(robot: Robot, joints: Array) -> str:
 
 
 def matrix_picture(postures: Postures, theme: Theme) -> Figure:
-    """The 4 x 4 matrix of the TCP: the rotation as a heat map, the translation in mm beside it."""
+    """Draw the 4 x 4 matrix of the TCP: rotation as a heat map, and translation in mm."""
     figure = new_figure("Matrix of the TCP", width=6.6, height=5.2)
     axes = figure.subplots()
     matrix = postures.world_from_tcp.matrix
     heat = matrix.copy()
-    # Lengths have another unit: they are shown as shares of the longest.
+    # Lengths have another unit: colour them by their share of the longest.
     longest = max(float(np.abs(matrix[:3, 3]).max()), 1e-12)
     heat[:3, 3] /= longest
     words = [[f"{round(value, 6) + 0.0:.6f}" for value in row] for row in matrix.tolist()]
@@ -100,7 +100,7 @@ def matrix_picture(postures: Postures, theme: Theme) -> Figure:
 
 
 def jacobian_picture(postures: Postures, theme: Theme) -> Figure | None:
-    """The Jacobian as a heat map, and its singular values."""
+    """Draw the Jacobian as a heat map, and its singular values; None without a Jacobian."""
     if postures.differential is None:
         return None
     jacobian = postures.differential.jacobian
@@ -186,7 +186,7 @@ def _dress(axes: Axes3D, postures: Postures, theme: Theme, points: Array) -> Non
 
 
 def _heat_map(axes: Axes, values: Array, words: list[list[str]], theme: Theme) -> None:
-    """Numbers from -1 to 1 in cells, with words on them."""
+    """Draw numbers from -1 to 1 as coloured cells, with texts on them."""
     ends = (theme.failed, theme.page, theme.moves[Interpolation.JOINT])
     colours = LinearSegmentedColormap.from_list("signed", ends)
     axes.imshow(values, cmap=colours, vmin=-1.4, vmax=1.4, aspect="auto")

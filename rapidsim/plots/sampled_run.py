@@ -1,4 +1,4 @@
-"""What the pictures are drawn from: a run, its samples, and words for its moves."""
+"""Data of the pictures: a run, its samples, and texts for its moves."""
 
 from __future__ import annotations
 
@@ -21,49 +21,49 @@ _NAME_LETTERS = 20
 
 
 def sample_run(simulation: Simulation, robot_run: RobotRun) -> SampledRun:
-    """Sample what one robot did in a run for its pictures."""
+    """Sample the run of one robot for its pictures."""
     step_s = max(_DT, simulation.motion_end_s / _MOST_SAMPLES)
     return sampled(simulation, robot_run, step_s, most_moves=_MOST_EDGES)
 
 
 def title_of(run: SampledRun) -> str:
-    """The program's name and the robot's."""
+    """Return a title of the program and the robot."""
     whose = f"{run.robot_run.task}, " if len(run.simulation.robots) > 1 else ""
     return f"{run.simulation.title} on {whose}{run.robot_run.robot.title}"
 
 
 def number_of(run: SampledRun) -> int:
-    """The number of the robot among those of the run."""
+    """Return the index of the robot among those of the run."""
     return next(k for k, one in enumerate(run.simulation.robots) if one is run.robot_run)
 
 
 def frame_of(run: SampledRun) -> str:
-    """The frame of the pictures: each robot has its own."""
+    """Return the name of the frame of the pictures: each robot has its own."""
     return "world" if is_on_track(run.robot_run.robot) else "base frame"
 
 
 def places_mm(run: SampledRun) -> Array:
-    """Where the TCP is at each sample (k, 3), in that frame."""
+    """Return the TCP positions (k, 3) [mm] of all samples, in the frame of the pictures."""
     in_world = is_on_track(run.robot_run.robot)
     shown = shown_from_base(run.robot_run, run.samples.external, in_world=in_world)
     return MM * shown.apply(run.samples.base_from_tcp.translation)
 
 
 def end_mm(run: SampledRun, move: ExecutedMove) -> Array:
-    """The programmed end (3,) of a move in that frame."""
+    """Return the programmed end (3,) [mm] of a move in the frame of the pictures."""
     return (
         MM * shown_end(run.robot_run, move, in_world=is_on_track(run.robot_run.robot)).translation
     )
 
 
 def target_name(move: ExecutedMove) -> str:
-    """The end of a move in few letters."""
+    """Return the end of a move as a short text."""
     words = end_point(move)
     return words if len(words) <= _NAME_LETTERS else f"{words[: _NAME_LETTERS - 1]}…"
 
 
 def pieces(mask: npt.NDArray[np.bool_]) -> list[slice]:
-    """The unbroken stretches of a mask (k,), each one sample longer so that lines join."""
+    """Return the contiguous ranges of a mask (k,), each one sample longer so that lines join."""
     padded = np.concatenate([[False], mask, [False]])
     bounds = np.flatnonzero(padded[1:] != padded[:-1])
     return [

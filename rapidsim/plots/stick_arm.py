@@ -1,4 +1,4 @@
-"""An arm as a stick from foot to TCP, in space and from the sides: what posture it has."""
+"""Stick figure of an arm from foot to TCP, in space and from the sides, to show its posture."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _WIDTH = 4.2
 
 
 def stick(robot: Robot, joints: Array, flange_from_tcp: Transform) -> Array:
-    """The corners (m, 3) [mm] of the stick of an arm at joints (n,) [rad]: foot, axes, TCP."""
+    """Return the corners (m, 3) [mm] of an arm's stick at joints (n,) [rad]: foot, axes, TCP."""
     links = robot.kinematics.link_frames(joints).translation
     flange = robot.forward(joints)
     corners = np.concatenate(
@@ -71,7 +71,7 @@ def draw_triads(
 def draw_floor(
     axes: Axes3D, size_mm: float, theme: Theme, world_from_base: Transform | None = None
 ) -> None:
-    """A ring around the foot, so that one sees what the arm stands on."""
+    """Draw a ring around the foot that indicates the floor."""
     angle = np.linspace(0.0, 2.0 * np.pi, 61)
     ring = np.stack([np.cos(angle), np.sin(angle), np.zeros_like(angle)], axis=1)
     placed = (world_from_base or Transform.identity()).apply(size_mm / MM * ring)
@@ -79,7 +79,7 @@ def draw_floor(
 
 
 def as_cube(axes: Axes3D, points: Array, zoom: float = 1.05) -> None:
-    """Give the three axes one scale and one length around points (k, 3) [mm]."""
+    """Set equal scales and lengths of the three axes around points (k, 3) [mm]."""
     middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
     half = 0.5 * max(float(np.ptp(points, axis=0).max()), 1.0)
     for set_ends, centre in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, strict=True):

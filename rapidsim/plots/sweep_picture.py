@@ -1,4 +1,4 @@
-"""Where a program works in a sweep, and how far the arm is from its limits there."""
+"""Feasible positions of a program in a sweep, and the margin of the arm to its limits there."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def write_sweep_picture(sweep: Sweep, folder: Path) -> tuple[Path, ...]:
     """Write the picture, light and dark.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written.
     """
     return write_pictures({"sweep": partial(_picture, sweep)}, folder)
 
 
 def _picture(sweep: Sweep, theme: Theme) -> Figure:
-    """The margin over the first two keys: the best there is, where more of them vary."""
+    """Draw the margin over the first two keys: the best one if more keys vary."""
     figure = new_figure(_title(sweep), width=8.0, height=5.6)
     axes = figure.subplots()
     axes.grid(visible=False)
@@ -40,7 +40,7 @@ def _picture(sweep: Sweep, theme: Theme) -> Figure:
         axes.set_ylim(bottom=0.0)
         return figure
     second = sweep.axes[1]
-    # Where it works and nobody knows the margin: the arm goes to other configurations.
+    # Feasible variants without a known margin: the arm uses other configurations.
     axes.pcolormesh(
         *(_edges(first), _edges(second), _reached(sweep).T),
         cmap=ListedColormap([theme.programmed]),
@@ -58,18 +58,18 @@ def _picture(sweep: Sweep, theme: Theme) -> Figure:
 
 
 def best_margins(sweep: Sweep) -> Array:
-    """The largest margin [deg] over the first two keys, or over the only one; NaN without any."""
+    """Return the largest margin [deg] over the first two keys, or the only one; NaN without any."""
     margins = np.where(np.isfinite(sweep.margin_deg), sweep.margin_deg, np.nan)
     return _largest(sweep, margins)
 
 
 def _reached(sweep: Sweep) -> Array:
-    """1 where some variant works, else NaN."""
+    """Return 1 where some variant works, else NaN."""
     return _largest(sweep, np.ones(len(sweep.number)))
 
 
 def _largest(sweep: Sweep, values: Array) -> Array:
-    """The largest of some values (k,) of the variants that work, over the first two keys."""
+    """Return the largest values (k,) of feasible variants, over the first two keys."""
     whole = [len(axis.values) for axis in sweep.axes]
     largest = np.full(whole[:2], np.nan)
     at = np.unravel_index(sweep.number[sweep.works], whole)[:2]
@@ -93,7 +93,7 @@ def _label(axis: Axis) -> str:
 
 
 def _edges(axis: Axis) -> Array:
-    """Where the cells of values begin and end (k + 1,), increasing or falling as they do."""
+    """Return the borders of the cells of values (k + 1,), rising or falling like the values."""
     values = np.array(axis.values)
     if len(values) == 1:
         return np.array([values[0] - 0.5, values[0] + 0.5])

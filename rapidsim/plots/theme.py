@@ -1,4 +1,4 @@
-"""One look for all pictures, light and dark: colours by meaning, small type, quiet rules."""
+"""Themes of all pictures, light and dark: colours by meaning, small type, faint grid lines."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _SHORTEST_S = 1e-3
 
 @value_class(frozen=True, slots=True)
 class Theme:
-    """Colours of one look."""
+    """Colours of one theme."""
 
     name: str
     page: str
@@ -81,7 +81,7 @@ DARK = Theme(
 
 @contextmanager
 def themed(theme: Theme) -> Iterator[None]:
-    """Let figures made in the block have a look; nothing outside it changes."""
+    """Apply a theme to figures made in the block; nothing outside it changes."""
     settings: dict[Any, Any] = {
         "font.family": "DejaVu Sans",
         "font.size": 9.0,
@@ -115,14 +115,14 @@ def themed(theme: Theme) -> Iterator[None]:
         "path.simplify": True,
     }
     with matplotlib.rc_context():
-        # A `matplotlibrc` in the working directory would be obeyed otherwise, whoever put it there.
+        # Otherwise any `matplotlibrc` in the working directory would apply.
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(settings)
         yield
 
 
 def new_figure(title: str, *, width: float, height: float) -> Figure:
-    """A figure of a size [inch] with its title; nothing of pyplot, so that no state is left."""
+    """Return a figure of a size [inch] with its title; without pyplot, which keeps global state."""
     layout = ConstrainedLayoutEngine(w_pad=0.12, h_pad=0.12, wspace=0.04, hspace=0.06)
     figure = Figure(figsize=(width, height), dpi=DPI, layout=layout)
     FigureCanvasAgg(figure)
@@ -131,13 +131,13 @@ def new_figure(title: str, *, width: float, height: float) -> Figure:
 
 
 def time_axis(axes: Axes, end_s: float) -> None:
-    """The time axis from 0 to the end [s] of the run."""
+    """Set the time axis from 0 to the end [s] of the run."""
     axes.set_xlabel("time [s]")
     axes.set_xlim(0.0, max(end_s, _SHORTEST_S))
 
 
 def write_name(axes: Axes, name: str, place: Array, theme: Theme) -> None:
-    """A name beside a place (2,), in units of the axes; lines behind it leave it readable."""
+    """Write a name next to a point (2,), in units of the axes, readable over lines."""
     axes.annotate(
         name,
         (place[0], place[1]),
@@ -151,7 +151,7 @@ def write_name(axes: Axes, name: str, place: Array, theme: Theme) -> None:
 
 
 def mark_start(axes: Axes, start: Array, theme: Theme) -> None:
-    """A ring where a way begins, at coordinates of shape (2,) or (3,), in units of the axes."""
+    """Draw a ring at the start of a path (2,) or (3,), in units of the axes."""
     axes.plot(
         *start[:, None],
         marker="o",

@@ -1,4 +1,4 @@
-"""What changes over time: joints with their limits, TCP speed with corners, orientation."""
+"""Curves over time: joints with their limits, TCP speed with corners, orientation."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from rapidsim.simulation.results.sampling import SampledRun
 
 _COLUMNS = 2
 _CAPPED = 2.0
-"""A programmed speed beyond so many times the highest reached is left to run out of the picture."""
+"""Multiple of the highest speed above which a programmed speed may exceed the picture."""
 
 
 def joints_picture(run: SampledRun, theme: Theme) -> Figure:
-    """Each joint's angle between its limits, and its speed as a share of what it can."""
+    """Draw each joint's angle between its limits, with its speed as a share of the maximum."""
     robot, samples = run.robot_run.robot, run.samples
     count = len(robot.joints)
     rows = -(-count // _COLUMNS)
@@ -38,7 +38,7 @@ def joints_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, theme: Theme) -> None:
-    """Joint k, counted from 0, of joints (n, joints) [rad] over times (n,) [s], with its limits."""
+    """Draw joint k, from 0, with its limits: joints (n, joints) [rad] over times (n,) [s]."""
     angle = np.degrees(joints[:, k])
     lower, upper = np.degrees(robot.lower[k]), np.degrees(robot.upper[k])
     axes.plot(times, angle, color=theme.joints[k % len(theme.joints)])
@@ -56,7 +56,7 @@ def draw_joint(axes: Axes, robot: Robot, k: int, times: Array, joints: Array, th
 
 
 def speed_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The TCP's speed against the programmed one; corners shaded."""
+    """Draw the TCP's speed against the programmed one, with shaded corners."""
     figure = new_figure(f"TCP speed: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     times, speed = run.samples.times, MM * run.samples.tcp_speed
@@ -73,7 +73,7 @@ def speed_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
-    """The orientation of the TCP as a quaternion, and how far each move has turned it."""
+    """Draw the orientation of the TCP as a quaternion, and its rotation within each move."""
     figure = new_figure(f"Orientation of the TCP: {title_of(run)}", width=11.0, height=6.4)
     upper, lower = figure.subplots(2, 1, sharex=True)
     times = run.samples.times
@@ -93,7 +93,7 @@ def orientation_picture(run: SampledRun, theme: Theme) -> Figure:
 
 
 def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
-    """Bands over the whole height, as one patch: a long path has thousands of corners."""
+    """Draw bands over the whole height, as one patch: a long path has thousands of corners."""
     if run.in_corner.any():
         axes.fill_between(
             run.samples.times,
@@ -109,7 +109,7 @@ def _shade_corners(axes: Axes, run: SampledRun, theme: Theme) -> None:
 
 
 def _programmed(run: SampledRun) -> tuple[Array, Array]:
-    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves."""
+    """Return instants [s] and the programmed speed [mm/s] from each on; 0 without motion."""
     steps: dict[float, float] = {0.0: 0.0}
     for move in run.robot_run.moves:
         steps[move.end_s] = 0.0
@@ -120,7 +120,7 @@ def _programmed(run: SampledRun) -> tuple[Array, Array]:
 
 
 def _turned_deg(run: SampledRun, quaternions: Array) -> Array:
-    """Angle [deg] (k,) from the orientation at the start of the move under way."""
+    """Return the angle [deg] (k,) from the orientation at the start of the active move."""
     changes = np.flatnonzero(np.diff(run.samples.move, prepend=-1) != 0)
     first = changes[np.searchsorted(changes, np.arange(len(quaternions)), side="right") - 1]
     product = np.abs(np.sum(quaternions * quaternions[first], axis=1))

@@ -1,4 +1,4 @@
-"""The workspace of an arm: a section through axis 1 and the view from above."""
+"""Workspace of an arm: a section through axis 1 and the view from above."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 
 _FILLED = 0.35
-"""How much of what lies behind a filled area it hides."""
+"""Opacity of filled areas."""
 
 
 def write_workspace_plots(workspace: Workspace, folder: Path) -> tuple[Path, ...]:
     """Write the picture, light and dark.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written.
     """
     return write_pictures({"workspace": partial(workspace_picture, workspace)}, folder)
 
 
 def workspace_picture(workspace: Workspace, theme: Theme) -> Figure:
-    """Both views, with the arm as it stands before a run."""
+    """Draw both views, with the arm at its position before a run."""
     title = f"Workspace of the flange: {workspace.robot.title}, {workspace.volume:.2f} m³"
     figure = new_figure(title, width=11.0, height=5.6)
     section, above = figure.subplots(1, 2)
@@ -43,7 +43,7 @@ def workspace_picture(workspace: Workspace, theme: Theme) -> Figure:
 
 
 def _draw_section(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
-    """The half plane through axis 1 with the cells that are reached."""
+    """Draw the half plane through axis 1 with the reached cells."""
     near, far, low, high = (MM * value for value in workspace.extent)
     rows, columns = workspace.section.shape
     axes.imshow(
@@ -73,7 +73,7 @@ def _draw_section(axes: Axes, workspace: Workspace, corners: Array, theme: Theme
 
 
 def _draw_from_above(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
-    """The ring that axis 1 sweeps with it."""
+    """Draw the ring that the section sweeps about axis 1."""
     near, far = (MM * value for value in workspace.extent[:2])
     first, last = (float(np.degrees(value)) for value in workspace.turn)
     if last - first >= 360.0:

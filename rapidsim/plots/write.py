@@ -1,8 +1,8 @@
-"""Write the pictures of a run into a folder, each light and dark.
+"""Writer of the pictures of a run into a folder, each light and dark.
 
 `path.png`, `arm.png`, `joints.png`, `speed.png`, `orientation.png`, `lines.png`, `movej-movel.png`,
-`frames.png` and, where bodies are judged, `clearance.png`, with `-dark` before the suffix for the
-dark ones, and the task before the name for all robots but the first. The same run gives the same
+`frames.png` and, if bodies are checked, `clearance.png`, with `-dark` before the suffix for the
+dark ones, and the task before the name for all robots but the first. Equal runs produce equal
 files.
 """
 
@@ -42,29 +42,29 @@ PICTURES: Mapping[str, Callable[[SampledRun, Theme], Figure | None]] = MappingPr
         "clearance": clearance_picture,
     }
 )
-"""By the name of the file; one that has nothing to show gives no figure."""
+"""Pictures by file name; a picture without content returns no figure."""
 THEMES = (LIGHT, DARK)
 
 
 def write_plots(simulation: Simulation, folder: str | Path) -> tuple[Path, ...]:
-    """Write the pictures.
+    """Write the pictures of a run.
 
     Args:
         simulation: The run.
-        folder: Where to write; it comes to be if only its parent is there.
+        folder: Target folder, which is created if its parent exists.
 
     Returns:
-        The files written; none for a run without moves.
+        The files written; empty for a run without moves.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written, or nothing moved.
     """
     if not any(one.moves for one in simulation.robots):
         raise InputError("nothing moved: there is no path to draw pictures of")
     written: list[Path] = []
     for number, one in enumerate(simulation.robots):
         if one.moves:
-            # The first robot's pictures have the same names whether it works alone or not.
+            # The names of the first robot's pictures do not depend on the number of robots.
             before = f"{one.task}-" if number else ""
             run = sample_run(simulation, one)
             pictures = {
@@ -80,7 +80,7 @@ def write_pictures(
     """Write pictures by the names of their files, light and dark.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the files cannot be written.
     """
     try:
         folder.mkdir(exist_ok=True)
@@ -96,7 +96,7 @@ def write_pictures(
                 if figure is None:
                     continue
                 with whole_file(path) as temporary:
-                    # No name and version of the program that drew it: the same run, the same file.
+                    # No name and version of the plotting program: equal runs produce equal files.
                     figure.savefig(temporary, format="png", metadata={"Software": None})
             written.append(path)
     return tuple(written)

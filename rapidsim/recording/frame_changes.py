@@ -1,4 +1,4 @@
-"""When a frame that moves refer to takes another value: the first use holds from the start."""
+"""Changes of frames that moves refer to: the first value holds from the start."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class FrameChange:
-    """A frame has this value from an instant on."""
+    """A value of a frame from an instant on."""
 
     time_s: float
     frame: Transform
     parent: str = ""
-    """The frame it is in, where that may change too."""
+    """Parent frame, for frames whose parent may change; else empty."""
 
 
 def changes(
@@ -28,9 +28,9 @@ def changes(
     frame_of: Callable[[ExecutedMove], Pose],
     parent_of: Callable[[ExecutedMove], str] = lambda _: "",
 ) -> tuple[FrameChange, ...]:
-    """The values of a frame over some moves, each with its first instant [s]; none for no moves.
+    """Values of a frame over some moves, each with its first instant [s]; empty for no moves.
 
-    The first one holds from 0 s: the arm has the tool in its hand before it moves.
+    The first value holds from 0 s: the arm has its tool before it moves.
     """
     found: list[FrameChange] = []
     last: tuple[Pose, str] | None = None
@@ -43,7 +43,7 @@ def changes(
 
 
 def stacked(values: tuple[FrameChange, ...]) -> Transform:
-    """The frames of some changes as a batch (k,)."""
+    """Return the frames of some changes as a batch (k,)."""
     return Transform(
         np.stack([change.frame.rotation for change in values]),
         np.stack([change.frame.translation for change in values]),

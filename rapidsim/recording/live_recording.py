@@ -1,7 +1,7 @@
-"""A controller that stays on, as a recording that grows: what is seen of it while it runs.
+"""Recording of a running controller, which grows with its events.
 
-The layout of a run's recording tells of the whole run, which nobody knows yet: here are the cell
-with its arms, axes, states of tasks, and a log of requests, texts and entries of the event log.
+The layout for a whole run does not apply, as the run has not ended: this one has the cell with its
+arms, axes, states of tasks, and a log of requests, texts and entries of the event log.
 """
 
 from __future__ import annotations
@@ -40,36 +40,36 @@ _CLOCK: Final = Clock(np.zeros(0))
 
 @value_class(frozen=True, slots=True, eq=False)
 class LiveArm:
-    """One of its arms; implements `scene.arm.MovingArm`."""
+    """One arm of the controller; implements `scene.arm.MovingArm`."""
 
     name: str
-    """Goes before the names of its entities; empty where there is one robot."""
+    """Prefix of its entity names; empty if there is only one robot."""
     robot: Robot
     samples: Samples
     clock: Clock = _CLOCK
 
     def entity(self, path: str) -> str:
-        """See `MovingArm`."""
+        """Return the entity path with the prefix of this arm; see `MovingArm`."""
         return f"{self.name}/{path}" if self.name else path
 
     def frame(self, name: str) -> str:
-        """See `MovingArm`."""
+        """Return the frame name with the prefix of this arm; see `MovingArm`."""
         return f"{self.name}/{name}" if self.name else name
 
 
 _VIEWER: Final = ("127.0.0.1", 9876)
-"""Where a viewer listens that is started without a choice."""
+"""Default address at which a viewer listens."""
 _OPENS_S: Final = 10.0
-"""So long [s] it may take to open."""
+"""Time limit [s] for a viewer to open."""
 
 
 def _open_viewer() -> None:
-    """Open a viewer and wait until it listens: what is told to none would be lost in the file, too.
+    """Open a viewer and wait until it listens; earlier data would be lost in the file too.
 
     Raises:
-        InputError: If none does.
+        InputError: If no viewer opens in time.
     """
-    # The module and not the script: it is there whatever PATH says.
+    # The module, not the script: it exists for any PATH.
     command = [sys.executable, "-P", "-m", "rerun", "--port", str(_VIEWER[1])]
     quiet = subprocess.DEVNULL
     subprocess.Popen(command, stdin=quiet, stdout=quiet, stderr=quiet, start_new_session=True)
@@ -87,21 +87,21 @@ def _open_viewer() -> None:
 
 @value_class(slots=True, eq=False)
 class LiveRecording:
-    """It can only be added to, in the order of time; the file appears when it is closed."""
+    """Recording that can only be extended, in order of time; the file appears at `close`."""
 
     path: Path
     view: bool
-    """Whether a viewer is opened and told at once."""
+    """Whether to open a viewer that receives all data immediately."""
     _open: ExitStack = field(default_factory=ExitStack)
     _stream: rr.RecordingStream | None = None
     _states: dict[str, str] = field(default_factory=dict)
     _chains: dict[str, Chain] = field(default_factory=dict)
 
     def begin(self, arms: Sequence[tuple[LiveArm, Transform]]) -> None:
-        """Begin with arms where they stand, each with world_from_base.
+        """Begin with the current positions of arms, each with world_from_base.
 
         Raises:
-            InputError: If nothing can be written there, or no viewer opens.
+            InputError: If the file cannot be written, or no viewer opens.
         """
         if self.view:
             _open_viewer()
@@ -133,7 +133,7 @@ class LiveRecording:
                 stream.log(arm.entity(f"axes/{number}"), line, static=True)
 
     def moved(self, arm: LiveArm) -> None:
-        """An arm has moved as its samples say."""
+        """Log the motion of an arm in its samples."""
         assert self._stream is not None
         log_motion(self._stream, arm, self._chains[arm.name])
         index = _CLOCK.columns(arm.samples.times)
@@ -142,21 +142,21 @@ class LiveRecording:
             self._stream.send_columns(arm.entity(f"axes/{number}"), indexes=index, columns=columns)
 
     def log_text(self, time_s: float, source: str, text: str, level: str = "INFO") -> None:
-        """Something was said or asked at a time [s]."""
+        """Log a text at a time [s]."""
         self._log(time_s, f"{LOG}/{source}", rr.TextLog(text, level=level))
 
     def state(self, time_s: float, name: str, state: str) -> None:
-        """Something is in a state from a time [s] on; nothing is written where it was before."""
+        """Log a state from a time [s] on; nothing is written if it has not changed."""
         if self._states.get(name) != state:
             self._states[name] = state
             self._log(time_s, f"{STATES}/{name}", rr.StateChange(state=state))
 
     def wanted(self, time_s: float, name: str, values: Array) -> None:
-        """A sensor wants something: joints [deg], a place or a correction [mm]."""
+        """Log the goal of a sensor: joints [deg], a position or a correction [mm]."""
         self._log(time_s, f"{TARGETS}/{name}", rr.Scalars(values))
 
     def close(self) -> None:
-        """Let the file appear.
+        """Complete the file.
 
         Raises:
             InputError: If its end could not be written.

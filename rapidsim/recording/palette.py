@@ -1,6 +1,6 @@
-"""The colours of a recording: one meaning, one colour, in the cell, the plots and the lanes alike.
+"""Colours of a recording: one colour per meaning, in the cell, the plots and the lanes.
 
-Chosen for the dark theme, far enough apart to be told from each other on a projector.
+Chosen for the dark theme, and different enough to distinguish on a projector.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ JOINTS: tuple[Colour, ...] = (
     (255, 138, 101),
     (176, 190, 197),
 )
-"""Axis 1, 2, ...; automatic colours give the first two nearly the same pink."""
+"""Axes 1, 2, ...; the first two automatic colours would be nearly equal pinks."""
 
 MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
     {way: _rgb(kind.on_dark) for way, kind in MOVE_KINDS.items()}
@@ -42,7 +42,7 @@ MOVES: Mapping[Interpolation, Colour] = MappingProxyType(
 CORNER = _rgb(move_kinds.CORNER.on_dark)
 STANDSTILL: Colour = (62, 68, 80)
 PROGRAMMED: Colour = (150, 158, 172)
-"""What was asked for, beside what was done: path and speed."""
+"""Programmed path and speed, next to the executed ones."""
 TCP_SPEED: Colour = (255, 152, 0)
 LIMIT: Colour = (229, 57, 53)
 
@@ -51,9 +51,9 @@ TARGET_NAME: Colour = (250, 230, 140)
 FRAME_NAME: Colour = (160, 200, 235)
 STOPPED: Colour = (255, 64, 64)
 FAILED: Colour = (255, 64, 64)
-"""What the arm cannot do: targets, ways, and the place on a way where it fails."""
+"""Infeasible targets and paths, and the points of failure."""
 WARNED: Colour = (255, 167, 38)
-"""A target with a finding on it."""
+"""A target with a finding."""
 
 SPEEDS: tuple[Colour, ...] = (
     (62, 38, 168),
@@ -67,7 +67,7 @@ SPEEDS: tuple[Colour, ...] = (
     (255, 140, 40),
     (255, 70, 70),
 )
-"""Slow to fast, a tenth of the range each."""
+"""Colours from slow to fast, one per tenth of the range."""
 
 SIGNAL_ON: Colour = (46, 180, 90)
 SIGNAL_OFF: Colour = (70, 76, 88)
@@ -83,17 +83,17 @@ AXES: tuple[Colour, Colour, Colour] = ((235, 70, 70), (80, 200, 90), (70, 130, 2
 
 
 def of_move(move: ExecutedMove) -> Colour:
-    """The colour of a move by the way it gets to its end."""
+    """Return the colour of a move by its interpolation."""
     return MOVES[move.move.interpolation]
 
 
 def darker(colour: Colour) -> Colour:
-    """A shade of a colour that is still the same colour."""
+    """Return a darker shade of a colour."""
     red, green, blue = colour
     return (red * 7 // 10, green * 7 // 10, blue * 7 // 10)
 
 
 def rgba(colour: Colour, alpha: int = 255) -> int:
-    """A colour as the one number 0xRRGGBBAA; short lists of numbers are ambiguous to rerun."""
+    """Return a colour as the number 0xRRGGBBAA; short lists of numbers are ambiguous to rerun."""
     red, green, blue = colour
     return red << 24 | green << 16 | blue << 8 | alpha

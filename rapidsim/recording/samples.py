@@ -1,4 +1,4 @@
-"""A run looked at often enough to be drawn, one robot at a time."""
+"""Sampled run of each robot, dense enough for drawing."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from rapidsim.simulation.results.simulation import RobotRun, Simulation
 from rapidsim.values import value_class
 
 DEFAULT_DT = 0.012
-"""[s]; the beat at which a controller itself computes its path."""
+"""[s]; interval at which a controller computes its path."""
 MOST_SAMPLES = 120_000
-"""A longer run is sampled more coarsely unless the user asks otherwise; this is some 80 MB."""
+"""Number of samples, about 80 MB, above which a run is sampled more coarsely by default."""
 MOST_SAMPLES_ASKED = 20_000_000
 _MOST_EDGED = MOST_SAMPLES // 2
-"""Of more moves starts and ends have no samples of their own: a recording's size is that of its
-samples, not of its program."""
+"""Number of moves above which starts and ends have no samples of their own: the size of a recording
+depends on its samples, not on its program."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class RecordedRobot:
-    """A sampled run of one robot, and how it is named and timed in the recording."""
+    """Sampled run of one robot, with its name and clock in the recording."""
 
     sampled: SampledRun
     name: str
-    """Goes before the names of its entities and frames; empty where there is one robot."""
+    """Prefix of its entities and frames; empty if there is only one robot."""
     clock: Clock
     dt: float
-    """Time [s] between samples; those of starts and ends of moves are not counted."""
+    """Time [s] between samples, without the extra samples at starts and ends of moves."""
 
     @property
     def robot_run(self) -> RobotRun:
-        """What the robot did."""
+        """Run of the robot."""
         return self.sampled.robot_run
 
     @property
@@ -48,15 +48,15 @@ class RecordedRobot:
 
     @property
     def samples(self) -> Samples:
-        """Its motion."""
+        """Motion of the arm."""
         return self.sampled.samples
 
     def entity(self, path: str) -> str:
-        """Where in the recording something of this robot is logged."""
+        """Return the entity path of something of this robot in the recording."""
         return f"{self.name}/{path}" if self.name else path
 
     def frame(self, name: str) -> str:
-        """The name of a frame of this robot, which every robot has: `tool0`, `base`."""
+        """Return the full name of a frame that every robot has, such as `tool0` or `base`."""
         return f"{self.name}/{name}" if self.name else name
 
     @property
@@ -66,16 +66,16 @@ class RecordedRobot:
 
     @property
     def still_frame(self) -> str:
-        """The frame that paths and targets are in: the base, or where it is without its track."""
+        """Frame of paths and targets: the base, or its position with the track at zero."""
         return self.frame(FOOT if self.on_track else BASE)
 
     @property
     def places(self) -> Array:
-        """Where the TCP is at each sample (k, 3) [m], in the still frame."""
+        """Positions of the TCP at all samples (k, 3) [m], in the still frame."""
         return self.still_from(self.samples.base_from_tcp, self.samples.external).translation
 
     def still_from_end(self, move: ExecutedMove) -> Transform:
-        """The programmed end of a move in the still frame."""
+        """Return the programmed end of a move in the still frame."""
         end = move.base_from_tcp
         if not self.on_track:
             return end
@@ -83,7 +83,7 @@ class RecordedRobot:
         return self.still_from(batch, move.external[None])[0]
 
     def still_from(self, base_from_a: Transform, external: Array) -> Transform:
-        """Poses (k,) in base with external axes (k, e) [m or rad], in the still frame."""
+        """Return poses (k,) in base with external axes (k, e) [m or rad], in the still frame."""
         if not self.on_track:
             return base_from_a
         world_from_base = world_from_base_at(
@@ -93,7 +93,7 @@ class RecordedRobot:
 
     @property
     def remarks(self) -> tuple[str, ...]:
-        """What sampling leaves out that a user would expect, a line each."""
+        """Remarks on reduced sampling, one per line."""
         if self.dt <= DEFAULT_DT:
             return ()
         shown, usual = 1000.0 * self.dt, 1000.0 * DEFAULT_DT
@@ -108,10 +108,10 @@ def sample(simulation: Simulation, dt: float | None) -> tuple[RecordedRobot, ...
         dt: Time [s] between samples; None takes `DEFAULT_DT`, or more for a run of hours.
 
     Returns:
-        What each robot did.
+        Sampled run of each robot.
 
     Raises:
-        InputError: When `dt` is not positive or gives too many samples.
+        InputError: If `dt` is not positive or results in too many samples.
     """
     robots = simulation.robots
     end_s = simulation.motion_end_s

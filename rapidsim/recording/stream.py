@@ -1,4 +1,4 @@
-"""Open a recording to log into: a file that appears whole, or not at all with a plain message."""
+"""Recordings as files that appear whole, or not at all with a clear message."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from rapidsim.output_files import unwritten, whole_file
 
 APPLICATION = "rapidsim"
 _WRITER_FAILED = ("File-writer thread", "Failed to write")
-"""What rerun says when its writer stopped earlier, and when it fails in the call itself."""
+"""Error texts of rerun for a writer that stopped earlier, and for a failure in the call itself."""
 
 _PATIENCE_S = 30.0
-"""Time [s] within which a writer that works has written something more."""
+"""Time [s] within which a working writer writes more data."""
 
 
 class _FileStream(rr.RecordingStream):
-    """A stream into a file that does not wait for a writer that has stopped.
+    """Stream into a file that does not wait for a writer that has stopped.
 
-    On a full disk rerun's writer may stop without a word, and its own wait for it never ends.
+    On a full disk rerun's writer may stop silently, and its own wait for it never ends.
     """
 
     def __init__(self, file: Path, recording_id: uuid.UUID) -> None:
@@ -33,10 +33,10 @@ class _FileStream(rr.RecordingStream):
         self._file = file
 
     def flush(self, *, timeout_sec: float = 1e38) -> None:
-        """Write what is left.
+        """Write the remaining data.
 
         Raises:
-            RuntimeError: If it cannot be written.
+            RuntimeError: If they cannot be written.
         """
         written, before = self._file.stat().st_size, -1
         while written > before:
@@ -53,15 +53,15 @@ class _FileStream(rr.RecordingStream):
 def recording_file(
     path: Path, recording_id: uuid.UUID, layout: rrb.Blueprint
 ) -> Iterator[rr.RecordingStream]:
-    """Lend a stream that ends up in a file.
+    """Provide a stream that is saved to a file.
 
     Args:
-        path: Where to write; the file appears only when the block has ended well.
-        recording_id: Equal recordings are one to the viewer.
-        layout: How the viewer opens it.
+        path: Target file, which appears only when the block has ended without an error.
+        recording_id: Id by which the viewer merges equal recordings.
+        layout: Layout of the viewer.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the file cannot be written.
     """
     with whole_file(path) as temporary, _strictly():
         with (
@@ -77,7 +77,7 @@ def recording_file(
 
 @contextmanager
 def _said_by_rerun(path: Path) -> Iterator[None]:
-    """Turn what rerun's writer raises into our own words; on stderr it has said its own."""
+    """Convert errors of rerun's writer to our messages; rerun prints its own on stderr."""
     try:
         yield
     except RuntimeError as error:
@@ -87,7 +87,7 @@ def _said_by_rerun(path: Path) -> Iterator[None]:
 
 
 def _require_complete(temporary: Path, path: Path) -> None:
-    """Refuse a file whose end is missing: rerun writes in the background and may fail unseen."""
+    """Raise for a file without its end: rerun writes in the background and may fail unseen."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -1,7 +1,7 @@
-"""The two clocks of a recording: virtual time, and the number of the move under way.
+"""The two clocks of a recording: virtual time, and the number of the active move.
 
-Stepping through `move` shows the cell at the end of each one. With several robots their moves are
-counted together, in the order they begin.
+Stepping through `move` shows the cell at the end of each move. Moves of several robots are counted
+together, in the order of their starts.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ MOVE = "move"
 
 @value_class(frozen=True, slots=True, eq=False)
 class Clock:
-    """Turns instants of virtual time into the viewer's times."""
+    """Converts instants of virtual time to the viewer's times."""
 
     starts: Array
-    """When the moves of the run begin (m,) [s], in order."""
+    """Start times of the moves of the run (m,) [s], in order."""
 
     def columns(self, times: Array | Sequence[float]) -> list[rr.TimeColumn]:
-        """The time columns of rows at `times` (k,) [s]: during the last move begun by then."""
+        """Return the time columns of rows at `times` (k,) [s], with the last move begun by then."""
         instants = np.asarray(times, dtype=np.float64)
-        # Rounded to the viewer's nanoseconds here; seconds as floats would be cut off.
+        # Rounded to the viewer's nanoseconds here; seconds as floats would be truncated.
         nanoseconds = np.round(instants * 1e9).astype("timedelta64[ns]")
         return [
             rr.TimeColumn(SIM_TIME, duration=nanoseconds),
@@ -37,17 +37,17 @@ class Clock:
         ]
 
     def set(self, stream: rr.RecordingStream, time_s: float) -> None:
-        """Let what is logged next happen at an instant [s]."""
+        """Set the time [s] of the following log calls."""
         stream.set_time(SIM_TIME, duration=np.timedelta64(round(time_s * 1e9), "ns"))
         stream.set_time(MOVE, sequence=int(self._move_number(np.array([time_s]))[0]))
 
     def _move_number(self, times: Array) -> np.typing.NDArray[np.int64]:
-        """Number of the move under way (k,), from 0; 0 before the first one too."""
+        """Return the number of the active move (k,), from 0; 0 also before the first one."""
         # Samples are rounded to nanoseconds: one at the start of a move may lie just before it.
         begun = np.searchsorted(self.starts, times + 0.5e-9, side="right") - 1
         return np.maximum(begun, 0).astype(np.int64)
 
 
 def clock_of(moves: Iterable[ExecutedMove]) -> Clock:
-    """The clock of a run with these moves."""
+    """Return the clock of a run with these moves."""
     return Clock(np.sort(np.array([move.start_s for move in moves], dtype=np.float64)))

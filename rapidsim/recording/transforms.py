@@ -1,4 +1,4 @@
-"""Transforms in rerun's terms: metres, quaternions with the scalar last."""
+"""Transforms in rerun's format: metres, quaternions with the scalar last."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from rapidsim.frames.transform import Transform
 WORLD = "world"
 BASE = "base"
 FOOT = "foot"
-"""Where the base of a robot on a track is with the track at zero."""
+"""Base frame of a robot on a track with the track at zero."""
 BASE_FROM_WORLD = Transform.identity()
-"""A run stands the robot's base in the origin of the world."""
+"""Default base: the robot's base is in the origin of the world."""
 
 
 def quaternion_xyzw(a_from_b: Transform) -> npt.NDArray[np.float32]:
-    """Quaternions (..., 4), scalar last."""
+    """Return quaternions (..., 4), scalar last."""
     return np.roll(a_from_b.quaternion, -1, axis=-1).astype(np.float32)
 
 
 def static_frame(parent: str, child: str, parent_from_child: Transform) -> rr.Transform3D:
-    """An edge between two named frames that never changes."""
+    """Return an edge between two named frames that never changes."""
     return rr.Transform3D(
         translation=parent_from_child.translation,
         quaternion=rr.Quaternion(xyzw=quaternion_xyzw(parent_from_child)),
@@ -36,9 +36,9 @@ def static_frame(parent: str, child: str, parent_from_child: Transform) -> rr.Tr
 def moving_frame(
     parent: str | Sequence[str], child: str, parent_from_child: Transform
 ) -> rr.ComponentColumnList:
-    """An edge between two named frames, one row for each of a batch (k,).
+    """Return an edge between two named frames, one row for each element of a batch (k,).
 
-    The names stand in every row: a row replaces the whole edge, names included. A frame that is
+    Every row contains the names: a row replaces the whole edge, names included. A frame that is
     handed over has a parent for each row.
     """
     count = len(parent_from_child)

@@ -1,6 +1,6 @@
 """glTF files, binary (.glb) and text (.gltf): the triangles of the scene with node transforms.
 
-Lengths are in m and the axes are those of the file. Compressed or otherwise encoded triangles are
+Lengths are in m and the axes are those in the file. Compressed or otherwise encoded triangles are
 refused.
 
 Source:
@@ -27,14 +27,14 @@ _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126:
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 _TRIANGLES = 4
 Beside = Callable[[str], bytes]
-"""Gives the bytes of a file that is named in another."""
+"""Returns the bytes of a file that another file refers to."""
 
 
 def read_gltf(name: str, data: bytes, read_neighbour: Beside) -> tuple[Array, Faces]:
-    """Vertices (k, 3) [m] and faces (f, 3).
+    """Return vertices (k, 3) [m] and faces (f, 3).
 
     Raises:
-        InputError: If it is not glTF, damaged, or encoded in an unsupported way.
+        InputError: If the data are not glTF, damaged, or have an unsupported encoding.
     """
     try:
         tree, binary = _parts(data)
@@ -69,7 +69,7 @@ class _Scene:
         self._seen: set[int] = set()
 
     def triangles(self) -> tuple[Array, Faces]:
-        """All triangles of the scene."""
+        """Return all triangles of the scene."""
         scenes = self._tree.get("scenes")
         if scenes:
             for node in scenes[self._tree.get("scene", 0)].get("nodes", []):
@@ -113,7 +113,7 @@ class _Scene:
             require_few(self._name, sum(map(len, self._faces)))
 
     def _numbers(self, accessor: int) -> Array:
-        """Rows (k, width) of an accessor."""
+        """Return the rows (k, width) of an accessor."""
         told = self._tree["accessors"][accessor]
         if "sparse" in told or "bufferView" not in told:
             raise InputError(f"{self._name}: an accessor is sparse", "export it as plain arrays")

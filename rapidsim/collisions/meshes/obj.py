@@ -12,7 +12,7 @@ from rapidsim.frames.transform import Array
 
 
 def read_obj(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
+    """Return vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
 
     Raises:
         InputError: If a line cannot be read.
@@ -36,6 +36,6 @@ def read_obj(name: str, data: bytes) -> tuple[Array, Faces]:
 
 
 def _corner(word: bytes, count: int) -> int:
-    """The position of a corner: counted from 1, or from the last one back."""
+    """Return the index of a corner: counted from 1, or from the last one back."""
     number = int(word.split(b"/")[0])
     return number - 1 if number > 0 else count + number if number < 0 else -1

@@ -39,14 +39,14 @@ class _Element:
     name: str
     count: int
     columns: list[tuple[str, str, str | None]] = field(default_factory=list)
-    """Name, type, and the type of the count of a list."""
+    """Name and type, and for a list the type of its count."""
 
 
 def read_ply(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
+    """Return vertices (k, 3) and faces (f, 3); a face with more vertices becomes a fan.
 
     Raises:
-        InputError: If it is not a PLY file, or is truncated.
+        InputError: If the data are not a PLY file, or are truncated.
     """
     head, mark, body = data.partition(b"end_header")
     if not data.startswith(b"ply") or not mark:
@@ -87,7 +87,7 @@ def _header(head: bytes) -> tuple[str, list[_Element]]:
 def _rows(
     body: bytes, order: str, elements: Sequence[_Element]
 ) -> dict[str, list[Sequence[float]]]:
-    """x, y, z of each vertex; the corners of each face."""
+    """Return x, y, z of each vertex, and the corners of each face."""
     words = iter(body.split()) if not order else None
     place = 0
 

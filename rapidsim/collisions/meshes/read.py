@@ -1,4 +1,4 @@
-"""Reads a shape from a file of any supported format."""
+"""Reader of shapes from files of all supported formats."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from rapidsim.collisions.meshes.triangles import Triangles, checked_triangles
 from rapidsim.files import InputError, input_bytes, require_inside
 
 IN_METRES = (".glb", ".gltf")
-"""Kinds whose files count in metres; the others do not say their unit."""
+"""Formats with lengths in metres; the others do not define a unit."""
 KINDS = (".stl", ".obj", ".ply", *IN_METRES)
 _MOST_BYTES = 50_000_000
 
 
 def read_mesh(file: Path, room: Path) -> Triangles:
-    """The triangles of a file, in its unit.
+    """Return the triangles of a file, in its unit.
 
     Args:
-        file: The file; its suffix gives the format.
-        room: The folder that it, and the files it refers to, must be in.
+        file: The file; its suffix determines the format.
+        room: Folder that must contain it and the files it refers to.
 
     Raises:
-        InputError: If it is missing, too large, of another format, or damaged.
+        InputError: If the file is missing, too large, of another format, or damaged.
     """
     name, kind = str(file), file.suffix.lower()
     if kind not in KINDS:
@@ -55,7 +55,7 @@ def _bytes_of(file: Path) -> bytes:
     try:
         size = file.stat().st_size
     except (OSError, ValueError):
-        size = 0  # What is missing, `input_bytes` says.
+        size = 0  # `input_bytes` reports a missing file.
     if size > _MOST_BYTES:
         raise InputError(
             f"{file} is larger than {_MOST_BYTES // 1_000_000} MB", "export it with less detail"

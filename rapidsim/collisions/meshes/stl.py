@@ -13,10 +13,10 @@ _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute
 
 
 def read_stl(name: str, data: bytes) -> tuple[Array, Faces]:
-    """Vertices (3 f, 3) and faces (f, 3) of an STL file.
+    """Return vertices (3 f, 3) and faces (f, 3) of an STL file.
 
     Raises:
-        InputError: If it is not an STL file, or is truncated.
+        InputError: If the data are not an STL file, or are truncated.
     """
     count = int.from_bytes(data[80:_HEAD], "little")
     whole = len(data) == _HEAD + count * _FACET.itemsize

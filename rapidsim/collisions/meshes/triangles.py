@@ -1,4 +1,4 @@
-"""The triangles of a shape, and the repair of defects common in files."""
+"""Triangles of a shape, and the repair of common defects in files."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ Faces = npt.NDArray[np.int64]
 
 MOST_TRIANGLES = 100_000
 _FLAT = 1e-14
-"""Twice the area of a triangle over the square of its longest edge; below it there is no plane."""
+"""Ratio of a triangle's double area to the square of its longest edge below which it is flat."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Triangles:
-    """A surface."""
+    """A surface of triangles."""
 
     vertices: Array
-    """Shape (k, 3) [m], each place once."""
+    """Shape (k, 3) [m], each position once."""
     faces: Faces
     """Shape (f, 3)."""
     closed: bool
@@ -29,15 +29,15 @@ class Triangles:
 
 
 def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
-    """The triangles of a file that have an area, with coincident vertices merged.
+    """Return the triangles of a file that have an area, with coincident vertices merged.
 
     Args:
-        name: The name of the file, for messages.
+        name: File name, for messages.
         vertices: Shape (k, 3), in any unit.
         faces: Shape (f, 3).
 
     Raises:
-        InputError: If there are none, too many, or if coordinates are not finite.
+        InputError: If there are no triangles, too many, or if coordinates are not finite.
     """
     require_few(name, len(faces))
     if not len(faces):
@@ -51,7 +51,7 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
     size = float(np.ptp(used, axis=0).max())
     if size <= 0.0:
         raise InputError(f"{name}: all corners are in one place")
-    # Files without shared corners write each of them again, rounded alike.
+    # Files without shared corners repeat each of them, with equal rounding.
     _, first, merged = np.unique(
         np.round(vertices / (size * 1e-7)), axis=0, return_index=True, return_inverse=True
     )
@@ -67,10 +67,10 @@ def checked_triangles(name: str, vertices: Array, faces: Faces) -> Triangles:
 
 
 def require_few(name: str, count: int) -> None:
-    """Refuse more triangles than a shape may have.
+    """Raise if there are more triangles than a shape may have.
 
     Raises:
-        InputError: If there are more.
+        InputError: If there are more than `MOST_TRIANGLES`.
     """
     if count > MOST_TRIANGLES:
         raise InputError(
@@ -87,13 +87,13 @@ def _is_closed(faces: Faces, count: int) -> bool:
 
 
 def components(faces: Faces, count: int) -> list[Faces]:
-    """The faces of each piece connected by edges.
+    """Return the faces of each piece connected by edges.
 
-    Bodies that merely touch are separate pieces: an edge with more than two faces joins none.
+    Bodies that only touch are separate pieces: an edge with more than two faces joins none.
 
     Args:
         faces: Shape (f, 3).
-        count: The number of vertices.
+        count: Number of vertices.
     """
     ends = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     edge = ends[:, 0] * count + ends[:, 1]
@@ -119,15 +119,15 @@ def components(faces: Faces, count: int) -> list[Faces]:
 
 
 def hollowness(vertices: Array, faces: Faces) -> float:
-    """How far [m] a piece protrudes beyond the plane of one of its faces: 0 for convex ones.
+    """Distance [m] by which a piece protrudes beyond the plane of one of its faces: 0 if convex.
 
-    The cavities that the hull of a piece fills are nowhere deeper.
+    The hull of a piece fills no cavity deeper than this.
     """
     used = vertices[np.unique(faces)]
     a, b, c = (vertices[faces[:, i]] for i in range(3))
     normals = np.cross(b - a, c - a)
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    # Which way out is, the faces of a file need not say: the side with less beyond.
+    # Faces in files may have any orientation: out is the side with fewer points beyond.
     deepest = 0.0
     for rows in np.array_split(np.arange(len(faces)), max(1, len(faces) * len(used) // 2_000_000)):
         heights = used @ normals[rows].T - np.einsum("kj,kj->k", normals[rows], a[rows])

@@ -1,1 +1,1 @@
-"""From poses to joint vectors: frames, confdata, reach, singularities."""
+"""Conversion of poses to joint vectors: frames, confdata, reach, singularities."""

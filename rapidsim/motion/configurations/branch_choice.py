@@ -1,8 +1,8 @@
-"""Chooses branches and turns along a sequence of poses for the least joint motion.
+"""Choice of branches and turns along a sequence of poses for the least joint motion.
 
-The choice at one pose decides what the next can cost, so it is made for the whole sequence at once,
+The choice at one pose affects the cost of the next, so it is made for the whole sequence at once,
 by dynamic programming: the cheapest path to each solution of a pose goes through some solution of
-the previous pose, and only the cheapest path to each need be kept.
+the previous pose, and only the cheapest path to each is kept.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ _BATCH = 1024
 
 @value_class(frozen=True, slots=True, eq=False)
 class LeastMotion:
-    """Joints along a sequence of poses."""
+    """Joints with the least motion along a sequence of poses."""
 
     joints: Array
     """Shape (k, n) [rad], within the limits."""
     branch: npt.NDArray[np.int64]
-    """Shape (k,): the branch of each."""
+    """Shape (k,): branch at each pose."""
     travel: float
-    """Sum [rad] of what all joints turn from the first pose to the last."""
+    """Sum [rad] of the rotations of all joints from the first pose to the last."""
 
 
 def least_motion(
@@ -41,12 +41,12 @@ def least_motion(
     Args:
         robot: The arm.
         base_from_flange: The poses in order.
-        start: Joints (n,) [rad] from which the arm comes; without them the first pose is free.
+        start: Initial joints (n,) [rad]; without them the first pose is free.
 
     Returns:
         The joints with the least total motion, or the index of the first pose that no branch
         reaches within the limits. Whether the arm can change branches between two poses without
-        leaving the path is not checked: with poses close together, changing does not pay.
+        leaving the path is not checked: with poses close together, a change is not worthwhile.
     """
     count = len(base_from_flange)
     candidates = []
@@ -77,10 +77,10 @@ def least_motion(
 
 
 def _candidates(robot: Robot, base_from_flange: Transform) -> tuple[Array, Mask]:
-    """Every branch of poses (k,) in every turn within the limits.
+    """Return every branch of poses (k,) in every turn within the limits.
 
     Returns:
-        Joint vectors (k, c, n) [rad], and which of them (k, c) are solutions.
+        Joint vectors (k, c, n) [rad], and a mask (k, c) of solutions.
     """
     branches = robot.inverse(base_from_flange)
     middle = turns_within_limits(robot, branches.joints)
@@ -91,7 +91,7 @@ def _candidates(robot: Robot, base_from_flange: Transform) -> tuple[Array, Mask]
 
 
 def _other_turns(robot: Robot) -> Array:
-    """Whole turns (t, n) [rad] that a joint vector in the middle of the range may be moved by."""
+    """Return whole turns (t, n) [rad] by which a joint vector mid-range may be shifted."""
     turns = robot.kinematics.turns
     ranges = [
         range(-round(half), round(half) + 1) if np.isfinite(half) else range(1)

@@ -1,4 +1,4 @@
-"""The rule by which a stored configuration is met: the only place that decides it.
+"""Compliance of joints with a stored configuration: the only module that decides it.
 
 A configuration is met if cfx is equal and cf1, cf4 and cf6 each differ by at most one quarter turn.
 Source: RobotStudio API, `ConfigurationMode.Compliant`; docs/configurations.md has the evidence.
@@ -31,7 +31,7 @@ _SHIFTS = TURN * np.array([0.0, -1.0, 1.0])
 
 
 class Match(IntEnum):
-    """How well joints meet a stored configuration."""
+    """Degree to which joints match a stored configuration."""
 
     EXACT = 0
     COMPLIANT = 1
@@ -42,20 +42,20 @@ class Match(IntEnum):
     """cfx differs."""
 
     def meets(self, *, exact: bool) -> bool:
-        """Whether the configuration is met; `exact` tolerates no quarter turn."""
+        """Whether the configuration is matched; `exact` tolerates no quarter turn."""
         return self is Match.EXACT or (self is Match.COMPLIANT and not exact)
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class HeldConfigurations:
-    """The joints that hold best to the configurations stored for a sequence of poses."""
+    """Joints that best match the configurations stored for a sequence of poses."""
 
     joints: Array
     """Shape (k, n) [rad]; 0 where the branch of cfx does not reach the pose."""
     match: Integers
     """Shape (k,): a `Match`; OTHER where the branch of cfx does not reach the pose."""
     excess: Array
-    """Shape (k, n) [rad]: how far the joints are past their limits, see `pose_excess`."""
+    """Shape (k, n) [rad]: excess of the joints over their limits, see `pose_excess`."""
 
     @property
     def possible(self) -> Mask:
@@ -65,9 +65,9 @@ class HeldConfigurations:
 
 
 def match(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> Integers:
-    """How well joint vectors (..., n) [rad] meet confdata (..., 4): a `Match` (...).
+    """Degree to which joint vectors (..., n) [rad] match confdata (..., 4): a `Match` (...).
 
-    The border of a quarter turn belongs to both sides: there the rounding of a target would decide.
+    The border of a quarter turn belongs to both sides; otherwise rounding of a target would decide.
     """
     stored = np.asarray(confdata, dtype=np.float64)
     branch = kinematics.branch_of(np.asarray(joints)) == stored[..., 3]
@@ -87,17 +87,17 @@ def match(kinematics: Kinematics, joints: Array, confdata: Array | Integers) -> 
 def hold(
     robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
 ) -> HeldConfigurations:
-    """Joints of poses (k,) on the branch of cfx, as near to their stored configurations as can be.
+    """Return joints of poses (k,) on the branch of cfx, closest to their stored configurations.
 
     Axes 1, 4 and 6 take the turn that is the fewest quarters off; of two turns that are equally far
-    off the one within the limits, and of two of these the one nearer to where the arm comes from.
-    A turn that does not fit stays past its limit: another would be a whole turn off.
+    off, the one within the limits; then the one nearer to the previous joints. A turn outside the
+    limits is kept: another would be a whole turn off.
 
     Args:
         robot: The arm.
         base_from_flange: Poses (k,).
         confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
-        near: Joints (k, n) or (n,) [rad] from which the arm comes.
+        near: Previous joints (k, n) or (n,) [rad].
     """
     selected = select(robot, base_from_flange, confdata, near)
     joints, stored = selected.joints, np.asarray(confdata, dtype=np.float64)
@@ -112,7 +112,7 @@ def hold(
 
 
 def _best_turn(robot: Robot, angles: Array, near: Array, stored: Array, axis: int) -> Integers:
-    """Which (k,) of an axis's angles (k, t) [rad] is best; see `hold`."""
+    """Index (k,) of the best of an axis's angles (k, t) [rad]; see `hold`."""
     below, above = quarters_of(angles - BORDER), quarters_of(angles + BORDER)
     off = _quarters_off(below, above, stored[:, None])
     tolerance = pose_tolerance(robot)[axis]
@@ -123,6 +123,6 @@ def _best_turn(robot: Robot, angles: Array, near: Array, stored: Array, axis: in
 
 
 def _quarters_off(below: Integers, above: Integers, stored: Array) -> Array:
-    """Quarter turns (...) from stored ones to a range of them."""
+    """Quarter turns (...) between stored ones and the range `below` to `above`."""
     off: Array = np.maximum(np.maximum(below - stored, stored - above), 0)
     return off

@@ -1,12 +1,12 @@
-"""ABB's confdata: selects one of the many joint vectors of a pose.
+"""ABB's confdata, which selects one of the many joint vectors of a pose.
 
 cf1, cf4 and cf6 are the quarter turns that axes 1, 4 and 6 are in: 0 from 0 to 90 deg, -1 from -90
 to 0, and so on through all turns. cfx is the branch of inverse kinematics. Together they identify
 one joint vector, except where axis 5 is 0 and only the sum of axes 4 and 6 matters.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, confdata, for
-robots with a serial wrist. For arms of other kinds cfx is the branch of their own solver; YuMi's
-digits, which stand for its arm angle, are not modelled.
+robots with a serial wrist. For other kinds of arm cfx is the branch of their own solver; YuMi's
+digits, which represent its arm angle, are not modelled.
 """
 
 from __future__ import annotations
@@ -36,20 +36,20 @@ Integers = npt.NDArray[np.int64]
 
 QUARTER = pi / 2.0
 SNAP = 2e-8
-"""A joint this close [rad] below a quarter counts as standing on it: 90 deg computed."""
+"""Distance [rad] below a quarter turn up to which a joint counts as on it (a computed 90 deg)."""
 BORDER = pi / 1800.0
-"""So near [rad] to a quarter turn's border an axis stands on both of its sides."""
+"""Distance [rad] from the border of a quarter turn within which an axis is on both sides."""
 UNDETERMINED_WRIST = 1e-7
-"""Axis 5 up to which [rad] confdata may share out the sum of axes 4 and 6."""
+"""Largest angle [rad] of axis 5 at which confdata may redistribute the sum of axes 4 and 6."""
 NO_CONFIGURATION = 1_000_000
-"""Quarter turns that no arm comes near; what is larger still, or no number, counts as this."""
+"""Number of quarter turns that no arm has; larger numbers and NaN are replaced by it."""
 SAME = 1e-9
-"""Joint vectors that differ by less [rad] are one, met by two branches."""
+"""Difference [rad] below which joint vectors of two branches are the same solution."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Configuration:
-    """One way to reach a pose."""
+    """A joint vector of a pose, with its confdata."""
 
     joints: Array
     """Shape (n,) [rad]."""
@@ -59,23 +59,23 @@ class Configuration:
 
 @value_class(frozen=True, slots=True, eq=False)
 class SelectedConfigurations:
-    """What confdata selects for a sequence of poses."""
+    """Joint vectors that confdata selects for a sequence of poses."""
 
     joints: Array
-    """Shape (k, n) [rad]; 0 where the branch does not reach the pose. Limits are not heeded."""
+    """Shape (k, n) [rad]; 0 where the branch does not reach the pose. Limits are ignored."""
     exists: Mask
     """Shape (k,): False where the branch does not reach the pose or cfx is not 0 to 7."""
     quarters_off: Integers
-    """Shape (k, 3): how many quarter turns axes 1, 4 and 6 are from what confdata says."""
+    """Shape (k, 3): number of quarter turns between axes 1, 4 and 6 and their confdata."""
 
 
 def has_branches(kinematics: Kinematics) -> bool:
-    """Whether confdata distinguishes an arm's solutions, as it does if they have branches."""
+    """Whether confdata distinguishes an arm's solutions, which it does if they have branches."""
     return not isinstance(kinematics, Numerical)
 
 
 def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
-    """cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., n) [rad]."""
+    """Return cf1, cf4, cf6 and cfx, shape (..., 4), of joint vectors (..., n) [rad]."""
     joints = np.asarray(joints, dtype=np.float64)
     branch = kinematics.branch_of(joints)
     if joints.ndim == 1:
@@ -85,20 +85,20 @@ def confdata_of(kinematics: Kinematics, joints: Array) -> Integers:
 
 
 def configuration(kinematics: Kinematics, joints: Array) -> Configuration:
-    """A joint vector (n,) [rad] with its confdata."""
+    """Return a joint vector (n,) [rad] with its confdata."""
     return Configuration(joints, _four(confdata_of(kinematics, joints)))
 
 
 def select(
     robot: Robot, base_from_flange: Transform, confdata: Array | Integers, near: Array
 ) -> SelectedConfigurations:
-    """Joint vectors of poses with confdata.
+    """Return the joint vectors of poses with confdata.
 
     Args:
         robot: The arm.
         base_from_flange: Poses (k,).
         confdata: cf1, cf4, cf6, cfx of each, shape (k, 4).
-        near: Joint vectors (k, n) or (n,) [rad]: axes that the pose leaves undetermined stay as
+        near: Joint vectors (k, n) or (n,) [rad]: axes that the pose does not determine stay as
             close to them as confdata allows.
 
     Returns:
@@ -110,7 +110,7 @@ def select(
     wanted = np.rint(asked).astype(np.int64)
     joints = np.zeros((len(wanted), robot.kinematics.joint_count))
     held = np.broadcast_to(np.asarray(near, dtype=np.float64), joints.shape).copy()
-    # Where the pose leaves axis 1 undetermined, it can be in the quarter turn that is asked for.
+    # A pose that does not determine axis 1 allows it the requested quarter turn.
     lowest = QUARTER * wanted[:, 0]
     held[:, 0] = np.clip(held[:, 0], lowest, lowest + QUARTER - 2.0 * SNAP)
     exists = np.zeros(len(wanted), dtype=np.bool_)
@@ -136,11 +136,12 @@ def select(
 
 
 def configurations(robot: Robot, base_from_flange: Transform) -> tuple[Configuration, ...]:
-    """All joint vectors for one pose within the joint limits: all branches, all whole turns.
+    """Return all joint vectors for one pose within the joint limits: all branches, all whole turns.
 
-    If there are none, those that are past a limit by no more than poses of programs are rounded.
-    Joint vectors where branches meet are listed once. Where axis 5 is 0 the sum of axes 4 and 6 can
-    be split in infinitely many ways; only those with axis 4 at multiples of a half turn are listed.
+    If there are none, joint vectors that exceed a limit by no more than the rounding of poses in
+    programs are returned. Joint vectors where branches meet are listed once. Where axis 5 is 0 the
+    sum of axes 4 and 6 can be split in infinitely many combinations; only those with axis 4 at
+    multiples of a half turn are listed.
     """
     branches = robot.kinematics.inverse(base_from_flange)
     unturned = distinct(branches.joints[branches.exists], robot.kinematics.turns)
@@ -166,10 +167,10 @@ def named(
     confdata: tuple[int, int, int, int],
     tolerated: int = 0,
 ) -> Configuration | None:
-    """The one of `configurations` that confdata selects, found without the others.
+    """Return the element of `configurations` that confdata selects, without computing the others.
 
-    None if there is none, and if it takes all of them to decide: for arms without formulas for one
-    pose, and where the pose leaves an axis undetermined.
+    None if no element matches, or if all of them are needed to decide: for arms without closed
+    formulas for one pose, and where the pose does not determine an axis.
 
     Args:
         robot: The arm.
@@ -195,13 +196,13 @@ def named(
                 break
         else:
             return None
-    # On a border of branches confdata has the front, the positive one.
+    # On a border of branches confdata has the front branch, the positive one.
     if arm.single.branch_of(joints) != branch:
         return None
     if not off:
         return Configuration(np.array(joints), confdata)
     if arm.spherical_wrist and abs(joints[4]) < UNDETERMINED_WRIST:
-        # Axes 4 and 6 share out their sum: another share may be as stored.
+        # Axes 4 and 6 share their sum: another split may match the stored one.
         return None
     return configuration(arm, np.array(joints))
 
@@ -209,13 +210,13 @@ def named(
 def within_limits(
     robot: Robot, joints: Array, tolerance: Array | None = None
 ) -> Iterator[tuple[float, ...]]:
-    """A joint vector (n,) [rad] in all whole turns within the limits, or a tolerance (n,) past."""
+    """Return a joint vector (n,) [rad] in all turns within the limits plus a tolerance."""
     tolerance = limit_tolerance(robot) if tolerance is None else tolerance
     return product(*_turns_of_each(robot, joints.tolist(), tolerance))
 
 
 def distinct(joints: Array, turns: Array) -> list[Array]:
-    """Joint vectors (k, n) [rad] without those equal to an earlier one up to whole turns (n,)."""
+    """Return joint vectors (k, n) [rad] that differ from all earlier ones, up to turns (n,)."""
     difference = joints[:, None] - joints
     difference -= nearest_turns(difference, turns)
     alike = np.max(np.abs(difference), axis=-1, initial=0.0) < SAME
@@ -224,9 +225,9 @@ def distinct(joints: Array, turns: Array) -> list[Array]:
 
 
 def counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
-    """The joints, counted from 0, that are RAPID's axes 1, 4 and 6; None where there is no such.
+    """Joints, counted from 0, that are RAPID's axes 1, 4 and 6; None for an axis the arm lacks.
 
-    Palletizers have no axis 4, SCARAs no axis 6; five-axis arms roll with the last.
+    Palletizers have no axis 4, SCARAs no axis 6; the last joint of five-axis arms is their roll.
     """
     axes = kinematics.rapid_axes
     axis_4 = axes.index(3) if 3 in axes else None
@@ -235,7 +236,7 @@ def counted_axes(kinematics: Kinematics) -> tuple[int | None, ...]:
 
 
 def counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
-    """Quarter turns (..., 3) that axes 1, 4 and 6 of joint vectors (..., n) [rad] stand in."""
+    """Quarter turns (..., 3) of axes 1, 4 and 6 in joint vectors (..., n) [rad]."""
     axes = counted_axes(kinematics)
     columns = [
         np.zeros(joints.shape[:-1], np.int64) if axis is None else quarters_of(joints[..., axis])
@@ -245,16 +246,16 @@ def counted_quarters(kinematics: Kinematics, joints: Array) -> Integers:
 
 
 def quarters_of(angles: Array) -> Integers:
-    """Quarter turns (...) that angles (...) [rad] are in."""
+    """Quarter turns (...) of angles (...) [rad]."""
     return np.floor((angles + SNAP) / QUARTER).astype(np.int64)
 
 
 def _turns_of_each(
     robot: Robot, joints: Sequence[float], tolerance: Array
 ) -> Iterator[tuple[float, ...]]:
-    """Each joint [rad] of a vector in the whole turns that lie within its limits, from below.
+    """Each joint [rad] of a vector in the whole turns that lie within its limits, in rising order.
 
-    One where these are endless.
+    A joint with an infinite limit has only its own value.
     """
     turns, tolerances = robot.kinematics.turns.tolist(), tolerance.tolist()
     for value, limits, turn, rounded in zip(joints, robot.joints, turns, tolerances, strict=True):
@@ -267,12 +268,12 @@ def _turns_of_each(
 
 
 def _distribute(joints: Array, wanted: Integers, near: Array) -> Array:
-    """Share out the sum of axes 4 and 6 (axis 5 is 0) so that each comes into its quarter turn.
+    """Split the sum of axes 4 and 6 (axis 5 is 0) so that each is in its quarter turn.
 
     Args:
         joints: Joint vectors (k, 6) [rad].
         wanted: cf1, cf4, cf6, cfx of each, shape (k, 4).
-        near: Joint vectors (k, 6) [rad]; axis 4 comes as near to theirs as the quarters allow.
+        near: Joint vectors (k, 6) [rad]; axis 4 is as near to theirs as the quarters allow.
     """
     lower_4, lower_6 = QUARTER * wanted[:, 1], QUARTER * wanted[:, 2]
     within = QUARTER - 2.0 * SNAP
@@ -281,7 +282,7 @@ def _distribute(joints: Array, wanted: Integers, near: Array) -> Array:
     total = total + TURN * np.round((middle - total) / TURN)
     lowest = np.maximum(lower_4, total - lower_6 - within)
     highest = np.minimum(lower_4 + within, total - lower_6)
-    # Quarters that no split of this sum can meet keep axis 4; `quarters_off` tells.
+    # If no split of this sum is in both quarters, axis 4 keeps its value; see `quarters_off`.
     feasible = lowest <= highest
     shared = joints.copy()
     axis_4 = np.clip(near[:, 3], lowest, np.maximum(lowest, highest))

@@ -1,4 +1,4 @@
-"""All solutions of an arm for one pose, or why there are none: for interactive queries."""
+"""All solutions of an arm for one pose, or the reason for none: for interactive queries."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class PoseSolution:
     """cf1, cf4, cf6, cfx."""
     within_limits: bool
     distance: float
-    """Way [m] from the pose, by forward kinematics."""
+    """Distance [m] from the pose, by forward kinematics."""
     angle: float
-    """Turn [rad] from the pose."""
+    """Angle [rad] of the rotation from the pose."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -47,7 +47,7 @@ class PoseSolutions:
 
     solutions: tuple[PoseSolution, ...]
     reason: str | None
-    """Why none of them is within the limits; None if one is."""
+    """Reason why none of them is within the limits; None if one is."""
 
 
 def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -> PoseSolutions:
@@ -79,7 +79,7 @@ def solve_pose(robot: Robot, base_from_flange: Transform, *, everything: bool) -
 def solve_pose_as(
     robot: Robot, base_from_flange: Transform, confdata: Sequence[int]
 ) -> PoseSolutions:
-    """Solve one pose in the configuration given by confdata: cf1, cf4, cf6 and cfx."""
+    """Solve one pose in the configuration of a confdata: cf1, cf4, cf6 and cfx."""
     near = turns_within_limits(robot, np.zeros(len(robot.joints)))
     wanted: Integers = np.array([confdata], dtype=np.int64)
     selected = select(robot, base_from_flange[None], wanted, near)
@@ -109,7 +109,7 @@ def solve_pose_as(
 
 
 def solution(robot: Robot, base_from_flange: Transform, joints: Array) -> PoseSolution:
-    """The solution that joints (n,) [rad] are for a pose."""
+    """Return joints (n,) [rad] as a solution of a pose, with errors, confdata and limits."""
     flange = robot.forward(joints)
     turn = vector_from_rotation(base_from_flange.rotation @ flange.rotation.T)
     cf1, cf4, cf6, cfx = confdata_of(robot.kinematics, joints).tolist()

@@ -1,4 +1,4 @@
-"""Postures of an arm for display: one at given joints, or all that reach a pose."""
+"""Postures of an arm for display: one for given joints, or all that reach a pose."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 _MOVES = 0.2
-"""Share [m/rad] of a direction that is velocity, above which it is shown as one."""
+"""Linear share [m/rad] of a direction from which on it is displayed as a velocity."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -31,10 +31,10 @@ class Postures:
     world_from_base: Transform
     flange_from_tcp: Transform
     rows: tuple[Posture, ...]
-    """One at least."""
+    """At least one posture."""
     title: str
     differential: Differential | None = None
-    """At the first posture, where that is asked for."""
+    """Jacobian and singularities of the first posture; None if not requested."""
 
     @property
     def world_from_tcp(self) -> Transform:
@@ -62,15 +62,15 @@ class Postures:
 
     @property
     def weakest(self) -> tuple[Array, str] | None:
-        """The direction (3,) in the world in which, or about which, joints move the TCP least.
+        """Direction (3,) in the world in which, or about which, joints move the TCP least.
 
-        With a description in words; None if no Jacobian was requested.
+        Returned with a description in words; None if no Jacobian was requested.
         """
         if self.differential is None:
             return None
         directions, values, _ = np.linalg.svd(self.differential.jacobian)
         rank = min(self.differential.jacobian.shape)
-        # With fewer than six joints some directions are never moved: the weakest of the others.
+        # With fewer than six joints some directions are never moved: use the weakest of the others.
         velocity, turning = np.split(directions[:, rank - 1], 2)
         moves = float(np.linalg.norm(velocity)) >= _MOVES
         direction = velocity if moves else turning

@@ -1,7 +1,7 @@
-"""What would make poses reachable: the shortest shift, the smallest turn of the tool.
+"""Changes that make poses reachable: the shortest shift, the smallest rotation of the tool.
 
-Found by solving batches of poses, so joint limits count and every kind of arm is supported; results
-have been solved, not estimated.
+The search solves batches of poses, so joint limits count and every kind of arm is supported;
+results are solved, not estimated.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 FARTHEST = 1.5
-"""No shift beyond this [m] is proposed."""
+"""Largest shift [m] that is proposed."""
 _DIRECTIONS = 192
 _NEAR_RINGS = np.arange(0.01, 0.3, 0.01)
 _RINGS = np.concatenate([_NEAR_RINGS, np.arange(0.3, FARTHEST + 0.02, 0.03)])
@@ -38,14 +38,14 @@ _BATCH = 8192
 
 @value_class(frozen=True, slots=True)
 class ToolTurn:
-    """A turn of the tool about one of its axes through the TCP that makes the pose reachable."""
+    """Rotation of the tool about one of its axes through the TCP that makes the pose reachable."""
 
     axis: Literal["x", "y", "z"]
     degrees: float
 
 
 def reachable(robot: Robot, base_from_flange: Transform) -> Mask:
-    """Which of the poses (k,) the arm reaches within its limits, in any configuration."""
+    """Mask (k,) of the poses that the arm reaches within its limits, in any configuration."""
     found = []
     for first in range(0, len(base_from_flange), _BATCH):
         branches = robot.inverse(base_from_flange[first : first + _BATCH])
@@ -57,9 +57,9 @@ def reachable(robot: Robot, base_from_flange: Transform) -> Mask:
 
 
 def nearest_shift(robot: Robot, base_from_flange: Transform) -> Array | None:
-    """The shortest shift (3,) [m] in base after which the arm reaches all poses (k,).
+    """Return the shortest shift (3,) [m] in base after which the arm reaches all poses (k,).
 
-    None if no shift up to `FARTHEST` works. The shift is rounded to whole millimetres that work.
+    None if no shift up to `FARTHEST` works. The shift is rounded to millimetres and verified.
     """
     bad = np.flatnonzero(~reachable(robot, base_from_flange))
     if not bad.size:
@@ -83,7 +83,7 @@ def nearest_shift(robot: Robot, base_from_flange: Transform) -> Array | None:
 def least_turn(
     robot: Robot, base_from_tcp: Transform, tcp_from_flange: Transform
 ) -> ToolTurn | None:
-    """The smallest turn of the tool about its own z, x or y with which the arm reaches a pose."""
+    """Return the smallest rotation of the tool about its z, x or y that makes a pose reachable."""
     turns: list[ToolTurn] = []
     vectors: list[Array] = []
     for axis, largest in (("z", 180.0), ("x", _LARGEST_TILT), ("y", _LARGEST_TILT)):
@@ -100,20 +100,20 @@ def least_turn(
 
 
 def reason_with_lengths(robot: Robot, base_from_flange: Transform, reason: Unreachable) -> str:
-    """Why one pose cannot be reached, with the part of the arm that is too short or too long."""
+    """Reason why one pose is unreachable, with the part of the arm that is too short or long."""
     length = robot.kinematics.limiting_length(base_from_flange) if reason.joint is None else None
     return reason.message if length is None else f"{reason.message}: {length}"
 
 
 def _shifted(poses: Transform, shifts: Array) -> Transform:
-    """Poses (k,) by each of some shifts (m, 3): poses (m, k)."""
+    """Poses (m, k): poses (k,) shifted by each of the shifts (m, 3)."""
     translation = poses.translation[None] + shifts[:, None]
     rotation = np.broadcast_to(poses.rotation[None], (len(shifts), *poses.rotation.shape))
     return Transform(rotation, translation)
 
 
 def _all_reached(robot: Robot, poses: Transform, shifts: Array) -> Mask:
-    """After which of some shifts (m, 3) the arm reaches all poses (k,)."""
+    """Mask (m,) of the shifts (m, 3) after which the arm reaches all poses (k,)."""
     moved = _shifted(poses, shifts)
     count = len(shifts) * len(poses)
     flat = Transform(moved.rotation.reshape(count, 3, 3), moved.translation.reshape(count, 3))
@@ -122,7 +122,7 @@ def _all_reached(robot: Robot, poses: Transform, shifts: Array) -> Mask:
 
 
 def _search(robot: Robot, poses: Transform) -> Array | None:
-    """The shortest shift (3,) that brings a few poses into reach: rings, then directions."""
+    """Return the shortest shift (3,) that makes a few poses reachable: rings, then directions."""
     directions = _sphere(_DIRECTIONS)
     inside = 0.0
     for ring in _RINGS:
@@ -149,7 +149,7 @@ def _search(robot: Robot, poses: Transform) -> Array | None:
 def _shortest(
     robot: Robot, poses: Transform, directions: Array, inside: float, works: float
 ) -> Array:
-    """How short (m,) [m] a shift in each direction (m, 3) may be, by halving."""
+    """Shortest shift (m,) [m] in each direction (m, 3) that works, by bisection."""
     low, high = np.full(len(directions), inside), np.full(len(directions), works)
     for _ in range(_HALVINGS):
         middle = 0.5 * (low + high)
@@ -161,7 +161,7 @@ def _shortest(
 def _whole_millimetres(
     robot: Robot, poses: Transform, direction: Array, length: float
 ) -> Array | None:
-    """A shift of whole millimetres, each number of it rounded to a tenth, that still works."""
+    """Return a shift of whole millimetres, rounded to 0.1 mm per component, that works."""
     for extra in range(6):
         size = (math.ceil(1e3 * length - 1e-6) + extra) * 1e-3
         shift: Array = np.round(size * direction, 4)
@@ -171,7 +171,7 @@ def _whole_millimetres(
 
 
 def _sphere(count: int) -> Array:
-    """Directions (count + 6, 3) spread evenly, those of the axes first.
+    """Directions (count + 6, 3) spread evenly, preceded by those of the axes.
 
     Source:
         Swinbank, Purser (2006), Fibonacci grids: A novel approach to global modelling.
@@ -186,7 +186,7 @@ def _sphere(count: int) -> Array:
 
 
 def _tilted(direction: Array, angle: float) -> Array:
-    """Twelve directions around one, all tilted by the same angle [rad]."""
+    """Twelve directions around a direction, all tilted by the same angle [rad]."""
     across = np.cross(direction, np.eye(3)[int(np.abs(direction).argmin())])
     across /= np.linalg.norm(across)
     around = np.linspace(0.0, 2.0 * math.pi, 12, endpoint=False)[:, None]

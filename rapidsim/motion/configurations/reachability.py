@@ -1,4 +1,4 @@
-"""Why a pose cannot be reached: as a value with numbers, never NaN."""
+"""Reason why a pose is unreachable: as a value with numbers, never NaN."""
 
 from __future__ import annotations
 
@@ -14,34 +14,34 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 LIMIT_TOLERANCE = 1e-9
-"""A joint that turns counts as within its limits up to this [rad], for rounding."""
+"""Excess [rad] up to which a revolute joint counts as within its limits, for rounding."""
 POSE_TOLERANCE = radians(ROUNDED_POSE)
-"""A joint that turns may be past its limit by this [rad] at a pose of a program, with a warning."""
+"""Excess [rad] of a revolute joint that is accepted, with a warning, at a pose of a program."""
 SLIDING_TOLERANCE = radians(ROUNDED_AWAY)
-"""The same of a joint that slides, 0.05 mm: targets on top of its stroke are usual, and are written
-with as many digits as the way of the flange."""
+"""Tolerance of a sliding joint, 0.05 mm: targets at the top of its stroke are usual, and are
+written with as many digits as the position of the flange."""
 
 
 @value_class(frozen=True, slots=True)
 class Unreachable:
-    """What keeps an arm from a pose: its geometry, or the joint limit with the smallest excess."""
+    """Reason why a pose is unreachable: geometry, or the joint limit with the smallest excess."""
 
     shortfall: float
-    """How far [m] the wrist centre is outside what the arm can reach; 0 if a limit is the cause."""
+    """Distance [m] of the wrist centre from the workspace; 0 if a joint limit is the cause."""
     branch: int | None = None
-    """The branch that comes nearest to its limits; None if the geometry is the cause."""
+    """Branch with the smallest excess of limits; None if the geometry is the cause."""
     joint: int | None = None
-    """The joint that is furthest over on that branch, counted from 1."""
+    """Joint with the largest excess on that branch, counted from 1."""
     excess: float = 0.0
-    """How far [rad] that joint is above its upper limit, or, if negative, below its lower one."""
+    """Excess [rad] of that joint: positive above its upper limit, negative below its lower one."""
     measure: str = "deg"
     """RAPID's unit of that joint's values."""
     tilt: float = 0.0
-    """How far [rad] the orientation is from those that an arm with few axes can give."""
+    """Angle [rad] from the orientation to the nearest one that an arm with few axes can reach."""
     searched: bool = False
-    """Whether nothing was found by searching; shortfall and tilt are of the nearest found."""
+    """Whether a numerical search failed; shortfall and tilt are then of its nearest result."""
     beyond: float = 0.0
-    """How far [m] at least the flange is beyond the stretched arm, where that was searched."""
+    """Lower bound [m] of the distance of the flange from the stretched arm, if searched."""
 
     @property
     def message(self) -> str:
@@ -64,9 +64,9 @@ class Unreachable:
 
 
 def turns_within_limits(robot: Robot, joints: Array) -> Array:
-    """Joint vectors (..., n) [rad] with each joint in the whole turn closest to its range.
+    """Return joint vectors (..., n) [rad] with each joint in the whole turn closest to its range.
 
-    A joint still outside its range then has no turn within the limits.
+    A joint that is still outside its range has no turn within the limits.
     """
     endless = np.isinf(robot.lower) | np.isinf(robot.upper)
     lower, upper = (np.where(endless, 0.0, limits) for limits in (robot.lower, robot.upper))
@@ -75,17 +75,17 @@ def turns_within_limits(robot: Robot, joints: Array) -> Array:
 
 
 def limit_excess(robot: Robot, joints: Array) -> Array:
-    """By how much joint vectors (..., n) [rad] exceed limits: + above, - below, 0 within."""
+    """Excess of joint vectors (..., n) [rad] over the limits: + above, - below, 0 within."""
     return _excess(robot, joints, limit_tolerance(robot))
 
 
 def pose_excess(robot: Robot, joints: Array) -> Array:
-    """Like `limit_excess`, for joints at poses of programs, which are rounded."""
+    """Excess like `limit_excess`, for joints at poses of programs, which are rounded."""
     return _excess(robot, joints, pose_tolerance(robot))
 
 
 def _excess(robot: Robot, joints: Array, tolerance: Array) -> Array:
-    # What is over by more than is tolerated is over by all of it but rounding.
+    # An excess above the tolerance counts in full, apart from rounding.
     tolerated = tolerance - LIMIT_TOLERANCE
     above = joints - robot.upper - LIMIT_TOLERANCE
     below = robot.lower - joints - LIMIT_TOLERANCE
@@ -94,17 +94,17 @@ def _excess(robot: Robot, joints: Array, tolerance: Array) -> Array:
 
 
 def limit_tolerance(robot: Robot) -> Array:
-    """The tolerance of each joint limit (n,) [rad]."""
+    """Tolerance of each joint limit (n,) [rad]."""
     return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, LIMIT_TOLERANCE)
 
 
 def pose_tolerance(robot: Robot) -> Array:
-    """The tolerance of each joint limit (n,) [rad] for poses of programs."""
+    """Tolerance of each joint limit (n,) [rad] for poses of programs."""
     return np.where(robot.kinematics.slides, SLIDING_TOLERANCE, POSE_TOLERANCE)
 
 
 def programmed_excess(robot: Robot, joints: Array) -> Array:
-    """Like `limit_excess`, for axis positions written in programs, which are rounded."""
+    """Excess like `limit_excess`, for axis positions written in programs, which are rounded."""
     excess = limit_excess(robot, joints)
     return np.where(np.abs(excess) > robot.axes.tolerances[: joints.shape[-1]], excess, 0.0)
 
@@ -112,12 +112,12 @@ def programmed_excess(robot: Robot, joints: Array) -> Array:
 def unreachable_reason(
     robot: Robot, base_from_flange: Transform, branch: int | None = None
 ) -> Unreachable | None:
-    """Why one pose cannot be reached; None if it can.
+    """Return the reason why one pose is unreachable; None if it is reachable.
 
     Args:
         robot: The arm.
         base_from_flange: One pose.
-        branch: The only branch to consider; all if not given.
+        branch: The only branch to consider; None for all.
     """
     branches = robot.kinematics.inverse(base_from_flange)
     wanted = branches.exists.copy()
@@ -140,14 +140,14 @@ def unreachable_reason(
 
 
 def over_limit(robot: Robot, branch: int, excess: Array) -> Unreachable:
-    """The reason for a joint vector that exceeds limits (n,) [rad]: the worst of them."""
+    """Return the reason for a joint vector that exceeds limits (n,) [rad]: the largest excess."""
     joint = int(np.argmax(np.abs(excess)))
     measure = robot.axes.measure(joint)
     return Unreachable(0.0, branch, joint + 1, float(excess[joint]), measure)
 
 
 def _beyond(robot: Robot, base_from_flange: Transform) -> float:
-    """How far [m] at least a flange is beyond the stretched arm; 0 where formulas tell better."""
+    """Lower bound [m] of a flange's distance from the stretched arm; 0 if closed formulas exist."""
     if not isinstance(robot.kinematics, Numerical):
         return 0.0
     foot, longest = robot.kinematics.stretched
@@ -155,7 +155,7 @@ def _beyond(robot: Robot, base_from_flange: Transform) -> float:
 
 
 def _amount(value: float) -> str:
-    """One decimal, and for what that would call 0.0 the first digit that is not 0."""
+    """Format with one decimal, or with the first nonzero digit if that would read 0.0."""
     return f"{value:.1f}" if value >= 0.05 else f"{value:.1g}"
 
 

@@ -11,7 +11,7 @@ from rapidsim.motion.kinematics.arm import Kinematics
 
 
 def base_from_tcp(kinematics: Kinematics, joints: Array, tcp_from_flange: Transform) -> Transform:
-    """The TCP pose for joints (n,) [rad]."""
+    """Return the TCP pose for joints (n,) [rad]."""
     base_from_flange = kinematics.single.forward(joints.tolist())
     flange_from_tcp = rigid.inverse(rigid.from_transform(tcp_from_flange))
     return rigid.to_transform(rigid.composed(base_from_flange, flange_from_tcp))
@@ -24,7 +24,7 @@ def joints_on_branch(
     branch: int,
     near: list[float],
 ) -> list[float] | None:
-    """Joints [rad] that bring the TCP to a pose on a branch; None if it cannot get there.
+    """Return joints [rad] that bring the TCP to a pose on a branch; None if it is unreachable.
 
     Args:
         kinematics: The arm.

@@ -1,4 +1,4 @@
-"""SciPy's general-purpose solvers for one pose: slower than ours, as a second opinion.
+"""SciPy's general-purpose solvers for one pose: slower than our own, as a second opinion.
 
 The only module of this room that imports SciPy, and only when such a solver is requested.
 """
@@ -20,9 +20,9 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 METRES_PER_RADIAN = 0.3
-"""What a turn weighs against a way, so that both count alike at the size of an arm."""
+"""Weight of an angle against a distance, so that both count equally at the size of an arm."""
 TOLERANCE = 1e-6
-"""Way [m] and turn [rad] left at which a pose counts as reached."""
+"""Remaining distance [m] and angle [rad] at which a pose counts as reached."""
 MOST_STARTS = 12
 MOST_EVALUATIONS = 400
 
@@ -32,16 +32,16 @@ class SolverHistory:
     """The course of a search."""
 
     joints: Array
-    """Shape (n,) [rad]: the solution, or the nearest the search came."""
+    """Shape (n,) [rad]: the solution, or the nearest joints of the search."""
     solved: bool
     """Whether the pose is reached within the joint limits."""
     distance: float
-    """Way [m] left."""
+    """Remaining distance [m]."""
     angle: float
-    """Turn [rad] left."""
+    """Remaining angle [rad]."""
     starts: int
     iterations: int
-    """Steps of all starts; for `lm` SciPy counts evaluations only, and they stand here."""
+    """Steps of all starts; for `lm` evaluations, as SciPy does not count its steps."""
 
 
 def search(
@@ -54,7 +54,7 @@ def search(
         base_from_flange: One pose.
         method: `lm`, `trf` or `bfgs`. Only `trf` observes the limits during the search; results of
             the others are shifted by whole turns and then compared with them.
-        start: Joints (n,) [rad] to start from, before others are tried.
+        start: Joints (n,) [rad] to start from, before other starts.
     """
     run = METHODS[method]
     target = _Target(robot.kinematics, base_from_flange)
@@ -81,7 +81,7 @@ def search(
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Target:
-    """What is to become zero: twelve numbers, smooth everywhere, with their exact derivatives."""
+    """Residual of the search: twelve numbers, smooth everywhere, with their exact derivatives."""
 
     kinematics: Kinematics
     pose: Transform

@@ -1,4 +1,4 @@
-"""The joints at the end of a line on which no joint turns far, with a single solution."""
+"""End joints of a line on which no joint turns far, with a single IK solution."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from rapidsim.motion.configurations.scalar_inverse import joints_on_branch
 from rapidsim.motion.robot.robot import Robot
 
 _SHORT_TURN = 0.3
-"""A turn of a joint [rad] that cannot be a whole one less a bit."""
+"""Rotation [rad] of a joint too small to be a whole turn with a small difference."""
 
 
 def end_of_short_line(
     robot: Robot, near: Array, end: Transform, tcp_from_flange: Transform, branch: int
 ) -> Array | None:
-    """Joints (n,) [rad] at the end of a short line; None if it is not short, or exceeds limits.
+    """Return joints (n,) [rad] at the end of a short line; None if not short, or beyond limits.
 
-    No joint makes a whole turn on a straight line, so one that ends near its start has stayed near
-    it. Most moves of long programs are like that.
+    No joint makes a whole turn on a straight line, so a joint that ends near its start has stayed
+    near it. Most moves of long programs are short.
 
     Args:
         robot: The arm with its limits.

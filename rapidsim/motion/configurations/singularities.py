@@ -1,4 +1,4 @@
-"""The relation of joint speeds to TCP velocity, and where it breaks down: singularities.
+"""Relation of joint speeds to TCP velocity, and the singularities where it breaks down.
 
 Everything is based on the singular values of the Jacobian, which remain valid where it has no
 inverse. Its rows mix m/rad and rad/rad, as usual, so singular values compare poses of one arm, not
@@ -17,23 +17,23 @@ from rapidsim.motion.kinematics.singularity import Singularity
 from rapidsim.values import value_class
 
 SMALL_SINGULAR_VALUE = 1e-10
-"""Share of the largest singular value below which one counts as 0."""
+"""Share of the largest singular value below which a singular value counts as 0."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Differential:
-    """What follows from the Jacobian at one joint vector."""
+    """Jacobian at one joint vector, with the quantities derived from it."""
 
     jacobian: Array
-    """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s], of
-    a joint that slides [m/s]."""
+    """Shape (6, n): velocity [m/s] and angular velocity [rad/s] in base per joint speed [rad/s], or
+    [m/s] for a sliding joint."""
     singular_values: Array
-    """From the largest, shape (min(6, n),)."""
+    """Shape (min(6, n),), in falling order."""
     manipulability: float
     """Product of the singular values: 0 in a singularity."""
     rank: int
     singularities: tuple[Singularity, ...]
-    """Those that the arm has, with distances."""
+    """All singularities of the arm, with distances."""
 
     @property
     def near(self) -> tuple[str, ...]:
@@ -44,7 +44,7 @@ class Differential:
 def differential(
     kinematics: Kinematics, joints: Array, flange_from_tcp: Transform | None = None
 ) -> Differential:
-    """The Jacobian of the TCP at joints (n,) [rad], and quantities derived from it."""
+    """Return the Jacobian of the TCP at joints (n,) [rad], and quantities derived from it."""
     jacobian = tcp_jacobian(kinematics, joints, flange_from_tcp or Transform.identity())
     jacobian = per_metre(kinematics, jacobian)
     values: Array = np.linalg.svd(jacobian, compute_uv=False).astype(np.float64)
@@ -79,9 +79,9 @@ def rapid_speeds(kinematics: Kinematics, speeds: Array) -> Array:
 
 
 def pseudo_inverse(jacobian: Array) -> Array:
-    """The pseudo-inverse (..., n, 6) of Jacobians (..., 6, n), which gives the least joint speeds.
+    """The pseudo-inverse (..., n, 6) of Jacobians (..., 6, n), which has the least joint speeds.
 
-    Directions whose singular value counts as 0 are left out, so the result is finite at every
+    Directions whose singular value counts as 0 are omitted, so the result is finite at every
     singularity, where the textbook's (J'J)^-1 J' does not exist.
     """
     inverse = np.linalg.pinv(jacobian, rcond=SMALL_SINGULAR_VALUE).astype(np.float64)
@@ -89,7 +89,7 @@ def pseudo_inverse(jacobian: Array) -> Array:
 
 
 def joint_speeds(jacobian: Array, twist: Array) -> tuple[Array, Array]:
-    """Joint speeds for a twist.
+    """Return the joint speeds for a twist.
 
     Args:
         jacobian: Shape (..., 6, n).

@@ -1,4 +1,4 @@
-"""From RAPID's frames to the arm's: the one place that converts mm to m.
+"""Conversion from RAPID's frames to the arm's: the only module that converts mm to m.
 
 Below this module everything is in SI units; above it in RAPID's mm and degrees. The chains are
 
@@ -6,13 +6,13 @@ Below this module everything is in SI units; above it in RAPID's mm and degrees.
     base_from_world @ world_from_tcp @ tcp_from_object @ object_from_user @ user_from_flange
 
 for a tool held by the robot, and for a stationary tool with the work object held by the robot. A
-track moves the base in the world; a positioner moves the user frame. Where another robot carries
+track moves the base in the world; a positioner moves the user frame. If another robot holds
 the work object, its flange (tool0) is the user frame.
 
 Source: Technical reference manual RAPID Overview, "Coordinate systems"; data types tooldata and
     wobjdata: with `ufprog` FALSE the system defines the user frame. Application manual MultiMove,
     "Coordinated work objects". That the user frame of a robot is its flange is what programs for
-    such robots rely on, who put the tool of that robot into `oframe`.
+    such robots rely on, which put the tool of that robot into `oframe`.
 """
 
 from __future__ import annotations
@@ -50,12 +50,12 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 MM = 1e-3
-"""Metres in a millimetre."""
+"""Metres per millimetre."""
 
 TOLERATED_NORM_ERROR = 1e-4
-"""Quaternions are written with six or seven digits; within this the length is rounding."""
+"""Deviation of a norm that is rounding: quaternions are written with six or seven digits."""
 REFUSED_NORM_ERROR = 1e-2
-"""Beyond this the numbers are no orientation that anyone meant."""
+"""Deviation of a norm beyond which a quaternion cannot be meant as an orientation."""
 
 
 _ROW = np.zeros(1, dtype=np.int64)
@@ -63,18 +63,18 @@ _ROW = np.zeros(1, dtype=np.int64)
 
 @value_class(frozen=True, slots=True)
 class NotSimulatedFrame:
-    """A frame set-up that is not supported, and why."""
+    """An unsupported frame set-up, with the reason."""
 
     reason: str
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CarrierMotion:
-    """A robot that carries a work object along, and its way on one move of the team."""
+    """A robot that holds the work object of another, with its joints for one move of the team."""
 
     leader: CarrierRobot
     start: Array
-    """Its joints and external axes (l,) [rad, m] at the start of the move."""
+    """Joints and external axes (l,) [rad, m] of that robot at the start of the move."""
     end: Array
 
 
@@ -86,15 +86,16 @@ def carrier_motion(
     endpoints: tuple[Waypoint, Waypoint],
     own_external: int,
 ) -> CarrierMotion:
-    """The lead of a robot.
+    """Return the motion of the carrier of a robot's work object.
 
     Args:
-        number: Of the leader in the team.
-        robot: The leader.
-        base_from_world: Of the robot that is led, with all external axes at zero.
-        world_from_leader: The base of the leader, likewise.
-        endpoints: Where the leader's move starts and ends.
-        own_external: How many external axes the robot has that is led.
+        number: Index of the carrier in the team.
+        robot: The carrier.
+        base_from_world: Base of the robot whose work object is carried, with all external axes
+            at zero.
+        world_from_leader: Base of the carrier, with all external axes at zero.
+        endpoints: Start and end of the carrier's move.
+        own_external: Number of external axes of the robot whose work object is carried.
     """
     frame = (base_from_world.rotation, base_from_world.translation)
     on_track = [i for i, axis in enumerate(robot.external) if axis.carries == "robot"]
@@ -111,24 +112,24 @@ def carrier_motion(
 
 @value_class(frozen=True, eq=False)
 class Placement:
-    """How a pair of tool and work object places targets, with all external axes at zero."""
+    """Placement of targets by a tool and a work object, with all external axes at zero."""
 
     curve_from_object: Transform
     """base_from_object; for a stationary tool the identity, as curves are then in the object."""
     tcp_from_flange: Transform
-    """For a stationary tool object_from_flange."""
+    """tcp_from_flange; object_from_flange for a stationary tool."""
     carrier: Carrier | None = None
-    """None for the plain set-up: tool in the hand, robot and work object standing still."""
+    """None for the plain set-up: tool on the robot, base and work object stationary."""
     carrier_axes: tuple[Array, Array] | None = None
-    """The axes (l,) [rad, m] of the robot that carries the work object along, at the start and at
-    the end of the move; None where none does."""
+    """Axes (l,) [rad, m] of the robot that carries the work object along, at the start and at the
+    end of the move; None if no robot does."""
 
     @cached_property
     def _curve_from_object(self) -> rigid.Rigid:
         return rigid.from_transform(self.curve_from_object)
 
     def curve_from_tcp(self, target: RobTarget) -> Transform:
-        """The TCP pose of a target on a curve; its orientation may have any length but 0."""
+        """Return a target's TCP pose on a curve; its quaternion may have any norm but 0."""
         x, y, z = target.trans
         object_from_tcp = rigid.from_quaternion(target.rot, (x * MM, y * MM, z * MM))
         return rigid.to_transform(rigid.composed(self._curve_from_object, object_from_tcp))
@@ -136,7 +137,7 @@ class Placement:
     def base_from_flange(
         self, kinematics: Kinematics, curve_from_tcp: Transform, external: Array
     ) -> Transform:
-        """The flange pose for a TCP pose, with external axes (e,) [m or rad]."""
+        """Return the flange pose for a TCP pose, with external axes (e,) [m or rad]."""
         if self.carrier is None:
             return curve_from_tcp @ self.tcp_from_flange
         wide = self._wide(np.zeros(kinematics.joint_count), external)
@@ -146,9 +147,9 @@ class Placement:
     def standing_at(
         self, kinematics: Kinematics, joints: Array, external: Array, *, at_start: bool = False
     ) -> Transform:
-        """curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad].
+        """Return curve_from_tcp for joints (n,) [rad] and external axes (e,) [m or rad].
 
-        Where another robot carries the work object along, at the end of the move or at its start.
+        If another robot carries the work object along: for the end of the move, or for its start.
         """
         if self.carrier is None:
             return scalar_inverse.base_from_tcp(kinematics, joints, self.tcp_from_flange)
@@ -156,7 +157,7 @@ class Placement:
         return self._arms(kinematics).curve_from_tcp(wide, _ROW)[0]
 
     def base_from_tcp(self, kinematics: Kinematics, joints: Array, external: Array) -> Transform:
-        """The TCP pose in base for joints (n,) [rad] and external axes (e,) [m or rad]."""
+        """Return the TCP pose in base for joints (n,) [rad] and external axes (e,) [m or rad]."""
         wide = self._wide(joints, external)
         return self._arms(kinematics).base_from_tcp(wide, _ROW)[0]
 
@@ -178,14 +179,14 @@ def placement(
     world_from_user: Transform | None = None,
     lead: CarrierMotion | None = None,
 ) -> Placement | NotSimulatedFrame:
-    """The placement of targets for a tool and a work object.
+    """Return the placement of targets for a tool and a work object.
 
     Args:
         tool: The tool.
         wobj: The work object.
-        base_from_world: With all external axes at zero.
+        base_from_world: Base frame with all external axes at zero.
         external: The external axes.
-        world_from_user: Where another robot holds the work object's user frame at rest.
+        world_from_user: User frame of the work object, if another robot holds it at rest.
         lead: The robot that carries the work object along.
 
     Returns:
@@ -224,7 +225,7 @@ def placement(
 def standing_at(
     placements: Sequence[Placement], kinematics: Kinematics, standing: Sequence[Waypoint]
 ) -> Sequence[Transform]:
-    """curve_from_tcp of each row's tool and work object at the arm's current position."""
+    """Return curve_from_tcp of each row's tool and work object at the arm's current position."""
     if len(placements) == 1:
         at = standing[0]
         return [placements[0].standing_at(kinematics, at.joints, at.external, at_start=True)]
@@ -240,12 +241,12 @@ def standing_at(
 def world_from_base_at(
     external: Sequence[ExternalAxis], world_from_base: Transform, values: Array
 ) -> Transform:
-    """The base frame (k,) with external axes (k, e) [m or rad]: tracks move it.
+    """Return base frames (k,) for external axes (k, e) [m or rad]: tracks move the base.
 
     Args:
         external: The external axes.
         world_from_base: The base frame with all of them at zero.
-        values: Such as `Samples.external`.
+        values: External axes, as in `Samples.external`.
     """
     base_from_world = world_from_base.inverse()
     frame = (base_from_world.rotation, base_from_world.translation)
@@ -258,12 +259,12 @@ def world_from_base_at(
 def world_from_unit_at(
     external: Sequence[ExternalAxis], on_unit: Sequence[int], values: Array
 ) -> Transform:
-    """The frame (k,) carried by axes of a positioner, with external axes (k, e) [m or rad].
+    """Return the frame (k,) that axes of a positioner carry, with external axes (k, e) [m or rad].
 
     Args:
         external: The external axes.
-        on_unit: Positions of those axes, the outermost first; the frame is that of the last.
-        values: Such as `Samples.external`.
+        on_unit: Indices of those axes, the outermost first; the frame is that of the last.
+        values: External axes, as in `Samples.external`.
     """
     world = (np.eye(3), np.zeros(3))
     still = np.zeros_like(values)
@@ -277,7 +278,7 @@ def is_no_orientation(rotation: Orient) -> bool:
 
 
 def unit_of(wobj: WobjData, external: Sequence[ExternalAxis]) -> tuple[str, ...]:
-    """The declared mechanical unit that moves the user frame of a work object, if any."""
+    """Declared mechanical unit that moves the user frame of a work object; empty if none."""
     if wobj.ufprog:
         return ()
     names = dict.fromkeys(axis.unit for axis in external if axis.carries == "wobj")
@@ -285,36 +286,36 @@ def unit_of(wobj: WobjData, external: Sequence[ExternalAxis]) -> tuple[str, ...]
 
 
 def transform(pose: Pose) -> Transform:
-    """A frame [mm] as a transform [m]; the orientation is normalised."""
+    """Return a frame [mm] as a transform [m]; the orientation is normalised."""
     return Transform.from_quaternion(pose.rot, np.array(pose.trans) * MM)
 
 
 def pose(a_from_b: Transform) -> Pose:
-    """A transform [m] as a frame [mm]."""
+    """Return a transform [m] as a frame [mm]."""
     x, y, z = (a_from_b.translation / MM).tolist()
     return Pose(Pos(x, y, z), Orient(*a_from_b.quaternion.tolist()))
 
 
 def base_from_object(wobj: WobjData, base_from_world: Transform) -> Transform:
-    """The work object in the robot's base."""
+    """Return the frame of the work object in the robot's base."""
     return base_from_world @ transform(wobj.uframe) @ transform(wobj.oframe)
 
 
 def base_from_tcp(target: RobTarget, wobj: WobjData, base_from_world: Transform) -> Transform:
-    """The TCP pose of a target."""
+    """Return the TCP pose of a target."""
     object_from_tcp = transform(Pose(target.trans, target.rot))
     return base_from_object(wobj, base_from_world) @ object_from_tcp
 
 
 def tcp_from_flange(tool: ToolData) -> Transform:
-    """The inverse of the tool frame."""
+    """Return the inverse of the tool frame."""
     return transform(tool.tframe).inverse()
 
 
 def joints(target: JointTarget, kinematics: Kinematics) -> Array:
-    """Axis positions [deg, mm for a sliding axis] of a target as joints (n,) [rad].
+    """Return axis positions [deg, mm for a sliding axis] of a target as joints (n,) [rad].
 
-    The additional joint of seven-axis arms is `eax_a`; if that is not given, the joint is 0.
+    The additional joint of seven-axis arms is `eax_a`, or 0 if that is 9E9.
     """
     axes = np.array([*target.robax, _programmed(target.extax.eax_a)], dtype=np.float64)
     radians: Array = np.radians(axes[list(kinematics.rapid_axes)])
@@ -322,7 +323,7 @@ def joints(target: JointTarget, kinematics: Kinematics) -> Array:
 
 
 def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
-    """Joints (n,) [rad] as axis positions [deg, mm for a sliding one]; missing axes are 0."""
+    """Return joints (n,) [rad] as axis positions [deg, mm if sliding]; missing axes are 0."""
     axes = [0.0] * 7
     for axis, angle in zip(kinematics.rapid_axes, np.degrees(joints).tolist(), strict=True):
         axes[axis] = angle
@@ -332,9 +333,9 @@ def rob_joint(joints: Array, kinematics: Kinematics) -> RobJoint:
 def external_values(
     extax: ExtJoint, external: Sequence[ExternalAxis], near: Array
 ) -> tuple[Array, tuple[ExternalAxis, ...]]:
-    """External axes (e,) [m or rad] of a target, and those for which it gives no value.
+    """Return external axes (e,) [m or rad] of a target, and the axes for which it has no value.
 
-    The latter keep their values in `near` (e,).
+    Axes without a value keep that in `near` (e,).
     """
     values, missing = near.copy(), []
     for i, axis in enumerate(external):
@@ -347,11 +348,11 @@ def external_values(
 
 
 def ext_joint(values: Array, external: Sequence[ExternalAxis]) -> ExtJoint:
-    """External axes (e,) [m or rad] in RAPID's form; axes that do not exist are 9E9."""
+    """Return external axes (e,) [m or rad] in RAPID's form; axes that do not exist are 9E9."""
     given = {a.component: single(float(v) * a.scale) for a, v in zip(external, values, strict=True)}
     return NO_EXTERNAL_AXES._replace(**given)
 
 
 def _programmed(external_axis: float) -> float:
-    """An external axis, 0 where it is 9E9: not programmed."""
+    """Return the value of an external axis, 0 if it is 9E9 (not programmed)."""
     return 0.0 if external_axis >= UNUSED_AXIS else external_axis

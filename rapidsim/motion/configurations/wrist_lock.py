@@ -25,7 +25,7 @@ _ARRIVED = 1e-10
 def lock_axis_4(
     kinematics: Kinematics, base_from_tcp: Transform, tcp_from_flange: Transform, near: Array
 ) -> Array | None:
-    """Joints (6,) [rad] with axis 4 locked that bring the TCP to its position.
+    """Return joints (6,) [rad] with axis 4 locked that bring the TCP to its position.
 
     Args:
         kinematics: A six-axis arm.
@@ -34,7 +34,7 @@ def lock_axis_4(
         near: Joints (6,) [rad] that reach the pose; axis 4 goes to the closest half turn.
 
     Returns:
-        None if the position cannot be reached like this.
+        The joints; None if the position is unreachable with the axis locked.
     """
     joints = near.copy()
     joints[AXIS_4] = np.pi * np.round(near[AXIS_4] / np.pi)
@@ -48,7 +48,7 @@ def lock_axis_4(
         turning = jacobian[3:]
         lever = tcp.translation - flange.translation
         moving = jacobian[:3] + cross(turning.T, np.broadcast_to(lever, (6, 3))).T
-        # The main axes make good for what the wrist does to the place of the TCP.
+        # The main axes compensate the effect of the wrist on the position of the TCP.
         by_main = np.linalg.pinv(moving[:, _MAIN])
         reachable = turning[:, _WRIST] - turning[:, _MAIN] @ by_main @ moving[:, _WRIST]
         wanted = tilt - turning[:, _MAIN] @ by_main @ miss

@@ -1,4 +1,4 @@
-"""The shape of corner paths: how the curve before fades out and the one after fades in.
+"""Shape of corner paths: the fade-out of the curve before and the fade-in of the one after.
 
 Everything here works on columns of NumPy arrays and, compiled, on single numbers; see
 `line_formulas`.
@@ -16,25 +16,27 @@ Three = tuple[Array, Array, Array]
 
 
 C2, PARABOLA, MEASURED = 0, 1, 2
-"""Shapes by number, as compiled code knows them; names are those of `MotionModel.corner`."""
+"""Numbers of the shapes in compiled code; the names are those of `MotionModel.corner`."""
 CODES = MappingProxyType({"c2": C2, "parabola": PARABOLA, "abb": MEASURED})
 KNEE = 1.0 / 3.0
-"""Where phi'' of `abb` bends: a third of the corner from either end."""
+"""Parameter at which phi'' of `abb` has a kink: a third of the corner from either end."""
 
 
 def smooth(t: Array) -> Three:
-    """Phi of `c2` and its first two derivatives at t in 0..1."""
+    """Return phi of `c2` and its first two derivatives at t in 0..1."""
     square = t * t
     return square * t * (2.0 - t), square * (6.0 - 4.0 * t), 12.0 * t * (1.0 - t)
 
 
 def parabola(t: Array) -> Three:
-    """Phi of `parabola` likewise."""
+    """Return phi of `parabola` and its first two derivatives at t in 0..1."""
     return t * t, 2.0 * t, 0.0 * t + 2.0
 
 
 def measured(t: Array) -> Three:
-    """Phi of `abb` likewise: phi'' rises from 1 to 5/2, is constant in the middle third, and falls.
+    """Return phi of `abb` and its first two derivatives at t in 0..1.
+
+    phi'' rises from 1 to 5/2, is constant in the middle third, and falls.
 
     Source: free fits to slow corners of a virtual controller, accurate to 30 um.
     """
@@ -53,13 +55,13 @@ def corner_sides(
     radius: Array,
     length: Array,
 ) -> tuple[Three, Three]:
-    """The points on the two curves that a corner path blends, with both derivatives.
+    """Return the points on the two curves that a corner path blends, with both derivatives.
 
     Args:
         shape: One of the numbers above.
         past: Distance past the middle of the corner [m], negative before.
         radius: Radius of the corner [m].
-        length: Length of the curve before it [m].
+        length: Length of the curve before the corner [m].
     """
     t = np.minimum(np.maximum((past + radius) / (2.0 * radius), 0.0), 1.0)
     if shape == MEASURED:
@@ -76,4 +78,4 @@ def corner_sides(
 
 
 COMPILED = (smooth, parabola, measured, corner_sides)
-"""All functions, each after those that it calls."""
+"""All functions, each after its callees."""

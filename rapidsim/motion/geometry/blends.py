@@ -1,4 +1,4 @@
-"""Corner paths: how far around each programmed point the arm leaves the programmed curves.
+"""Corner paths: the distance around each programmed point over which the curves are left.
 
 A corner path replaces the last `radius` of one curve and the first `radius` of the next. It adds
 the two curves' deviations from the corner, slowed down by a shape phi with phi(0) = phi'(0) = 0,
@@ -34,7 +34,7 @@ _ZONE_ROUNDS = 4
 
 
 class Limit(IntEnum):
-    """What determined the radius of a corner."""
+    """Cause that determined the radius of a corner."""
 
     ZONE = 0
     HALF = 1
@@ -46,17 +46,17 @@ class Limit(IntEnum):
 
 @value_class(frozen=True, slots=True)
 class Corner:
-    """The corner at the end of a segment, as planned."""
+    """The planned corner at the end of a segment."""
 
     radius: float
-    """Radius [m] around the programmed point in which the corner path runs; 0 if there is none, or
-    if the TCP stands and only turns."""
+    """Radius [m] of the corner path around the programmed point; 0 if there is no corner path, or
+    if the TCP position is constant and only its orientation changes."""
     in_joints: bool
     """Whether the corner path is made in joint space."""
     stops: bool
-    """Whether the arm comes to rest at the programmed point."""
+    """Whether the arm comes to a stop at the programmed point."""
     reason: str
-    """Why the zone was reduced or the arm stops; empty where the zone is as programmed."""
+    """Reason why the zone was reduced or the arm stops; empty if the zone is as programmed."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -64,9 +64,10 @@ class Corners:
     """Corners between curves; row c is between curves c and c + 1, shapes (m - 1,)."""
 
     radius: Array
-    """In units of the path parameter, for the position or for the joints."""
+    """Radius for the position or the joints, in units of the path parameter."""
     orientation_radius: Array
-    """The same for the orientation and external axes; 0 where nothing of them moves."""
+    """Radius for the orientation and external axes, in units of the path parameter; 0 if these do
+    not move."""
     in_joints: npt.NDArray[np.bool_]
     limit: npt.NDArray[np.int64]
     """Values of `Limit`."""
@@ -126,7 +127,7 @@ def corners_of(
     shorter = np.minimum(curves.length[into], curves.length[out])
     none = stop | turn_only | (radius < np.minimum(_SMALLEST_RADIUS, _SMALLEST_SHARE * shorter))
     limit = np.where(stop, Limit.STOP_POINT, np.where(turn_only, Limit.TURN_ONLY, limit))
-    # Where joints tell the pose of the TCP and not the other way round.
+    # Where the joints determine the pose of the TCP and not vice versa.
     jointed = curves.in_joints | arms.wrist_rows | arms.pair_rows
     in_joints = jointed[into] | jointed[out] | _tool_changes(segments, arms.tcp_from_flange)
     return Corners(
@@ -156,7 +157,7 @@ def without_skipped(corners: Corners, active: Index) -> Corners:
 def describe(
     limit: Limit, programmed: float, radius: float, angle: float, turned: float, *, stops: bool
 ) -> str:
-    """Why a corner is not as programmed; empty if it is.
+    """Reason why a corner is not as programmed; empty if it is.
 
     Args:
         limit: What determined the radius.
@@ -164,7 +165,7 @@ def describe(
         radius: Radius used [m].
         angle: Zone for reorientation [rad].
         turned: The larger reorientation of the two moves at the corner [rad].
-        stops: Whether the arm comes to rest.
+        stops: Whether the arm stops.
     """
     if limit is Limit.ZONE and not stops:
         return ""
@@ -217,10 +218,10 @@ def _zone_on_curve(
 
 
 def _share_of_turns(segments: Sequence[Segment], curves: Curves, turned: Array, side: int) -> Array:
-    """The share (m - 1,) of the curve before or after each corner that its angles allow.
+    """Return the share (m - 1,) of the curve before or after each corner that its angles allow.
 
-    It is the least that the zones for reorientation, for linear and for rotating external axes
-    leave of what moves; `turned` (m,) [rad] is the reorientation.
+    It is the minimum over the zones for reorientation, for linear and for rotating external axes,
+    of whatever moves; `turned` (m,) [rad] is the reorientation.
     """
     count = len(segments) - 1
     rows = slice(side, count + side)
@@ -245,14 +246,14 @@ def _zone_on_joint_moves(
     *,
     at_end: bool,
 ) -> Array:
-    """How far (k,) along joint moves the TCP stays within a distance (k,) [m] of their end."""
+    """Distance (k,) along joint moves for which the TCP stays within (k,) [m] of the end."""
     moves = [segments[i] for i in row]
     travel = curves.joint_travel[row]
     arms = arms_of(moves, kinematics, travel, np.ones(len(row)))
     corner = (curves.end if at_end else curves.start).translation[row]
 
     def distance(share: Array) -> Array:
-        """TCP distance (k, j) from the corner at shares (k, j) of the move, counted from it."""
+        """TCP distances (k, j) from the corner at shares (k, j) of the move, counted from it."""
         along = 1.0 - share if at_end else share
         joints = curves.start_joints[row, None] + along[..., None] * travel[:, None]
         number = np.repeat(np.arange(len(row)), share.shape[1])
@@ -270,7 +271,7 @@ def _zone_on_joint_moves(
     for _ in range(_ZONE_ROUNDS):
         step = (high - low) / _ZONE_PARTS
         inner = low[:, None] + step[:, None] * np.arange(1, _ZONE_PARTS)
-        # How many of the inner places come before the first outside.
+        # Number of inner points before the first one outside.
         passed = (distance(inner) <= position[:, None]).cumprod(axis=1).sum(axis=1)
         low, high = low + step * passed, low + step * (passed + 1)
     zone: Array = np.where(leaves, low, np.inf) * curves.length[row]
@@ -278,7 +279,7 @@ def _zone_on_joint_moves(
 
 
 def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> npt.NDArray[np.bool_]:
-    """Whether the corner after each segment but the last joins different tools."""
+    """Mask of the corners, after each segment but the last, that join different tools."""
     rotation, translation = tcp_from_flange.rotation, tcp_from_flange.translation
     other = (rotation[1:] != rotation[:-1]).any(axis=(1, 2))
     other |= (translation[1:] != translation[:-1]).any(axis=1)
@@ -288,5 +289,5 @@ def _tool_changes(segments: Sequence[Segment], tcp_from_flange: Transform) -> np
 
 
 def describe_stop(limit: Limit) -> str:
-    """Why the arm stops at a segment end where no corner was planned."""
+    """Reason why the arm stops at a segment end where no corner was planned."""
     return describe(limit, 0.0, 0.0, 0.0, 0.0, stops=True)

@@ -1,4 +1,4 @@
-"""The programmed curves of segments, before corners cut them: TCP poses and derivatives.
+"""Programmed curves of segments, without corners: TCP poses and derivatives.
 
 The parameter x of a curve runs from 0 to its length. For a curve that moves the TCP the length is
 the TCP's travel [m]. For one that only turns it, the length is the distance that the TCP would
@@ -30,18 +30,18 @@ from rapidsim.values import value_class
 Index = npt.NDArray[np.int64]
 
 STANDSTILL = 1e-9
-"""Travel [m] and turn [rad] below which nothing has moved."""
+"""Travel [m] and rotation [rad] below which nothing has moved."""
 _TURN_ONLY_TRAVEL = 1e-5
 _TURN_ONLY_ANGLE = 1e-3
 _IDLE_TCP_SPEED = 0.001
-"""Speeds for axes alone, such as vrot10, have no TCP speed [m/s]."""
+"""TCP speed [m/s] for speeds of axes alone, such as vrot10, which have no TCP speed."""
 _TRAVEL_SAMPLES = 32
 _SHORTEST_CIRCLE_SIDE = 1e-4
 _LONGEST_CIRCLE_SIDE = 1e3
-"""[m]; no arm has such points, and their circles have no digits left."""
+"""[m]; no arm has points so far apart, and their circles have no significant digits."""
 _WIDEST_ARC = math.radians(240.0)
 _ONE_WAY_ONLY = math.radians(90.0)
-"""Below this nobody means the long way round, which would be three quarters of a turn."""
+"""Rotation [rad] below which the tool takes the short turn: the long one would be 270 deg."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -49,49 +49,50 @@ class Curves:
     """Curves of segments, one per row; shapes (m,), (m, 3) and (m, 3, 3)."""
 
     in_joints: npt.NDArray[np.bool_]
-    """Whether the curve is straight in joint space; then only its joints count."""
+    """Whether the curve is straight in joint space; then only its joints are used."""
     length: Array
     """Range of x [m]."""
     travel: Array
-    """Way of the TCP [m]."""
+    """Path length [m] of the TCP."""
     angle: Array
     """Reorientation from start to end [rad]."""
     turned: Array
-    """The same, or the largest joint travel of a joint move, which may turn and end as it began."""
+    """Reorientation [rad]; for a joint move at least its largest joint travel, as a move may turn
+    and end in its start orientation."""
     turns_only: npt.NDArray[np.bool_]
-    """Whether the TCP stays where it is while something moves: by less than a robtarget's digit."""
+    """Whether the TCP rests (to within a digit of a robtarget) while something moves."""
     external: Array
-    """Way of each external axis (m, e), without sign [m or rad]."""
+    """Travel of each external axis (m, e), without sign [m or rad]."""
     start: Transform
     """base_from_tcp."""
     end: Transform
     chord: Array
-    """From start to end of a line; 0 for arcs."""
+    """Vector from start to end of a line; 0 for arcs."""
     spoke: Array
-    """From the centre to the start of an arc; 0 for lines."""
+    """Vector from the centre to the start of an arc; 0 for lines."""
     frame_turn: Array
     """Rotation vector of the spoke over the whole arc; 0 for lines."""
     carried_turn: Array
-    """How far the path's own frame takes the tool along: `frame_turn`, or 0 where the tool turns
-    as on a line."""
+    """Rotation vector by which the path's own frame turns the tool: `frame_turn`, or 0 if the tool
+    turns as on a line."""
     tool_turn: Array
     """Rotation vector of the tool relative to the path's own frame over the whole curve."""
     detour: Array
-    """Rotation vector by which the tool leaves that turn, four times at the middle and not at the
-    ends, to come through the orientation of the circle point; 0 where it need not."""
+    """Rotation vector of the tool's deviation from that turn, which is `detour * x * (1 - x)` at
+    share x of the arc, to pass through the orientation of the circle point; 0 if not needed."""
     start_joints: Array
     """Shape (m, n + e): the joints of the arm, then the external axes."""
     joint_travel: Array
-    """Shape (m, n + e): those at the end less those at the start."""
+    """Shape (m, n + e): end joints minus start joints."""
 
     def joints_at(self, row: Index, x: Array) -> Array:
-        """Joints (k, n + e) at x (k,) on curves that are straight in joint space."""
+        """Return joints (k, n + e) at x (k,) on curves that are straight in joint space."""
         share = x / np.maximum(self.length[row], STANDSTILL)
         joints: Array = self.start_joints[row] + share[:, None] * self.joint_travel[row]
         return joints
 
     def at(self, row: Index, x: Array) -> Twists:
-        """TCP motion at x (k,) on curves (k,) that are lines or arcs."""
+        """Return the TCP motion at x (k,) on curves (k,) that are lines or arcs."""
         scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
         share = (x * scale)[:, None]
         frame_turn = self.frame_turn[row]
@@ -117,7 +118,7 @@ class Curves:
         )
 
     def velocity(self, row: Index, x: Array) -> Array:
-        """Only the velocity (k, 3) of `at`."""
+        """Return only the velocity (k, 3) of `at`."""
         scale = 1.0 / np.maximum(self.length[row], STANDSTILL)
         velocity: Array = self.chord[row] * scale[:, None]
         frame_turn = self.frame_turn[row]
@@ -127,7 +128,7 @@ class Curves:
         return velocity
 
     def _orientation(self, row: Index, share: Array, scale: Array) -> Twists:
-        """How the tool turns on arcs (k,): three turns one within the other."""
+        """Return the rotation of the tool on arcs (k,), composed of three rotations."""
         still = np.zeros((len(row), 3))
         bulge, steepness = share * (1.0 - share), 1.0 - 2.0 * share
         turned = None
@@ -183,7 +184,7 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
     of_arm, external = np.split(np.abs(joint_travel), [kinematics.joint_count], axis=1)
     turned = np.maximum(angle, of_arm.max(axis=-1, initial=0.0) * in_joints)
     idle = (travel < _TURN_ONLY_TRAVEL) & (turned > _TURN_ONLY_ANGLE)
-    # What the TCP would travel at its programmed speed while the slowest of the others moves.
+    # Distance that the TCP would travel at its programmed speed while the slowest other axis moves.
     tcp_speed = np.maximum([segment.speed.tcp for segment in segments], _IDLE_TCP_SPEED)
     meanwhile = turned * tcp_speed / [segment.speed.reorientation for segment in segments]
     if external.shape[1]:
@@ -213,14 +214,14 @@ def curves_of(segments: Sequence[Segment], kinematics: Kinematics) -> Curves:
 
 
 def unsupported(kinematics: Kinematics) -> str | None:
-    """Why lines and arcs cannot be simulated; None if they can."""
+    """Reason why lines and arcs cannot be simulated; None if they can."""
     if kinematics.joint_count > 6:
         return "lines and arcs of arms with more than six axes are not simulated"
     return None
 
 
 def circle_fault(segment: Segment) -> str | None:
-    """Why the circle of an arc is ill-defined; None if it is not.
+    """Reason why the circle of an arc is ill-defined; None if it is well-defined.
 
     Source: the controller's event 50063 lists these cases; the thresholds are estimates.
     """
@@ -258,7 +259,7 @@ def _circle_points(segment: Segment) -> tuple[Array, Array, Array]:
 
 
 def _circle(segment: Segment) -> tuple[Array, Array]:
-    """Spoke from the centre to the start, and rotation vector of the spoke over the arc."""
+    """Return the spoke from centre to start, and the rotation vector of the spoke over the arc."""
     start, via, end = _circle_points(segment)
     a, b = via - start, end - start
     normal = np.cross(a, b)
@@ -272,7 +273,7 @@ def _circle(segment: Segment) -> tuple[Array, Array]:
 
 
 def _share_of_circle_point(segment: Segment, spoke: Array, frame_turn: Array) -> float:
-    """The share of the arc at which its circle point lies."""
+    """Return the share of the arc at which its circle point lies."""
     start, via, _ = _circle_points(segment)
     whole = float(np.linalg.norm(frame_turn))
     axis, to_via = frame_turn / whole, via - start + spoke
@@ -283,7 +284,7 @@ def _share_of_circle_point(segment: Segment, spoke: Array, frame_turn: Array) ->
 def _turns_on_arc(
     arc: Segment, spoke: Array, frame_turn: Array, carried_turn: Array
 ) -> tuple[Array, Array]:
-    """How the tool turns beside what carries it, and its detour; see `Curves`."""
+    """Return the tool's rotation relative to its carrying frame, and its detour; see `Curves`."""
     start, detour = arc.start.base_from_tcp.rotation, np.zeros(3)
     tool_turn = vector_from_rotation(
         rotation_from_vector(-carried_turn) @ arc.end.base_from_tcp.rotation @ start.T
@@ -300,15 +301,15 @@ def _turns_on_arc(
 
 
 def _turn_by_circle_point(short_turn: Array, share: float, wanted: Array) -> Array:
-    """The tool's turn (3,) relative to the path's frame: the short way, or the long way round.
+    """Return the tool's turn (3,) relative to the path's frame: the short or the long one.
 
-    Half a circle with the same orientation at both ends turns the tool by half a turn against the
-    path's frame, and either way would do. The orientation of the circle point says which is meant.
+    Half a circle with equal orientations at both ends turns the tool by half a turn against the
+    path's frame, so both turns are possible. The orientation of the circle point decides.
 
     Args:
-        short_turn: The short way.
-        share: Where the circle point is on the arc.
-        wanted: Turn of the tool there, relative to the path's frame.
+        short_turn: The short turn.
+        share: Share of the arc at which the circle point lies.
+        wanted: Turn of the tool at the circle point, relative to the path's frame.
     """
     short = float(np.linalg.norm(short_turn))
     if short < _ONE_WAY_ONLY:
@@ -324,7 +325,7 @@ def _turn_by_circle_point(short_turn: Array, share: float, wanted: Array) -> Arr
 def _joint_move_travel(
     segments: Sequence[Segment], kinematics: Kinematics, start_joints: Array, joint_travel: Array
 ) -> Array:
-    """TCP travel (m,) [m] of moves that are straight in joint space, against the work object."""
+    """Return the TCP travel (m,) [m] of joint-space moves, relative to the work object."""
     count = _TRAVEL_SAMPLES + 1
     share = np.linspace(0.0, 1.0, count)[None, :, None]
     joints = (start_joints[:, None, :] + share * joint_travel[:, None, :]).reshape(
@@ -341,11 +342,11 @@ def _joint_move_travel(
 
 
 def _ends(segments: Sequence[Segment]) -> tuple[Transform, Transform, Array, Array]:
-    """Poses (m,) at starts and ends, joints (m, n + e) at starts and ends."""
+    """Return poses (m,) at starts and ends, and joints (m, n + e) at starts and ends."""
     points = [segments[0].start, *(segment.end for segment in segments)]
     starts, ends = slice(0, -1), slice(1, None)
     if any(one.start is not point for one, point in zip(segments, points, strict=False)):
-        # Not one row of points, in which each end is the next start.
+        # Segments are not consecutive: some start differs from the previous end.
         points[:1] = [segment.start for segment in segments]
         starts, ends = slice(0, len(segments)), slice(len(segments), None)
     poses = Transform(

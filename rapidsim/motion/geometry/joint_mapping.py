@@ -1,14 +1,14 @@
-r"""From curves to joints: joints and their derivatives from the motion of the TCP.
+r"""Mapping from curves to joints: joints and their derivatives from the motion of the TCP.
 
 The flange pose follows from the curve through whatever holds or carries tool and work object:
 
     base_from_flange = base_from_curve @ curve_from_tcp @ tcp_from_flange            tool held
     base_from_flange = base_from_tool @ object_from_tcp^-1 @ object_from_flange     stationary tool
 
-where tracks, positioners and robots that carry a work object move base_from_curve and
-base_from_tool. With SingArea \Wrist the wrist
-axes are interpolated instead, and the first three axes keep the TCP on its curve. With CirPathMode
-\Wrist45 and the like, two wrist axes lead the tool along an arc (`wrist_pair`).
+if tracks, positioners and robots that carry a work object move base_from_curve and base_from_tool.
+With SingArea \Wrist the wrist axes are interpolated instead, and the first three axes keep the TCP
+on its curve. With CirPathMode \Wrist45 and the like, two wrist axes guide the tool along an arc
+(`wrist_pair`).
 
 Joint vectors here are wide: the n joints of the arm, then e external axes. The axes of robots that
 carry a work object (`CarrierRobot`) count as external axes.
@@ -42,7 +42,7 @@ _BY_MAIN_AXES, _BY_PAIR = -1, -2
 
 @dataclass(frozen=True, eq=False)
 class JointMapper:
-    """The relation of TCP poses on curves to flange poses, one row per curve."""
+    """Relation of TCP poses on curves to flange poses, one row per curve."""
 
     kinematics: Kinematics
     branch: Index
@@ -50,24 +50,24 @@ class JointMapper:
     tcp_from_flange: Transform
     """Shape (m,)."""
     carriers: tuple[Carrier | None, ...] = ()
-    """One a curve; empty where no curve has one."""
+    """One per curve, None for a curve without carrier; empty if no curve has one."""
     turned_rows: Mask | None = None
-    """Shape (m,): the curves on which the wrist turns in joints; None where no curve does."""
+    """Shape (m,): the curves whose wrist axes are interpolated; None if there are none."""
     wrist_rate: Array | None = None
-    """Shape (m, n - 3): wrist joints per unit of the curve's parameter [rad/m], for those."""
+    """Shape (m, n - 3): wrist joints per unit of the parameter of those curves [rad/m]."""
     pairs: WristPairs | None = None
-    """The wrist axes that lead arcs; None where none does."""
+    """Wrist axes that guide the tool along arcs; None if there are none."""
 
     @cached_property
     def wrist_rows(self) -> Mask:
-        """Shape (m,): the curves on which the wrist axes are interpolated."""
+        """Shape (m,): curves on which the wrist axes are interpolated."""
         if self.turned_rows is None:
             return np.zeros(len(self.branch), dtype=bool)
         return self.turned_rows
 
     @cached_property
     def pair_rows(self) -> Mask:
-        """Shape (m,): the arcs led by two wrist axes."""
+        """Shape (m,): arcs along which two wrist axes guide the tool."""
         if self.pairs is None:
             return np.zeros(len(self.branch), dtype=bool)
         led: Mask = self.pairs.axes[:, 0] >= 0
@@ -75,15 +75,15 @@ class JointMapper:
 
     @cached_property
     def carried_rows(self) -> Mask:
-        """Shape (m,): the curves with a carrier."""
+        """Shape (m,): curves with a carrier."""
         carriers = self.carriers or (None,) * len(self.branch)
         return np.array([carrier is not None for carrier in carriers], dtype=bool)
 
     def joints(self, motion: Twists, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n + e) for TCP poses (k,) on curves (k,), and whether the branch reaches them.
+        """Return joints (k, n + e) for TCP poses (k,) on curves (k,), and a mask of reachable rows.
 
-        Rows that it does not reach contain `near` (k, n + e). External axes and interpolated wrist
-        axes are those of `near`. Where two wrist axes lead, only the position of the TCP counts.
+        Unreachable rows contain `near` (k, n + e). External axes and interpolated wrist axes are
+        copied from `near`. On arcs with a wrist pair only the position of the TCP is used.
         """
         n = self.kinematics.joint_count
         base_from_flange = self.base_from_flange(motion, row, near)
@@ -109,7 +109,7 @@ class JointMapper:
     def rates(
         self, motion: Twists, row: Index, course: ExternalCourse, near: Array
     ) -> tuple[Array, Array, Array]:
-        """Joints (k, n + e) for a TCP motion (k,) on curves (k,), and their derivatives."""
+        """Return joints (k, n + e) for a TCP motion (k,) on curves (k,), and their derivatives."""
         n = self.kinematics.joint_count
         joints, _ = self.joints(motion, row, near)
         first, second = np.empty_like(joints), np.empty_like(joints)
@@ -126,9 +126,9 @@ class JointMapper:
         return joints, first, second
 
     def base_from_flange(self, motion: Twists, row: Index, joints: Array) -> Transform:
-        """Flange poses (k,) from TCP poses on curves.
+        """Return flange poses (k,) for TCP poses on curves.
 
-        Of `joints` (k, n + e) only the external axes count.
+        Only the external axes of `joints` (k, n + e) are used.
         """
         if not self.carried_rows[row].any():
             return motion.base_from_tcp @ self.tcp_from_flange[row]
@@ -136,7 +136,7 @@ class JointMapper:
         return self._flange(motion, row, course).base_from_tcp
 
     def base_from_tcp(self, joints: Array, row: Index) -> Transform:
-        """TCP poses in base for joints (k, n + e) on curves (k,)."""
+        """Return TCP poses in base for joints (k, n + e) on curves (k,)."""
         n = self.kinematics.joint_count
         base_from_tcp = self.kinematics.forward(joints[:, :n]) @ self._flange_from_tcp[row]
         for i in np.unique(row[self.carried_rows[row]]):
@@ -149,7 +149,7 @@ class JointMapper:
         return base_from_tcp
 
     def curve_from_tcp(self, joints: Array, row: Index) -> Transform:
-        """TCP poses on curves for joints (k, n + e); in base where nothing is carried."""
+        """Return TCP poses on curves for joints (k, n + e); in base if nothing is carried."""
         if not self.carried_rows[row].any():
             return (
                 self.kinematics.forward(joints[:, : self.kinematics.joint_count])
@@ -158,9 +158,9 @@ class JointMapper:
         return self.curve_motion(joints, np.zeros_like(joints), row).base_from_tcp
 
     def curve_motion(self, joints: Array, first: Array, row: Index) -> Twists:
-        """Motion of the TCP on its curves from joints and rates (k, n + e), without accelerations.
+        """Return the TCP motion on curves from joints and rates (k, n + e), without accelerations.
 
-        With the tool held by a stationary robot this is the motion in base.
+        If a stationary robot holds the tool, this is the motion in base.
         """
         n = self.kinematics.joint_count
         flange = self.kinematics.forward(joints[:, :n])
@@ -183,7 +183,7 @@ class JointMapper:
         return self.tcp_from_flange.inverse()
 
     def _flange(self, motion: Twists, row: Index, course: ExternalCourse) -> Twists:
-        """Motion of the flange in base, from motions of the TCP (k,) on curves (k,)."""
+        """Return flange motions in base for TCP motions (k,) on curves (k,)."""
         rows = np.unique(row[self.carried_rows[row]])
         if len(rows):
             motion = motion[:]
@@ -197,7 +197,7 @@ class JointMapper:
         return motion.before(self.tcp_from_flange[row])
 
     def _rates_of_all(self, joints: Array, flange: Twists, row: Index) -> tuple[Array, Array]:
-        """Joint rates and their change (k, n) where the whole pose is given."""
+        """Return joint rates and accelerations (k, n) for the motion of the whole pose."""
         del row
         twist = np.concatenate([flange.velocity, flange.turning], axis=-1)
         change = np.concatenate([flange.acceleration, flange.turning_change], axis=-1)
@@ -206,7 +206,7 @@ class JointMapper:
         return first, _solve(jacobian, change - _drift(self.kinematics, joints, jacobian, first))
 
     def _rates_with_wrist(self, joints: Array, flange: Twists, row: Index) -> tuple[Array, Array]:
-        """Joint rates and their change (k, n) where the TCP and the turn of the wrist are given."""
+        """Return joint rates and accelerations (k, n) for a TCP position and wrist rotation."""
         assert self.wrist_rate is not None
         tcp = flange.before(self._flange_from_tcp[row])
         jacobian = self._point_jacobian(joints, row)
@@ -223,13 +223,13 @@ class JointMapper:
         return first, second
 
     def _rates_with_pair(self, joints: Array, flange: Twists, row: Index) -> tuple[Array, Array]:
-        """Joint rates and their change (k, n) where two wrist axes lead the tool along an arc."""
+        """Return joint rates and accelerations (k, n) on arcs with a wrist pair."""
         assert self.pairs is not None
         on_arc = flange.before(self._flange_from_tcp[row])
         return self.pairs.rates(joints, row, on_arc.position, on_arc.velocity, on_arc.acceleration)
 
     def _reach_with_wrist(self, tcp: Array, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n) that put the TCP (k, 3) in its place with the wrist as in `near` (k, n)."""
+        """Return joints (k, n) that move the TCP to (k, 3) with the wrist as in `near` (k, n)."""
         joints = near.copy()
         tcp_in_flange = self._flange_from_tcp.translation[row]
         for _ in range(_NEWTON_STEPS):
@@ -243,12 +243,12 @@ class JointMapper:
         return np.where(there[:, None], joints, near), there
 
     def _reach_with_pair(self, tcp: Array, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n) that aim the z axis of the tool at places (k, 3)."""
+        """Return joints (k, n) that aim the z axis of the tool at points (k, 3)."""
         assert self.pairs is not None
         return self.pairs.joints(tcp, row, near)
 
     def _point_jacobian(self, joints: Array, row: Index) -> Array:
-        """Velocity of the TCP per joint speed, (k, 3, n) [m/rad], in base."""
+        """Return the TCP velocity per joint speed, (k, 3, n) [m/rad], in base."""
         jacobian = self.kinematics.jacobian(joints)
         rotation = self.kinematics.forward(joints).rotation
         lever = rotate(rotation, self._flange_from_tcp.translation[row])
@@ -261,7 +261,7 @@ class JointMapper:
 def arms_of(
     segments: Sequence[Segment], kinematics: Kinematics, joint_travel: Array, length: Array
 ) -> JointMapper:
-    """The relation of curves to flange poses for segments.
+    """Return the relation of curves to flange poses for segments.
 
     Args:
         segments: One per curve.
@@ -290,7 +290,7 @@ def arms_of(
 
 
 def _base_from_curve(carrier: Carrier, course: ExternalCourse) -> Twists:
-    """Where curves are, or a stationary tool is, in the base of the robot along a course (k, e)."""
+    """Return the motion of curves, or of a stationary tool, in robot base for a course (k, e)."""
     frame = carried(carrier.base_screws, course).inverse()
     if carrier.base_from_tool is not None:
         return frame.before(carrier.base_from_tool)
@@ -300,7 +300,7 @@ def _base_from_curve(carrier: Carrier, course: ExternalCourse) -> Twists:
 
 
 def _base_from_flange_of(leader: CarrierRobot, course: ExternalCourse) -> Twists:
-    """The flange of a robot that carries a work object, along a course (k, e) with its axes."""
+    """Return the flange motion of a robot that carries a work object, for axes (k, e)."""
     own = ExternalCourse(*(values[:, leader.column :] for values in course))
     kinematics = leader.kinematics
     joints, first, second = (values[:, : kinematics.joint_count] for values in own)
@@ -323,10 +323,10 @@ def _base_from_flange_of(leader: CarrierRobot, course: ExternalCourse) -> Twists
 
 
 def _drift(kinematics: Kinematics, joints: Array, jacobian: Array, first: Array) -> Array:
-    """J' q' (k, 6) as the change of the Jacobian along the motion.
+    """Return J' q' (k, 6), the change of the Jacobian along the motion times joint rates.
 
-    Over a step of 1e-6 rad: the error of both the difference and the rounding is far below what
-    timing can see.
+    The finite difference uses a step of 1e-6 rad: its truncation and rounding errors are far below
+    the resolution of timing.
     """
     step = 1e-6 / np.maximum(np.abs(first).max(axis=-1), 1e-9)[:, None]
     ahead = kinematics.jacobian(joints + step * first)
@@ -339,7 +339,7 @@ def _still(external: Array) -> ExternalCourse:
 
 
 def _solve(jacobian: Array, twist: Array) -> Array:
-    """Joint rates (k, n) of twists (k, r); the smallest ones where the arm is singular."""
+    """Return joint rates (k, n) for twists (k, r); of least norm where the arm is singular."""
     rates = np.empty((len(twist), jacobian.shape[-1]))
     regular = np.zeros(len(twist), dtype=bool)
     if jacobian.shape[-1] == jacobian.shape[-2]:

@@ -1,8 +1,8 @@
-"""How the curves of a block and its corners map to one path parameter s.
+"""Mapping of the curves of a block and its corners to one path parameter s.
 
 s runs over the programmed curves one after the other, so the middle of a corner path has the s of
 the programmed point. Between breakpoints (zone edges and middles) the path is one smooth piece.
-Derivatives jump at breakpoints, so points are always given together with their piece.
+Derivatives jump at breakpoints, so points are always passed with their piece.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from rapidsim.values import value_class
 
 _SLIVER = 1e-12
 _STRAIGHT = 1e-3
-"""Deflection [rad] below which a corner has no knees: what bends takes a hundredth of what axes can
-do at the most."""
+"""Deflection [rad] below which a corner has no knees: the bend then takes at most a hundredth of
+what the axes can do."""
 
 
 class Sides(NamedTuple):
@@ -38,10 +38,10 @@ class Sides(NamedTuple):
 
 
 class CarrierAxes(Protocol):
-    """The axes of robots that carry work objects, along the path of a robot that works on them."""
+    """Axes of robots that carry work objects, along the path of a robot that works on them."""
 
     def course(self, s: Array, inside: Array) -> ExternalCourse:
-        """Those axes (k, l) at s (k,) [m], as on the piece that contains places (k,)."""
+        """Return those axes (k, l) at s (k,) [m] on the piece that contains `inside` (k,)."""
         ...
 
 
@@ -57,21 +57,21 @@ class PathParameterisation:
     bounds: Array
     """Shape (p + 1,): s of the breakpoints, increasing."""
     row: Index
-    """Shape (p,): the curve of each piece."""
+    """Shape (p,): index of the curve of each piece."""
     position_corner: Index
     orientation_corner: Index
     joint_corner: Index
     carrier_axes: CarrierAxes | None = None
-    """The last of the external axes; None where no other robot carries a work object."""
+    """Source of the last external axes; None if no other robot carries a work object."""
 
     @property
     def shape(self) -> int:
-        """The blend shape of corners for position and in joint space; see `blend_shape`."""
+        """Blend shape of corners for position and in joint space; see `blend_shape`."""
         return CODES[self.corner_shape]
 
     @property
     def turn_shape(self) -> int:
-        """The blend shape of corners for orientation and external axes.
+        """Blend shape of corners for orientation and external axes.
 
         Where the position has the measured shape, logs show a parabola, within 0.1 mdeg.
         """
@@ -79,23 +79,23 @@ class PathParameterisation:
 
     @property
     def in_corner(self) -> Index:
-        """The corner (p,) of any kind that contains each piece, or -1."""
+        """Corner (p,) of any kind that contains each piece, or -1."""
         return np.maximum(
             np.maximum(self.position_corner, self.orientation_corner), self.joint_corner
         )
 
     def piece_at(self, s: Array) -> Index:
-        """The piece (k,) that contains each s (k,); at a breakpoint the one that starts there."""
+        """Return the piece (k,) that contains each s (k,); at a breakpoint that starting there."""
         piece = np.searchsorted(self.bounds, s, side="right") - 1
         return np.clip(piece, 0, len(self.row) - 1).astype(np.int64)
 
     def sides(self, corner: Index, radius: Array, s: Array, shape: int) -> Sides:
-        """The points on the curves before and after for s (k,) within corners (k,)."""
+        """Return the points on the curves before and after for s (k,) within corners (k,)."""
         past = s - self.places[corner + 1]
         return Sides(*corner_sides(shape, past, radius, self.curves.length[corner]))
 
     def motion(self, s: Array, piece: Index) -> Twists:
-        """TCP motion at s (k,) on pieces (k,) defined in Cartesian space.
+        """Return the TCP motion at s (k,) on pieces (k,) defined in Cartesian space.
 
         In corners defined in joint space this is the programmed curve.
         """
@@ -113,7 +113,7 @@ class PathParameterisation:
         return motion
 
     def velocity(self, s: Array, piece: Index) -> Array:
-        """Only the velocity (k, 3) of `motion`."""
+        """Return only the velocity (k, 3) of `motion`."""
         row = self.row[piece]
         x = np.clip(s - self.places[row], 0.0, self.curves.length[row])
         velocity = self.curves.velocity(row, x)
@@ -127,7 +127,7 @@ class PathParameterisation:
         return velocity
 
     def course(self, s: Array, piece: Index) -> ExternalCourse:
-        """External axes (k, e) at s (k,) on pieces (k,) defined in Cartesian space."""
+        """Return external axes (k, e) at s (k,) on pieces (k,) defined in Cartesian space."""
         row, count = self.row[piece], self.curves.external.shape[1]
         if not count:
             nothing = np.zeros((len(s), 0))
@@ -137,12 +137,12 @@ class PathParameterisation:
         return course
 
     def fill_carrier_axes(self, s: Array, piece: Index, *columns: Array) -> None:
-        """Put the axes of leaders, and their derivatives, in the last columns of arrays (k, ...).
+        """Write axes of carriers, and their derivatives, to the last columns of arrays (k, ...).
 
         Args:
-            s: Places (k,) [m].
+            s: Path parameters (k,) [m].
             piece: Their pieces (k,).
-            columns: Joints, and their first and second derivative, or the first of these alone.
+            columns: Joints, and their first and second derivative, or only the first of these.
         """
         if self.carrier_axes is not None:
             inside = 0.5 * (self.bounds[piece] + self.bounds[piece + 1])
@@ -150,7 +150,7 @@ class PathParameterisation:
                 values[:, values.shape[1] - led.shape[1] :] = led
 
     def _own_course(self, s: Array, piece: Index, row: Index, count: int) -> ExternalCourse:
-        """External axes (k, e) that move evenly, and turn in corners with the tool."""
+        """Return external axes (k, e), linear in s, blended in corners like the orientation."""
         start = self.curves.start_joints[:, -count:]
         rate = self.curves.joint_travel[:, -count:] / np.maximum(self.curves.length, 1e-9)[:, None]
         x = np.clip(s - self.places[row], 0.0, self.curves.length[row])[:, None]
@@ -190,7 +190,7 @@ class PathParameterisation:
         into = self.curves.at(corner, before[0])
         out = self.curves.at(corner + 1, after[0])
         programmed = self.curves.start.rotation[corner + 1]
-        # Turned from the corner backwards by the curve before, then forwards by the one after.
+        # Rotation from the corner back by the curve before, then forward by the one after.
         backwards = into.rotation @ np.swapaxes(programmed, -1, -2)
         first = into.turning * before[1][:, None]
         second = rotate(backwards, out.turning) * after[1][:, None]
@@ -208,7 +208,7 @@ class PathParameterisation:
 
 
 def _straight_on(curves: Curves) -> Mask:
-    """Between which curves (m - 1,) lines go on in one direction: no corner path bends there."""
+    """Mask (m - 1,) of collinear successive lines: no corner path bends between them."""
     lines = (curves.travel > 0.0) & ~curves.in_joints & ~curves.spoke.any(axis=1)
     direction = curves.chord / np.maximum(curves.travel, 1e-300)[:, None]
     off = np.abs(direction[1:] - direction[:-1]).max(axis=1)
@@ -261,7 +261,7 @@ def layout_of(
     row = np.clip(np.searchsorted(places, middle, side="right") - 1, 0, count - 1)
 
     def within(radius: Array, wanted: Mask) -> Index:
-        """The corner that contains each piece, or -1."""
+        """Return the corner that contains each piece, or -1."""
         corner = np.full(len(row), -1, dtype=np.int64)
         for candidate in (row - 1, row):
             valid = (candidate >= 0) & (candidate < count - 1)

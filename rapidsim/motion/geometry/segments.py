@@ -1,4 +1,4 @@
-"""A programmed move resolved for the arm: its start, its end and the path between.
+"""A programmed move resolved for the arm: start, end and the path between.
 
 Segments are the input of path and time planning. All units are SI.
 """
@@ -24,34 +24,34 @@ class Geometry(Enum):
     JOINT = "joint"
     """All joints proportional to each other."""
     LINE = "line"
-    """The TCP straight, the orientation turning evenly."""
+    """TCP on a straight line, orientation turning uniformly."""
     ARC = "arc"
-    """The TCP on a circle through a third point."""
+    """TCP on a circle through a third point."""
 
 
 class CircleMode(Enum):
-    """How the tool turns along an arc: CirPathMode."""
+    """Orientation of the tool along an arc: CirPathMode."""
 
     PATH_FRAME = "path frame"
-    """Evenly against the path's own frame, which turns with the arc."""
+    """Uniform relative to the path's own frame, which turns with the arc."""
     OBJECT_FRAME = "object frame"
-    """Evenly in the work object, as on a line."""
+    """Uniform in the work object, as on a line."""
     CIRCLE_POINT = "circle point"
-    """As `PATH_FRAME`, through the orientation of the circle point."""
+    """Like `PATH_FRAME`, through the orientation of the circle point."""
     WRIST_45 = "axes 4 and 5"
-    """Only these two move, and lead the z axis of the tool along the circle; see `wrist_pair`."""
+    """Only these two move, and guide the z axis of the tool along the circle; see `wrist_pair`."""
     WRIST_46 = "axes 4 and 6"
     WRIST_56 = "axes 5 and 6"
 
 
 _LED_SPEED = 1.0
-"""What the axes of leaders count as [rad/s] where nothing else moves: it only sets the scale."""
+"""Speed [rad/s] of carrier axes if nothing else moves: only sets the scale of the parameter."""
 
 TURNS_WITH_PATH = (CircleMode.PATH_FRAME, CircleMode.CIRCLE_POINT)
 WRIST_PAIRS = MappingProxyType(
     {CircleMode.WRIST_45: (3, 4), CircleMode.WRIST_46: (3, 5), CircleMode.WRIST_56: (4, 5)}
 )
-"""Positions of the two joints that lead an arc."""
+"""Indices of the two joints that guide the tool along an arc."""
 
 
 def _no_axes() -> Array:
@@ -60,59 +60,59 @@ def _no_axes() -> Array:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Waypoint:
-    """A joint vector and the TCP pose it gives."""
+    """A joint vector and its TCP pose."""
 
     joints: Array
     """Shape (n,) [rad]."""
     base_from_tcp: Transform
-    """With a `Segment.carrier`: the pose as that defines it."""
+    """With a `Segment.carrier`: the pose in the frame that it defines."""
     external: Array = field(default_factory=_no_axes)
     """Shape (e,) [m or rad]: the external axes."""
     aim: Array | None = None
-    """Shape (3,) [m] in base: after an arc that two wrist axes led, its programmed end, through
-    which the z axis of the tool passes; the TCP is a little beside."""
+    """Shape (3,) [m] in base: after an arc with a wrist pair, its programmed end, which is on the z
+    axis of the tool; the TCP is slightly off it."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CarrierRobot:
     """Another robot of the team, which carries the work object on its flange.
 
-    Its axes follow the external axes in joint vectors: those of the arm, then its external axes.
+    Its arm axes, then its external axes, follow the external axes in joint vectors.
     """
 
     number: int
-    """Of the robot in the team."""
+    """Index of the robot in the team."""
     kinematics: Kinematics
     base_from_carrier: Transform
-    """Its base in the base of the robot, with all external axes at zero."""
+    """Its base frame in the base of the robot, with all external axes at zero."""
     base_screws: tuple[Screw, ...] = ()
-    """The axes that carry it, in the base of the robot; they count its axes."""
+    """Axes that move it, in the base of the robot, with indices into its own axes."""
     column: int = 0
-    """Where its axes begin in joint vectors, counted from the first external axis."""
+    """Index of its first axis in joint vectors, counted from the first external axis."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Carrier:
-    """Anything besides the arm that moves or holds tool or work object.
+    """Frames other than the arm's flange that move or hold the tool or work object.
 
-    Poses of curves are given with all external axes at zero. With the tool held by the robot they
+    Poses of curves are defined with all external axes at zero. With the tool held by the robot they
     are base_from_tcp. With a stationary tool they are object_from_tcp, and
     `Segment.tcp_from_flange` is object_from_flange of the held work object.
     """
 
     base_from_tool: Transform | None = None
-    """Where a stationary tool stands; None where the robot holds the tool."""
+    """Frame of a stationary tool; None if the robot holds the tool."""
     object_screws: tuple[Screw, ...] = ()
-    """The axes that carry the work object."""
+    """Axes that carry the work object."""
     base_screws: tuple[Screw, ...] = ()
-    """The axes that carry the robot."""
+    """Axes that carry the robot."""
     robot: CarrierRobot | None = None
-    """The robot that carries the work object; curves are then given in its flange."""
+    """Robot that carries the work object; curves are then in its flange frame."""
 
 
 @value_class(frozen=True, slots=True)
 class Zone:
-    """The zone around a segment's end within which the corner path may run."""
+    """Zone around a segment's end within which the corner path may run."""
 
     position: float
     """Radius [m] for the TCP."""
@@ -121,14 +121,14 @@ class Zone:
     angle: float
     """Radius [rad] for reorientation without TCP travel."""
     linear_axes: float = math.inf
-    """Travel [m] of linear external axes, where only they move."""
+    """Travel [m] of linear external axes, if only they move."""
     rotating_axes: float = math.inf
-    """Turn [rad] of rotating external axes, where only they move."""
+    """Rotation [rad] of rotating external axes, if only they move."""
 
 
 @value_class(frozen=True, slots=True)
 class Speed:
-    """Programmed speeds; the one that takes longest counts."""
+    """Programmed speeds; the slowest part of the move determines its time."""
 
     tcp: float
     """[m/s]"""
@@ -138,37 +138,37 @@ class Speed:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Segment:
-    """One move from the end of the previous one to its own end."""
+    """A move from the end of the previous one to its own end."""
 
     geometry: Geometry
     start: Waypoint
     end: Waypoint
     tcp_from_flange: Transform
-    """The inverse of the tool frame: turns a TCP pose into a flange pose."""
+    """Inverse of the tool frame: maps a TCP pose to a flange pose."""
     branch: int
-    """The branch of inverse kinematics that lines and arcs stay on."""
+    """Branch of inverse kinematics that lines and arcs stay on."""
     speed: Speed
     zone: Zone | None
-    """None where the arm stops at the end."""
+    """None if the arm stops at the end."""
     via: Transform | None
     """base_from_tcp of the circle point of an arc."""
     duration: float | None
     """Time [s] of the whole segment, which replaces the speed."""
     joint_corner: bool
-    """The corner at the end must run in joint space: tool or work object change there."""
+    """Whether the end corner must run in joint space, as tool or work object change there."""
     acceleration_share: float
     """AccSet: the share of the axis accelerations that is used."""
     ramp: float
-    """AccSet: how quickly accelerations rise, as a share of what they can; never higher than that
-    of the move before, if the arm does not stop in between."""
+    """AccSet: rate of rise of accelerations, as a share of the maximum; never higher than that of
+    the move before, if the arm does not stop in between."""
     stop_ramp: float
-    """AccSet \\FinePointRamp: the same on the way to a stop point at the end."""
+    """AccSet \\FinePointRamp: `ramp` for the approach to a stop point at the end."""
     carrier: Carrier | None
-    """None where the robot stands still and holds the tool, and the work object stands still."""
+    """None if the robot base and work object are stationary and the robot holds the tool."""
     wrist_in_joints: bool
-    """SingArea \\Wrist: on a line or arc the wrist axes turn evenly instead of the tool."""
+    """SingArea \\Wrist: on a line or arc the wrist axes, not the tool, turn uniformly."""
     circle_mode: CircleMode
-    """How the tool turns along an arc."""
+    """Orientation of the tool along an arc."""
     tcp_acceleration: float
     """PathAccLim: the TCP's largest acceleration along its path [m/s2]."""
     tcp_deceleration: float
@@ -178,21 +178,21 @@ class Segment:
     external_linear: tuple[bool, ...]
     """Whether each external axis is linear."""
     external_speeds: tuple[float, ...]
-    """Speed of each external axis [m/s or rad/s]: what is programmed, or what it can."""
+    """Speed of each external axis [m/s or rad/s]: programmed, or its maximum."""
     load: float = 0.0
-    """What hangs on the wrist and adds to the arm's inertia, in shares of the rated payload."""
+    """Load at the wrist that adds to the arm's inertia, as a share of the rated payload."""
     carrier_axes: tuple[Array, Array] | None = None
-    """Start and end (l,) [rad, m] of the axes of leaders, which follow the external axes in joint
-    vectors; None where nobody leads."""
+    """Start and end (l,) [rad, m] of the carrier axes, which follow the external axes in joint
+    vectors; None if no robot carries the work object."""
 
     @property
     def wrist_pair(self) -> tuple[int, int] | None:
-        """Positions of the two joints that lead an arc while the others rest; None elsewhere."""
+        """Indices of the two joints that guide the tool along an arc; None for other segments."""
         return WRIST_PAIRS.get(self.circle_mode) if self.geometry is Geometry.ARC else None
 
 
 def with_carrier_axes(segment: Segment, start: Array, end: Array) -> Segment:
-    """A segment with the axes (l,) [rad, m] of the robots that carry work objects."""
+    """Return a segment with the axes (l,) [rad, m] of the robots that carry work objects."""
     own, more = len(segment.start.external), len(start)
     return replace(
         segment,

@@ -1,17 +1,17 @@
-r"""CirPathMode \Wrist45, \Wrist46, \Wrist56: two wrist axes lead the tool's z axis along a circle.
+r"""CirPathMode \Wrist45, \Wrist46, \Wrist56: two wrist axes guide the tool's z axis on a circle.
 
-All other axes stand still. The circle is followed by the intersection of the tool's z axis with the
-cut plane, the plane of the circle; the TCP leaves that plane a little and the tool turns.
+All other axes rest. The circle is followed by the intersection of the tool's z axis with the cut
+plane, the plane of the circle; the TCP leaves that plane slightly and the tool turns.
 
 Both axes pass through one point, the centre. The point m of the z axis that reaches a point u of
 the circle (both relative to the centre) has the same distance from the centre, so it is known, and
-with it the turns alpha about the axis a nearer to the base and beta about the other, b, both axes
-as at the start:
+with it the rotations alpha about the axis a nearer to the base and beta about the other axis b,
+both axes in their start directions:
 
     turn(a, alpha) turn(b, beta) m = u
 
-There are two solutions, one for either side of the plane through both axes on which u may lie; in
-that plane the pair is singular.
+There are two solutions, one for each side of the plane through both axes; in that plane the pair is
+singular.
 
 Source: Technical reference manual RAPID Instructions, "CirPathMode"; Murray, Li, Sastry (1994), A
 Mathematical Introduction to Robotic Manipulation, section 3.2, subproblem 2.
@@ -36,56 +36,56 @@ Index = npt.NDArray[np.int64]
 _SIX_AXES = 6
 _WRIST = slice(3, 6)
 _MEET = 1e-6
-"""Axes that pass each other within this [m] meet."""
+"""Distance [m] within which axes count as intersecting."""
 _SINGULAR = 1e-4
-"""Sine of the angle to the plane through both axes, or to where the z axis only grazes the sphere
-about the centre, below which the pair leads nothing: one axis would turn by a radian on less than
-0.1 mm at 1 m."""
+"""Sine of the angle to the plane through both axes, or to the tangency of the z axis with the
+sphere about the centre, below which the pair is singular: one axis would turn by a radian on less
+than 0.1 mm at 1 m."""
 _IN_LINE = 1e-6
 """Sine of the angle between both axes below which they count as one."""
 FLATTEST = np.radians(10.0)
-"""Angle [rad] between the tool's z axis and the cut plane below which it hardly crosses."""
+"""Smallest angle [rad] between the tool's z axis and the cut plane for a usable intersection."""
 
 
 class PairTurns(NamedTuple):
-    """The turns by which a pair takes the tool's z axis to some points (k,)."""
+    """Rotations by which a pair aims the tool's z axis at points (k,)."""
 
     turns: Array
-    """Shape (k, 2) [rad]: from the start of the curve."""
+    """Shape (k, 2) [rad]: relative to the start of the curve."""
     exists: Mask
     beyond: Array
-    """How far (k,) [rad] the place is outside what both axes reach; 0 or less within."""
+    """Angle (k,) [rad] of the point outside the range of both axes; 0 or less within."""
     grazes: Array
-    """How much nearer (k,) [m] to the centre than the z axis ever comes the place is."""
+    """Distance (k,) [m] by which the point is nearer to the centre than the z axis ever is."""
     steepness: Array
     """Sine (k,) of the angle between the z axis and the cut plane."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class WristPairs:
-    """The pairs that lead some of m curves, one row per curve; rows of other curves are empty."""
+    """Wrist pairs of some of m curves, one row per curve; rows of other curves are empty."""
 
     axes: Index
-    """Shape (m, 2): positions of both joints, -1 where no pair leads."""
+    """Shape (m, 2): indices of both joints, -1 for curves without a pair."""
     start: Array
     """Shape (m, n) [rad]: joints at the start of the curve."""
     centre: Array
-    """Shape (m, 3) [m]: where both axes meet, in base."""
+    """Shape (m, 3) [m]: intersection of both axes, in base."""
     first: Array
     """Shape (m, 3): direction of the axis nearer to the base."""
     second: Array
-    """Shape (m, 3): direction of the other at the start."""
+    """Shape (m, 3): direction of the other axis at the start."""
     aim: Array
-    """Shape (m, 3) [m]: from the centre to where the z axis passes the plane at the start."""
+    """Shape (m, 3) [m]: from the centre to the intersection of z axis and plane at the start."""
     tool_z: Array
-    """Shape (m, 3): at the start."""
+    """Shape (m, 3): direction of the tool's z axis at the start."""
     normal: Array
-    """Shape (m, 3): of the cut plane."""
+    """Shape (m, 3): normal of the cut plane."""
 
     def joints(self, place: Array, row: Index, near: Array) -> tuple[Array, Mask]:
-        """Joints (k, n) that take the z axis to points (k, 3) in base, in the turns of `near`.
+        """Return joints (k, n) that aim the z axis at (k, 3) in base, in the turns of `near`.
 
-        Where there are none, the row contains `near` (k, n).
+        Unreachable rows contain `near` (k, n).
         """
         aimed = self.aimed(place, row)
         joints = self.start[row].copy()
@@ -98,11 +98,12 @@ class WristPairs:
     def rates(
         self, joints: Array, row: Index, place: Array, velocity: Array, acceleration: Array
     ) -> tuple[Array, Array]:
-        """Derivatives (k, n) of joints (k, n) that take the z axis along moving points (k, 3).
+        """Return derivatives (k, n) of joints (k, n) that aim the z axis at moving points (k, 3).
 
-        Each is a point of the z axis that turns with the tool and slides along it at a rate
-        l: u' = w x u + l z with w = a alpha' + b beta'. Across u this gives both turns, along u it
-        gives l; the second derivative has the same unknowns and otherwise known terms.
+        Each is a point of the z axis that turns with the tool and slides along it at a rate l:
+        u' = w x u + l z with w = a alpha' + b beta'. The components across u yield both turns, the
+        component along u yields l; the second derivative has the same unknowns and otherwise known
+        terms.
         """
         at, axes = np.arange(len(row))[:, None], self.axes[row]
         turns = joints[at, axes] - self.start[row][at, axes]
@@ -114,7 +115,7 @@ class WristPairs:
         volume = _dot(u, between)
 
         def both(motion: Array) -> tuple[Array, Array]:
-            """Turns (k, 2) and slide (k, 1) that give this motion of the point."""
+            """Return rotations (k, 2) and slide (k, 1) for a motion of the point."""
             slide = _dot(u, motion) / along
             across = motion - slide * z
             return np.hstack([-_dot(b, across), _dot(a, across)]) / volume, slide
@@ -128,7 +129,7 @@ class WristPairs:
         return first, second
 
     def aimed(self, place: Array, row: Index) -> PairTurns:
-        """The turns by which the pairs of rows (k,) take the z axis to points (k, 3) in base."""
+        """Return the rotations by which pairs of rows (k,) aim the z axis at (k, 3) in base."""
         a, b, z = self.first[row], self.second[row], self.tool_z[row]
         aim, u = self.aim[row], place - self.centre[row]
         distance = np.maximum(np.linalg.norm(u, axis=-1, keepdims=True), 1e-12)
@@ -136,7 +137,7 @@ class WristPairs:
         nearest = np.linalg.norm(foot, axis=-1, keepdims=True)
         along = np.sqrt(np.maximum(distance**2 - nearest**2, 0.0))
         m = foot + np.copysign(along, _dot(aim, z)) * z
-        # Both turns meet in a point with the height of u over one axis and of m over the other.
+        # Both rotations meet in a point at the height of u along one axis and of m along the other.
         between, cosine = cross(a, b), _dot(a, b)
         square = np.maximum(_dot(between, between), _IN_LINE**2)
         over_a, over_b = _dot(a, u), _dot(b, m)
@@ -164,12 +165,12 @@ class WristPairs:
         )
 
     def _turned_z(self, row: Index, turn: Array) -> Array:
-        """The tool's z axis (k, 3) after turns (k, 1) about the second axis alone."""
+        """Return the tool's z axis (k, 3) after rotations (k, 1) about the second axis alone."""
         return rotate(rotation_from_vector(self.second[row] * turn), self.tool_z[row])
 
 
 def wrist_pairs_of(segments: Sequence[Segment], kinematics: Kinematics) -> WristPairs | None:
-    """The pairs that lead the curves of segments; None if there are none."""
+    """Return the wrist pairs of the curves of segments; None if no segment has a pair."""
     count, n = len(segments), kinematics.joint_count
     axes = np.full((count, 2), -1)
     start, vectors = np.zeros((count, n)), np.zeros((6, count, 3))
@@ -201,25 +202,25 @@ def wrist_meets(kinematics: Kinematics, joints: Array) -> bool:
 
 
 def _axes_of(kinematics: Kinematics, joints: Array) -> tuple[Array, Array]:
-    """Directions of all axes (n, 3), and a point of each (n, 3) [m], at joints (n,)."""
+    """Return directions of all axes (n, 3), and a point of each (n, 3) [m], at joints (n,)."""
     moving, direction = np.split(kinematics.jacobian(joints), 2)
     direction = direction.T
     return direction, kinematics.forward(joints).translation + cross(direction, moving.T)
 
 
 def _wrist_centre(direction: Array, through: Array) -> tuple[Array, float]:
-    """The point (3,) [m] nearest to the axes of the wrist, and how far it is from them [m]."""
+    """Return the point (3,) [m] nearest to the wrist axes, and its distance from them [m]."""
     direction, through = direction[_WRIST], through[_WRIST]
     across = np.eye(3) - direction[:, :, None] * direction[:, None, :]
     sides = (across @ through[..., None])[..., 0]
-    # With axis 5 at 0 two of them are one line, and the third still crosses it.
+    # With axis 5 at 0 two of them are collinear, and the third still crosses them.
     centre: Array = np.linalg.solve(across.sum(axis=0), sides.sum(axis=0))
     away = np.linalg.norm((across @ centre) - sides, axis=-1)
     return centre, float(away.max())
 
 
 def _turn_about(axis: Array, before: Array, after: Array) -> Array:
-    """The turn (k, 1) [rad] about an axis that takes one vector (k, 3) over the other."""
+    """Return the rotation (k, 1) [rad] about an axis that maps one vector (k, 3) to another."""
     before = before - _dot(axis, before) * axis
     after = after - _dot(axis, after) * axis
     turn: Array = np.arctan2(_dot(axis, cross(before, after)), _dot(before, after))
@@ -227,6 +228,6 @@ def _turn_about(axis: Array, before: Array, after: Array) -> Array:
 
 
 def _dot(a: Array, b: Array) -> Array:
-    """Products (k, 1) of vectors (k, 3)."""
+    """Return dot products (k, 1) of vectors (k, 3)."""
     product: Array = np.einsum("ij,ij->i", a, b)[:, None]
     return product

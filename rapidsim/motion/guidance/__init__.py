@@ -1,1 +1,1 @@
-"""A robot guided by a sensor: from goals that come every few milliseconds to joints."""
+"""Motion of a robot guided by a sensor: from goals every few milliseconds to joints."""

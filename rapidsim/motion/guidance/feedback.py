@@ -15,7 +15,7 @@ from rapidsim.values import value_class
 
 
 class Guided(Enum):
-    """Feedback about the guidance."""
+    """State of the guidance, as reported in the feedback."""
 
     NOT_YET = auto()
     RUNNING = auto()
@@ -25,7 +25,7 @@ class Guided(Enum):
 
 @value_class(frozen=True, slots=True)
 class Feedback:
-    """The state of the robot at a time."""
+    """State of the robot at a time."""
 
     time_s: float
     joints: tuple[float, ...]
@@ -39,22 +39,22 @@ class Feedback:
     guided: Guided
     is_met: bool
     utilisation: float
-    """How fast the fastest axis is, in percent of what it can."""
+    """Speed of the fastest axis relative to its maximum [%]."""
     executes: bool = True
-    """Whether the program does."""
+    """Whether the program is running."""
     motors_on: bool = True
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Frames:
-    """The frame in which the TCP is reported."""
+    """Frames in which the TCP is reported."""
 
     kinematics: Kinematics
     tcp_from_flange: Transform
     report_from_base: Transform
 
     def pose(self, joints: Array) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Position [mm] and q1..q4 of joints (n,) [rad]."""
+        """Return the position [mm] and q1..q4 of joints (n,) [rad]."""
         flange = self.kinematics.forward(joints)
         return in_millimetres(self.report_from_base @ flange @ self.tcp_from_flange.inverse())
 
@@ -67,7 +67,7 @@ class GuidedFeedback:
     external: tuple[float, ...]
 
     def __call__(self, run: GuidedExecution, time_s: float) -> Feedback:
-        """At a time [s]."""
+        """Return the feedback at a time [s]."""
         motion = run.motion
         share = np.max(np.abs(motion.speed) / motion.axes.max_speed, initial=0.0)
         told = _guided_state(run.ended, is_over=run.is_over)
@@ -85,7 +85,7 @@ def standing_feedback(
     guided: Guided,
     utilisation: float,
 ) -> Feedback:
-    """Feedback for joints (n,) [rad] at rest at a time [s]; see `Feedback`."""
+    """Return the feedback for joints (n,) [rad] at rest at a time [s]; see `Feedback`."""
     position, orientation = frames.pose(joints)
     return Feedback(
         time_s,

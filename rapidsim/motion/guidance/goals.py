@@ -1,4 +1,4 @@
-"""Goals of a guidance: joints or a pose of the TCP, axis by axis, and how close the robot is.
+"""Goals of a guidance: joints or a TCP pose, axis by axis, and the distance of the robot.
 
 An axis that the program does not select keeps its position; for a pose these are the axes of the
 correction frame, x to rz. The interpolation of poses between goals is our own: the goal passes its
@@ -26,7 +26,7 @@ Chosen = npt.NDArray[np.bool_]
 
 @value_class(frozen=True, slots=True, eq=False)
 class Band:
-    """The selected axes, and the range [rad, m] of deviation within which they have arrived."""
+    """Selected axes, and the range [rad, m] of deviation within which they have arrived."""
 
     chosen: Chosen
     lowest: Array
@@ -42,13 +42,13 @@ class GuidanceGoal(Protocol):
     """The sensor's goal for the robot."""
 
     def accept(self, answer: SensorAnswer) -> bool:
-        """Take an answer of the sensor; whether it was a goal of this kind."""
+        """Accept a message of the sensor; return whether it contained a goal of this kind."""
         ...
 
     def goal(self, joints: Array) -> tuple[Array, Array] | None:
-        """Joints (n,) [rad] and the goal's own speed (n,) [rad/s], a cycle later.
+        """Return joints (n,) [rad] and the goal's own speed (n,) [rad/s], a cycle later.
 
-        None if the arm cannot get there.
+        None if the arm cannot reach the goal.
         """
         ...
 
@@ -59,7 +59,7 @@ class GuidanceGoal(Protocol):
 
 @value_class(slots=True, eq=False)
 class JointGoal:
-    """Goals are joints."""
+    """A goal in joints."""
 
     band: Band
     filters_hz: tuple[float, ...]
@@ -69,7 +69,7 @@ class JointGoal:
     _filter: LowPass = field(init=False)
 
     def __post_init__(self) -> None:
-        """Aim at where the arm stands."""
+        """Use the current joints as the initial goal."""
         self._goal, self._speed = self.start, np.zeros_like(self.start)
         self._filter = LowPass(self.filters_hz, self.start)
 
@@ -96,34 +96,34 @@ class JointGoal:
 
 @value_class(slots=True, eq=False)
 class PoseGoal:
-    """Goals are poses of the TCP in a frame given by the sensor."""
+    """A goal that is a TCP pose in a frame of the sensor."""
 
     kinematics: Kinematics
     tcp_from_flange: Transform
     base_from_sensor: Transform
     base_from_correction: Transform
     offset: Transform
-    """Behind each goal of the sensor."""
+    """Offset applied after each goal of the sensor."""
     band: Band
-    """Of x, y, z [m], rx, ry, rz [rad] in the correction frame."""
+    """Band for x, y, z [m], rx, ry, rz [rad] in the correction frame."""
     filters_hz: tuple[float, ...]
     start: Array
     _start: Transform = field(init=False)
     _goal: Transform = field(init=False)
     """base_from_tcp."""
     _twist: Array | None = None
-    """In base."""
+    """Twist of the goal in base; None if the sensor sends no speed."""
     _position: LowPass = field(init=False)
     _stages: list[Array] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Aim at where the arm stands."""
+        """Use the current pose as the initial goal."""
         self._start = self._goal = self.tcp(self.start)
         self._position = LowPass(self.filters_hz, self._start.translation)
         self._stages = [self._start.rotation for _ in self.filters_hz]
 
     def tcp(self, joints: Array) -> Transform:
-        """The TCP pose for joints (n,) [rad]."""
+        """Return the TCP pose for joints (n,) [rad]."""
         return self.kinematics.forward(joints) @ self.tcp_from_flange.inverse()
 
     def accept(self, answer: SensorAnswer) -> bool:
@@ -162,13 +162,13 @@ class PoseGoal:
         return self.band.holds(self._remaining(self.tcp(joints), self._goal))
 
     def _remaining(self, pose: Transform, goal: Transform) -> Array:
-        """From one pose to another (6,) [m, rad], along the axes of the correction frame."""
+        """Return the displacement (6,) [m, rad] between two poses along the correction axes."""
         to_frame = self.base_from_correction.rotation.T
         turn = vector_from_rotation(goal.rotation @ pose.rotation.T)
         return np.concatenate([to_frame @ (goal.translation - pose.translation), to_frame @ turn])
 
     def _with_chosen(self, goal: Transform) -> Transform:
-        """The goal as far as its axes are chosen; the others as at the start."""
+        """Return the goal in its selected axes; the other axes keep their start values."""
         if self.band.chosen.all():
             return goal
         left = np.where(self.band.chosen, self._remaining(self._start, goal), 0.0)
@@ -177,7 +177,7 @@ class PoseGoal:
         return Transform(turn @ self._start.rotation, self._start.translation + frame @ left[:3])
 
     def _turned(self) -> Array:
-        """The rotation of the goal, filtered: each stage turns a share of what is left."""
+        """Return the filtered rotation: each stage turns by a share of the remaining rotation."""
         goal = self._goal.rotation
         for number, share in enumerate(self._position.shares):
             stage = self._stages[number]
@@ -186,7 +186,7 @@ class PoseGoal:
         return goal
 
     def _reached(self, base_from_tcp: Transform, near: Array) -> Array | None:
-        """Joints (n,) [rad] of a pose, on the branch of others and next to them."""
+        """Return joints (n,) [rad] of a pose on the branch of `near`; None if unreachable."""
         single = self.kinematics.single
         flange = rigid.from_transform(base_from_tcp @ self.tcp_from_flange)
         stands = near.tolist()

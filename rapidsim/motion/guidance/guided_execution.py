@@ -1,7 +1,7 @@
-"""A guidance from start to end, cycle by cycle: a function of the sensor's answers.
+"""Execution of a guidance from start to end by cycles: a function of the sensor's answers.
 
 The cycles and the answers determine the motion to the last bit: in the engine that moves the robot,
-in the process beside it that talks to the sensor, and when a journal is replayed.
+in the separate process that communicates with the sensor, and in the replay of a journal.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ from rapidsim.values import value_class
 
 
 class EndReason(Enum):
-    """What ended the guidance."""
+    """Reason for the end of the guidance."""
 
     CONVERGED = auto()
     STOPPED = auto()
-    """The program has."""
+    """The program has stopped it."""
     SILENT = auto()
-    """The sensor has said nothing for too long."""
+    """No message from the sensor for too long."""
     OUT_OF_REACH = auto()
-    """The arm cannot get where the sensor wants it."""
+    """The arm cannot reach the sensor's goal."""
 
     @property
     def is_failure(self) -> bool:
@@ -39,42 +39,42 @@ class EndReason(Enum):
 
 @value_class(frozen=True, slots=True)
 class EndConditions:
-    """When and how a guidance ends."""
+    """Conditions under which a guidance ends, and its start and end ramps."""
 
     condition_s: float
-    """So long [s] the goal must be near."""
+    """Time [s] for which the goal must be near."""
     ramp_in_s: float
-    """So long [s] the guidance takes to have its full strength."""
+    """Time [s] in which the guidance reaches full strength."""
     silence_s: float
-    """So long [s] the sensor may say nothing."""
+    """Longest time [s] without a message from the sensor."""
     moves_back: bool
-    """Whether the robot ends where it began."""
+    """Whether the robot ends at its start position."""
     ramp_out_s: float
-    """In so long [s], if it can."""
+    """Requested time [s] of the return; longer if the axes need it."""
     ends_by_itself: bool = True
-    """Whether to be near ends it."""
+    """Whether nearness to the goal ends it."""
 
 
 @value_class(slots=True, eq=False)
 class GuidedExecution:
-    """The motion of a robot under guidance; `step` advances it by a cycle."""
+    """Motion of a robot under guidance; `step` advances it by a cycle."""
 
     motion: JointMotion
     aim: GuidanceGoal
     tuning: Tuning
     terms: EndConditions
     ended: EndReason | None = None
-    """What has ended it; the robot may still come to rest, or be on its way back."""
+    """Reason for its end; the robot may still be braking or returning; None before the end."""
     is_met: bool = False
     """Whether the condition of the goal has held long enough."""
     has_answer: bool = False
-    """Whether the sensor has said anything."""
+    """Whether the sensor has sent anything."""
     is_over: bool = False
-    """Whether the robot stands, and will not move any more."""
+    """Whether the robot is at rest and will not move any more."""
     start: Array = field(init=False)
     _cycles: int = 0
     _silent: int = 0
-    """Cycles since the sensor has said something."""
+    """Cycles since the last message of the sensor."""
     _near: int = 0
     """Cycles for which the goal has been near."""
     _moves_back: bool = False
@@ -83,11 +83,11 @@ class GuidedExecution:
     _back_cycles: int = 0
 
     def __post_init__(self) -> None:
-        """Begin where the arm stands."""
+        """Start at the current joints."""
         self.start = self.motion.joints
 
     def step(self, answer: SensorAnswer | None) -> None:
-        """Advance by a cycle with the sensor's answer since the last one."""
+        """Advance by a cycle with the sensor's answer since the last cycle."""
         self._cycles += 1
         if self.ended is None:
             self._guide(answer)
@@ -95,12 +95,12 @@ class GuidedExecution:
             self._bring_to_rest()
 
     def stop(self, *, moves_back: bool, ramp_out_s: float) -> None:
-        """End the guidance: the robot comes to rest, or returns to where it began."""
+        """End the guidance: the robot stops, or returns to its start position."""
         if self.ended is None:
             self._end(EndReason.STOPPED, moves_back=moves_back, ramp_out_s=ramp_out_s)
 
     def cancel_return(self) -> None:
-        """Come to rest at the current position instead of returning."""
+        """Stop at the current position instead of returning."""
         self._moves_back, self._back = False, None
 
     def _guide(self, answer: SensorAnswer | None) -> None:

@@ -1,4 +1,4 @@
-"""How joints follow a goal that comes every few milliseconds: filter, gain, limits.
+"""Control law for joints that follow a goal sent every few milliseconds: filter, gain, limits.
 
 ABB documents the meaning of its parameters, not its control law. This one is our own: the goal
 passes a low-pass filter, the speed is proportional to the remaining distance and never too high to
@@ -19,7 +19,7 @@ from rapidsim.values import value_class
 CYCLE_S: Final = 0.004
 """The controller's cycle [s]."""
 BRAKING_SHARE: Final = 0.9
-"""Of its acceleration an axis counts on so much when it brakes for a goal or an end."""
+"""Share of its acceleration that an axis uses to brake for a goal or a limit."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -34,12 +34,12 @@ class GuidedAxes:
 
 @value_class(frozen=True, slots=True)
 class Tuning:
-    """How strongly the axes follow their goal."""
+    """Strength with which the axes follow their goal."""
 
     gain: float
-    """Speed [rad/s] per rad that is left: Kp times PosCorrGain; 0 leaves them to speeds alone."""
+    """Speed [rad/s] per rad of remaining distance: Kp x PosCorrGain; 0 for speed control only."""
     max_speed: float = math.inf
-    """No axis is faster [rad/s]."""
+    """Largest speed [rad/s] of each axis."""
 
 
 @value_class(slots=True, eq=False)
@@ -47,19 +47,19 @@ class LowPass:
     """Low-pass filters of first order in series, initially at rest."""
 
     frequencies_hz: tuple[float, ...]
-    """0 is none."""
+    """0 for no filter."""
     start: Array
     shares: tuple[float, ...] = field(init=False)
-    """Of what is left, what each stage goes in a cycle."""
+    """Share of the remaining distance that each stage covers in a cycle."""
     _stages: list[Array] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Rest."""
+        """Start at rest."""
         self.shares = tuple(map(_share, self.frequencies_hz))
         self._stages = [self.start for _ in self.shares]
 
     def follow(self, goal: Array) -> Array:
-        """The filtered goal, a cycle later."""
+        """Return the filtered goal, a cycle later."""
         for number, share in enumerate(self.shares):
             stage = self._stages[number]
             goal = self._stages[number] = stage + share * (goal - stage)
@@ -85,7 +85,7 @@ class JointMotion:
 
         Args:
             goal: The goal (n,) [rad].
-            tuning: How strongly to follow it.
+            tuning: Gain and speed limit.
             speed: Feed-forward (n,) [rad/s]: the goal's own speed.
             share: Share of their maximum speed that axes may use, while the guidance begins; 0..1.
         """
@@ -98,7 +98,7 @@ class JointMotion:
         axes = self.axes
         wanted = np.clip(wanted, -axes.max_speed, axes.max_speed)
         brakes = 2.0 * BRAKING_SHARE * axes.max_acceleration
-        # An axis is never faster than it can stop before its end.
+        # An axis must be able to stop before its limit.
         ahead = np.maximum(axes.upper - self.joints, 0.0)
         behind = np.maximum(self.joints - axes.lower, 0.0)
         wanted = np.minimum(wanted, np.minimum(np.sqrt(brakes * ahead), ahead / CYCLE_S))
@@ -115,9 +115,9 @@ class JointMotion:
         return not self.speed.any()
 
     def _approach(self, remaining: Array, gain: float) -> Array:
-        """The speed (n,) [rad/s] that is proportional near the goal and can be braked further off.
+        """Return the speed (n,) [rad/s]: proportional near the goal, brakeable further off.
 
-        The two meet where they are equally fast and equally steep.
+        The two laws meet where speed and slope are equal.
         """
         brakes = BRAKING_SHARE * self.axes.max_acceleration
         gain = min(gain, 0.5 / CYCLE_S)

@@ -2,7 +2,7 @@
 
 x is along the path, y the cross product of the tool's z and x, z that of x and y. A sensor corrects
 y and z. As for guidance, ABB publishes no control law: here the correction passes the filters of
-its configuration, the offset follows it as the axes of `joint_law` do, and turns with the path.
+its configuration, the offset follows it like the axes of `joint_law`, and turns with the path.
 
 Source of the coordinates: Technical reference manual RAPID Instructions, Functions and Data types,
 "CorrCon"; of what may be corrected: Application manual Externally Guided Motion.
@@ -22,30 +22,30 @@ from rapidsim.values import value_class
 
 _FASTEST: Final = 0.25
 _HARDEST: Final = 2.5
-"""No direction of the way off changes faster [m/s] and [m/s2]; ours, for ABB gives none."""
+"""Limits of the offset's speed [m/s] and acceleration [m/s2]: our own, as ABB publishes none."""
 _LEAST_SINE: Final = 1e-6
-"""A tool that points along its path does not say which way y is."""
+"""Sine below which the tool points along its path, so that y is undefined."""
 
 
 @value_class(slots=True, eq=False)
 class PathCorrection:
-    """The offset of a TCP from its path over time; `follow` advances it."""
+    """Offset of a TCP from its path over time; `follow` advances it."""
 
     gain: float
-    """Speed [m/s] per m that is left: Kp."""
+    """Speed [m/s] per m of remaining distance: Kp."""
     filters_hz: tuple[float, ...]
     has_answer: bool = False
-    """Whether the sensor has said anything."""
+    """Whether the sensor has sent anything."""
     _wanted: Array = field(init=False)
-    """In path coordinates [m]."""
+    """Correction in path coordinates [m]."""
     _filter: LowPass = field(init=False)
     _motion: JointMotion = field(init=False)
     _axes: Array = field(init=False)
-    """base_from_path (3, 3), where the path led last."""
+    """base_from_path (3, 3) of the last cycle in which it was defined."""
     _goal: Array = field(init=False)
 
     def __post_init__(self) -> None:
-        """Begin on the path."""
+        """Start on the path."""
         free = np.full(3, np.inf)
         limits = GuidedAxes(-free, free, np.full(3, _FASTEST), np.full(3, _HARDEST))
         self._wanted = self._goal = np.zeros(3)
@@ -54,7 +54,7 @@ class PathCorrection:
         self._axes = np.zeros((3, 3))
 
     def accept(self, answer: SensorAnswer) -> bool:
-        """Take an answer of the sensor; whether it was a correction."""
+        """Accept a message of the sensor; return whether it contained a correction."""
         if len(answer.correction) != 3:
             return False
         _, y, z = answer.correction
@@ -62,12 +62,12 @@ class PathCorrection:
         return True
 
     def follow(self, directions: Array, tool_z: Array, counts: Array) -> list[Array]:
-        """Advance by one cycle per row; the offset (3,) [m] at the end of each, in base.
+        """Advance by one cycle per row; return the offset (3,) [m] at the end of each, in base.
 
         Args:
             directions: Path directions at the end of each cycle (k, 3), in base; 0 for none.
-            tool_z: The tool's z (k, 3), likewise.
-            counts: Whether (k,) the path is corrected there.
+            tool_z: The tool's z axis at the end of each cycle (k, 3), in base.
+            counts: Mask (k,) of the cycles in which the path is corrected.
         """
         tuning, ways = Tuning(self.gain), list[Array]()
         for x, z, corrected in zip(directions, tool_z, counts, strict=True):
@@ -79,7 +79,7 @@ class PathCorrection:
         return ways
 
     def rest(self) -> list[Array]:
-        """Bring the offset to rest at its current value; the offset at the end of each cycle."""
+        """Bring the offset to rest at its current value; return the offsets, one per cycle."""
         ways = []
         while not self._motion.is_at_rest:
             self._motion.at_speed(np.zeros(3))
@@ -87,7 +87,7 @@ class PathCorrection:
         return ways
 
     def _turn(self, x: Array, tool_z: Array) -> None:
-        """Take the coordinates of another place; those of the last one, if it says none."""
+        """Update the path coordinates; keep the previous ones if y is undefined."""
         y = np.cross(tool_z, x)
         if (sine := float(np.linalg.norm(y))) > _LEAST_SINE:
             y /= sine

@@ -1,4 +1,4 @@
-"""The return to where a guidance began, in a given time or as fast as the axes can."""
+"""Return to the start position of a guidance, in a requested time or as fast as the axes can."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from rapidsim.values import value_class
 
 _TOP_SPEED = 1.875
 _TOP_ACCELERATION = 5.7735
-"""Of the polynomial that begins and ends at rest, over a way and a time of 1."""
+"""Peaks of the rest-to-rest polynomial over a distance and a time of 1."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class ReturnMotion:
-    """All axes in sync, from rest to rest."""
+    """Synchronised motion of all axes, from rest to rest."""
 
     start: Array
     end: Array
     duration_s: float
 
     def at(self, time_s: float) -> tuple[Array, Array]:
-        """Joints (n,) [rad] and speeds (n,) [rad/s] a time [s] after the start."""
+        """Return joints (n,) [rad] and speeds (n,) [rad/s] a time [s] after the start."""
         if time_s >= self.duration_s:
             return self.end, np.zeros_like(self.end)
         u = time_s / self.duration_s
@@ -33,10 +33,10 @@ class ReturnMotion:
 
 
 def return_motion(axes: GuidedAxes, start: Array, end: Array, duration_s: float) -> ReturnMotion:
-    """A motion between two positions at rest, in the given time or what the axes need.
+    """Return a rest-to-rest motion in the requested time, or longer if the axes need it.
 
     Args:
-        axes: Their limits.
+        axes: Axis limits.
         start: Joints (n,) [rad].
         end: Joints (n,) [rad].
         duration_s: The requested time [s].

@@ -1,6 +1,6 @@
 """A sensor's answer, as sent in mm and degrees, and in m and rad.
 
-The only place besides `configurations/targets.py` that converts a program's units to the arm's.
+The only module besides `configurations/targets.py` that converts a program's units to the arm's.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ _LEAST_NORM = 1e-6
 
 @value_class(frozen=True, slots=True)
 class SensorAnswer:
-    """The last message of a sensor; missing parts are empty."""
+    """Last message of a sensor; missing parts are empty."""
 
     joints: tuple[float, ...] = ()
-    """Goal of the arm's axes, the external ones behind them [deg]."""
+    """Goal of the arm's axes, followed by the external axes [deg]."""
     position: tuple[float, ...] = ()
     """Goal of the TCP, x, y, z [mm]."""
     orientation: tuple[float, ...] = ()
@@ -29,18 +29,18 @@ class SensorAnswer:
     tcp_speed: tuple[float, ...] = ()
     """x, y, z [mm/s], rx, ry, rz [deg/s]."""
     correction: tuple[float, ...] = ()
-    """So far beside its path the TCP shall be: x, y, z of path coordinates [mm]."""
+    """Requested offset of the TCP from its path: x, y, z of path coordinates [mm]."""
     values: tuple[float, ...] = ()
     r"""For \DataFromSensor."""
 
 
 def radians(degrees: tuple[float, ...], count: int) -> Array | None:
-    """The given number of leading axes [rad]; None if they are not all there."""
+    """Return the first `count` axes [rad]; None if some are missing."""
     return None if len(degrees) < count else np.radians(np.array(degrees[:count]))
 
 
 def pose_of(answer: SensorAnswer) -> tuple[Array | None, Array | None]:
-    """Position (3,) [m] and rotation (3, 3) of the goal; None for missing parts."""
+    """Return position (3,) [m] and rotation (3, 3) of the goal; None for missing parts."""
     position = MM * np.array(answer.position) if len(answer.position) == 3 else None
     rotation = None
     if len(answer.orientation) == 4:
@@ -51,7 +51,7 @@ def pose_of(answer: SensorAnswer) -> tuple[Array | None, Array | None]:
 
 
 def twist_of(answer: SensorAnswer) -> Array | None:
-    """Speed of the TCP (6,) [m/s, rad/s]; None if missing."""
+    """Return the speed of the TCP (6,) [m/s, rad/s]; None if missing."""
     if len(answer.tcp_speed) != 6:
         return None
     twist = np.array(answer.tcp_speed)
@@ -59,10 +59,10 @@ def twist_of(answer: SensorAnswer) -> Array | None:
 
 
 def in_degrees(joints: Array) -> tuple[float, ...]:
-    """Axes (n,) [rad] as sent [deg]."""
+    """Return axes (n,) [rad] in the unit sent [deg]."""
     return tuple(np.degrees(joints).tolist())
 
 
 def in_millimetres(pose: Transform) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """A pose as sent: x, y, z [mm] and q1..q4."""
+    """Return a pose as sent: x, y, z [mm] and q1..q4."""
     return tuple((pose.translation / MM).tolist()), tuple(pose.quaternion.tolist())

@@ -1,1 +1,1 @@
-"""Forward and inverse kinematics: the protocol of an arm, and what all arms share."""
+"""Forward and inverse kinematics: the protocol of an arm, and the code all arms share."""

@@ -1,4 +1,4 @@
-"""The axes of an arm as textbook tables: screws of the product of exponentials, and DH.
+"""Axes of an arm as textbook tables: screws of the product of exponentials, and DH.
 
 Both are derived from the positions of the axes at joint values 0, so they apply to any arm in which
 each joint turns about, or slides along, one axis and carries the next. An arm with rods that hold a
@@ -31,25 +31,25 @@ class Screws:
     directions: Array
     """Unit vectors (n, 3) of the axes in base, joints at 0."""
     points: Array
-    """The point (n, 3) [m] of each axis that is nearest to the base."""
+    """Point (n, 3) [m] of each axis that is nearest to the base."""
     base_from_flange: Transform
     """M: joints at 0."""
     slides: Mask
-    """Shape (n,): which joints slide along their axis; the others turn."""
+    """Shape (n,): mask of the joints that slide along their axis; the others turn."""
 
     @property
     def turns(self) -> Array:
-        """The angular velocities (n, 3) of S; 0 for a sliding joint."""
+        """Angular velocities (n, 3) of S; 0 for a sliding joint."""
         return np.where(self.slides[:, None], 0.0, self.directions)
 
     @property
     def moments_mm(self) -> Array:
-        """The velocities (n, 3) of S [mm per rad], for a sliding joint [mm per mm]."""
+        """Velocities (n, 3) of S [mm per rad], for a sliding joint [mm per mm]."""
         turning: Array = -1e3 * np.cross(self.directions, self.points)
         return np.where(self.slides[:, None], self.directions, turning)
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
+        """Return base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
         moved = Transform.identity()
         rows = zip(self.directions, self.points, joints.tolist(), self.slides, strict=True)
         for direction, point, value, slides in rows:
@@ -70,21 +70,21 @@ class DhTable:
     """
 
     base: Transform
-    """From the base frame to frame 0; the unit matrix where axis 1 is the z axis of the base."""
+    """Transform from base to frame 0; the identity if axis 1 is the z axis of the base."""
     theta: Array
-    """What is added to each joint (n,) [rad]; all there is where it slides."""
+    """Offset added to each joint (n,) [rad]; for a sliding joint the whole angle."""
     d: Array
-    """Shape (n,) [m]; a joint that slides adds its way."""
+    """Shape (n,) [m]; the value of a sliding joint is added to it."""
     a: Array
     alpha: Array
     """Shape (n,) [rad]."""
     flange: Transform
-    """From the last frame to the flange; mostly the unit matrix."""
+    """Transform from the last frame to the flange; usually the identity."""
     slides: Mask
-    """Shape (n,): which joints slide along their axis; the others turn."""
+    """Shape (n,): mask of the joints that slide along their axis; the others turn."""
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
+        """Return base_from_flange of joints (n,) [rad]; see `Kinematics` for sliding ones."""
         moved = self.base
         thetas = self.theta + np.where(self.slides, 0.0, joints)
         ways = self.d + np.where(self.slides, METRES_PER_UNIT * joints, 0.0)
@@ -97,7 +97,7 @@ class DhTable:
 
 
 def screws_of(kinematics: Kinematics) -> Screws | None:
-    """The screws of an arm; None if its joints do not each turn about or slide along one axis."""
+    """Return the screws of an arm; None if a joint does not turn about or slide along an axis."""
     zero = np.zeros(kinematics.joint_count)
     flange = kinematics.forward(zero)
     jacobian = kinematics.jacobian(zero)
@@ -106,8 +106,8 @@ def screws_of(kinematics: Kinematics) -> Screws | None:
     lengths = np.linalg.norm(directions, axis=1)
     if np.abs(lengths - 1.0).max() > _TOLERANCE:
         return None
-    # The velocity of the flange is the direction crossed with the way from the axis to it.
-    # Of an axis that slides only the direction counts; this one passes through the flange.
+    # The velocity of the flange is the direction crossed with the vector from the axis to it. Only
+    # the direction of a sliding axis is significant; the axis is placed through the flange.
     away = np.where(slides[:, None], 0.0, np.cross(directions, jacobian[:3].T))
     points = flange.translation + away
     points = points - np.sum(points * directions, axis=1, keepdims=True) * directions
@@ -116,7 +116,7 @@ def screws_of(kinematics: Kinematics) -> Screws | None:
 
 
 def dh_table_of(kinematics: Kinematics) -> DhTable | None:
-    """The standard DH table of an arm; None if it has no screws."""
+    """Return the standard DH table of an arm; None if it has no screws."""
     screws = screws_of(kinematics)
     if screws is None:
         return None
@@ -133,7 +133,7 @@ def dh_table_of(kinematics: Kinematics) -> DhTable | None:
 
 
 def _agrees(table: Screws | DhTable, kinematics: Kinematics) -> bool:
-    """Whether a table says the same as the arm, tried at some joints."""
+    """Whether a table agrees with the arm at some random joint values."""
     for joints in np.random.default_rng(0).uniform(-1.0, 1.0, (_TRIALS, kinematics.joint_count)):
         said, right = table.forward(joints).matrix, kinematics.forward(joints).matrix
         if np.abs(said - right).max() > _TOLERANCE:
@@ -142,36 +142,36 @@ def _agrees(table: Screws | DhTable, kinematics: Kinematics) -> bool:
 
 
 def _first_frame(z: Array, point: Array) -> Transform:
-    """Frame 0: on axis 1 near the base, x as near to that of the base as z allows."""
+    """Return frame 0: on axis 1 near the base, x as close to that of the base as z allows."""
     return Transform(_axes(_across(z, np.array([1.0, 0.0, 0.0])), z), point)
 
 
 def _next_frame(before: Transform, z: Array, following: Array, point: Array) -> Transform:
-    """The frame on the following axis, x along the common normal of both axes."""
+    """Return the frame on the following axis, x along the common normal of both axes."""
     origin = before.translation
     normal = np.cross(z, following)
     sine = float(np.linalg.norm(normal))
     if sine < _TOLERANCE:
-        # Parallel: of all common normals that through the frame before.
+        # Parallel axes: use the common normal through the previous frame.
         foot = point + float((origin - point) @ following) * following
         aside = foot - origin - float((foot - origin) @ z) * z
         length = float(np.linalg.norm(aside))
         x = aside / length if length > _TOLERANCE else before.rotation[:, 0]
         return Transform(_axes(x, following), foot)
     x = normal / sine
-    # Where the following axis meets the common normal.
+    # Intersection of the following axis with the common normal.
     foot = point + float(np.cross(point - origin, z) @ normal) / sine**2 * following
     away = float((foot - origin) @ x)
     if away < -_TOLERANCE:
         x = -x
     elif abs(away) <= _TOLERANCE and float(x @ before.rotation[:, 0]) < -_TOLERANCE:
-        # Axes that meet: of both normals that on the side of x before.
+        # Intersecting axes: of both normals, use that on the side of the previous x.
         x = -x
     return Transform(_axes(x, following), foot)
 
 
 def _last_frame(before: Transform, z: Array, base_from_flange: Transform) -> Transform:
-    """The flange itself where its z axis is the last axis; else as near as DH can come."""
+    """Return the flange if its z axis is the last axis, else the nearest frame that DH allows."""
     x = _across(z, base_from_flange.rotation[:, 0])
     origin = before.translation
     way = float((base_from_flange.translation - origin) @ z)
@@ -182,7 +182,7 @@ def _last_frame(before: Transform, z: Array, base_from_flange: Transform) -> Tra
 
 
 def _row(before: Transform, after: Transform) -> tuple[float, float, float, float]:
-    """Theta, d, a and alpha from one frame to the next."""
+    """Return theta, d, a and alpha from one frame to the next."""
     x, z = before.rotation[:, 0], before.rotation[:, 2]
     y = before.rotation[:, 1]
     new_x, new_z, new_y = after.rotation[:, 0], after.rotation[:, 2], after.rotation[:, 1]
@@ -193,7 +193,7 @@ def _row(before: Transform, after: Transform) -> tuple[float, float, float, floa
 
 
 def _across(z: Array, wanted: Array) -> Array:
-    """The unit vector across z nearest to a direction; another where that is along z."""
+    """Return the unit vector normal to z nearest to a direction, or another if that is along z."""
     for direction in (wanted, *np.eye(3)):
         aside = direction - float(direction @ z) * z
         length = float(np.linalg.norm(aside))
@@ -204,5 +204,5 @@ def _across(z: Array, wanted: Array) -> Array:
 
 
 def _axes(x: Array, z: Array) -> Array:
-    """The rotation (3, 3) with two axes given."""
+    """Return the rotation (3, 3) with these x and z axes."""
     return np.stack([x, np.cross(z, x), z], axis=1)

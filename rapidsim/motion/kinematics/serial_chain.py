@@ -1,7 +1,6 @@
 """Forward kinematics of any chain of axes, from their positions at joint values 0.
 
-The same few lines serve every arm without formulas of its own, and those with a closed-form
-inverse.
+Used by arms without closed formulas, and by several with a closed-form inverse.
 """
 
 from __future__ import annotations
@@ -22,15 +21,15 @@ class AxesAtZero:
     directions: Array
     """Unit vectors (m, 3)."""
     points: Array
-    """A point (m, 3) [m] on each."""
+    """Point (m, 3) [m] on each axis."""
     base_from_link: Transform
-    """Shape (m,): the link that each axis moves."""
+    """Shape (m,): link that each axis moves."""
     base_from_flange: Transform
 
 
 @value_class(frozen=True, eq=False)
 class SerialChain:
-    """A chain of axes, each of which carries the next.
+    """Chain of axes, each of which carries the next.
 
     Source:
         Brockett (1984), Robotic manipulators and the product of exponentials formula.
@@ -38,34 +37,33 @@ class SerialChain:
 
     axes: AxesAtZero
     axis_from_joint: Array
-    """Shape (m, n): the angles of the axes per joint value; the unit matrix but where rods couple
-    axes."""
+    """Shape (m, n): axis angles per joint value; the unit matrix unless rods couple axes."""
     links: tuple[int, ...]
-    """The axis, counted from 0, that moves the link of each of the n joints."""
+    """Index, from 0, of the axis that moves the link of each of the n joints."""
 
     @staticmethod
     def uncoupled(axes: AxesAtZero) -> SerialChain:
-        """A chain with one joint per axis."""
+        """Return a chain with one joint per axis."""
         count = len(axes.points)
         return SerialChain(axes, np.eye(count), tuple(range(count)))
 
     @property
     def joint_count(self) -> int:
-        """How many joints the arm has."""
+        """Number of joints of the arm."""
         return int(self.axis_from_joint.shape[1])
 
     @cached_property
     def _turns(self) -> tuple[Array, Array]:
-        """Matrices (m, 3, 3) that turn by sine and by one minus cosine of an angle."""
+        """Matrices (m, 3, 3) that are multiplied by the sine, and one minus cosine, of an angle."""
         once = cross_matrix(self.axes.directions)
         return once, once @ once
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joint vectors (..., n) [rad]."""
+        """Return base_from_flange of joint vectors (..., n) [rad]."""
         return self._moved(joints)[-1] @ self.axes.base_from_flange
 
     def link_frames(self, joints: Array) -> Transform:
-        """base_from_link of the link of each joint, shape (..., n), of joint vectors (..., n)."""
+        """Return base_from_link of the link of each joint, shape (..., n), of joints (..., n)."""
         moved = self._moved(joints)
         frames = [moved[axis] @ self.axes.base_from_link[axis] for axis in self.links]
         return Transform(
@@ -74,11 +72,11 @@ class SerialChain:
         )
 
     def jacobian(self, joints: Array) -> Array:
-        """Twist of the flange per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base."""
+        """Return the flange twist per joint speed, (..., 6, n): [m/rad] over [rad/rad], in base."""
         return self.forward_and_jacobian(joints)[1]
 
     def forward_and_jacobian(self, joints: Array) -> tuple[Transform, Array]:
-        """Both at the cost of one; needed at every step of a search."""
+        """Return both at the cost of one; needed at every step of a search."""
         moved = self._moved(joints)
         flange = moved[-1] @ self.axes.base_from_flange
         columns = []
@@ -89,7 +87,7 @@ class SerialChain:
         return flange, np.stack(columns, axis=-1) @ self.axis_from_joint
 
     def _moved(self, joints: Array) -> list[Transform]:
-        """How each axis has moved what it carries, away from where it is at joint values 0."""
+        """Return the displacement of each axis's link from its pose at joint values 0."""
         angles = np.asarray(joints, dtype=np.float64) @ self.axis_from_joint.T
         sine, cosine = np.sin(angles)[..., None, None], 1.0 - np.cos(angles)[..., None, None]
         once, twice = self._turns

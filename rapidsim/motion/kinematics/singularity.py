@@ -1,4 +1,4 @@
-"""A singularity, an arm's distance from it, and its detection without formulas."""
+"""A singularity, an arm's distance from it, and its detection without closed formulas."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
 NEAR = 0.05
-"""A singularity is near below this: 2.9 deg of an axis, 5 % of the reach."""
+"""Distance below which a singularity is near: 2.9 deg of an axis, 5 % of the reach."""
 WEAK = 0.02
-"""For arms without formulas: smallest singular value below which a singularity is near."""
+"""Smallest singular value below which a singularity is near, for arms without formulas."""
 TAKES_PART = 0.2
-"""Share of a joint in the motion that moves nothing from which it takes part in it."""
+"""Share of a joint in the null motion from which it takes part in it."""
 
 
 @value_class(frozen=True, slots=True)
@@ -22,9 +22,9 @@ class Singularity:
     name: str
     """`wrist`, `elbow` or `shoulder`."""
     distance: float
-    """The sine of an angle that vanishes on it, or the way to it as a share of the reach."""
+    """Sine of an angle that vanishes on it, or distance to it as a share of the reach."""
     reason: str
-    """What has come together, in words."""
+    """Geometric cause, in words."""
 
     @property
     def near(self) -> bool:
@@ -33,7 +33,7 @@ class Singularity:
 
 
 def by_idle_motion(jacobian: Array) -> tuple[Singularity, ...]:
-    """The singularity behind a weak Jacobian (6, n), named by the joints whose motions cancel.
+    """Return the singularity of a weak Jacobian (6, n), named by the joints whose motions cancel.
 
     Arms with more than six joints always have such motions; only additional ones count.
     """

@@ -13,66 +13,66 @@ from rapidsim.frames.transform import Array
 TURN = 2.0 * np.pi
 HALF_TURN = np.pi
 ENDLESS = 1e300
-"""The turn of a joint that slides: finite, so that no number of them is none, and longer than any
-way, so that always none of them is nearest."""
+"""Turn of a sliding joint: finite, so that zero turns are 0 and not NaN, and longer than any
+displacement, so that zero turns are always nearest."""
 
 
 def whole_turns(arc_length: Array, turn: float | Array = TURN) -> Array:
-    """The multiples of a whole turn [rad] closest to joint displacements (..., n) [rad].
+    """Return the multiples of a whole turn [rad] closest to joint displacements (..., n) [rad].
 
     Args:
         arc_length: Displacement between two values of a joint.
-        turn: Of all joints, or of each (n,): see `Kinematics.turns`.
+        turn: Turn of all joints, or of each (n,): see `Kinematics.turns`.
     """
     return turn * np.round(arc_length / turn)
 
 
 def turning(steps: Array, turn: Array) -> Array:
-    """Steps (..., n) [rad] of joints, 0 for sliding ones, which are smooth wherever a pose is.
+    """Return steps (..., n) [rad] of joints, 0 for sliding ones, which are smooth on all poses.
 
     Args:
-        steps: From one joint vector to the next.
-        turn: Of each joint (n,): see `Kinematics.turns`.
+        steps: Differences of successive joint vectors.
+        turn: Turn of each joint (n,): see `Kinematics.turns`.
     """
     return np.where(turn == ENDLESS, 0.0, steps)
 
 
 def principal(joints: Array, turn: float | Array = TURN) -> Array:
-    """Joint vectors (..., n) [rad], each joint in its principal turn -180..180 deg."""
+    """Return joint vectors (..., n) [rad], each joint in its principal turn -180..180 deg."""
     return joints - whole_turns(joints, turn)
 
 
 def in_turn_of(
     joints: Array, exists: npt.NDArray[np.bool_], near: Array, turn: float | Array = TURN
 ) -> Array:
-    """Joint vectors (k, n) [rad], each joint in the closest whole turn.
+    """Return joint vectors (k, n) [rad], each joint in the closest whole turn.
 
     Args:
         joints: Shape (k, n) [rad].
         exists: Shape (k,): rows with valid joints; the others are returned as 0.
         near: Shape (k, n) [rad], a row for each, or (n,), which precedes the first row.
-        turn: Of all joints, or of each (n,): see `Kinematics.turns`.
+        turn: Turn of all joints, or of each (n,): see `Kinematics.turns`.
     """
     turned = np.zeros_like(joints)
     if near.ndim == 1:
-        # Rows out of reach have no joints; what follows them is near to what came before.
+        # Unreachable rows have no joints; the row after them is unwrapped against the row before.
         row = np.concatenate([near[None], joints[exists]])
         turned[exists] = _unwrapped(row, turn)[1:]
     else:
-        # What the other rows hold may be anything.
+        # The other rows may contain anything.
         found = joints[exists]
         turned[exists] = found + whole_turns(near[exists] - found, turn)
     return turned
 
 
 def _unwrapped(row: Array, turn: float | Array) -> Array:
-    """A row (k, n) [rad] without steps of more than half a turn; joints that slide as they are."""
+    """Return a row (k, n) [rad] without steps above half a turn; sliding joints are unchanged."""
     unwrapped: Array = np.unwrap(row, axis=0)
     return unwrapped if isinstance(turn, float) else np.where(turn == ENDLESS, row, unwrapped)
 
 
 def turned_towards(before: float, angle: float) -> float:
-    """An angle [rad] in the whole turn closest to another; at half a turn it stays as it is."""
+    """Return an angle [rad] in the whole turn closest to another; unchanged at half a turn."""
     away = angle - before
     if -HALF_TURN < away < HALF_TURN:
         return angle

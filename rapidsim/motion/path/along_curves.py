@@ -18,13 +18,13 @@ from rapidsim.values import value_class
 
 Index = npt.NDArray[np.int64]
 Solve = Callable[[Array, Index], tuple[Array, Mask]]
-"""Joints (k, n + e) [rad] at places (k,) of parts (k,), whole turns left open, and where (k,) the
-branch of the curve reaches the place."""
+"""Returns joints (k, n + e) [rad] at places (k,) of parts (k,), up to whole turns, and a mask (k,)
+of the places that the branch of the curve reaches."""
 
 LONGEST_CELL = 0.05
-"""Way [m] of the TCP between two nodes to begin with."""
+"""Initial distance [m] of the TCP between two nodes."""
 WIDEST_CELL = 0.2
-"""Turn [rad] of tool or frame likewise."""
+"""Initial rotation [rad] of tool or frame between two nodes."""
 _LARGEST_STEP = 0.15
 _JUMP = 0.5
 
@@ -34,21 +34,21 @@ class Nodes:
     """Joints along curves, rows in the order of curves and positions."""
 
     place: Array
-    """Shape (k,)."""
+    """Shape (k,): position on the path or curve."""
     part: Index
-    """Shape (k,): the part of a curve, in which the place lies."""
+    """Shape (k,): part of a curve that contains the place."""
     curve: Index
     """Shape (k,)."""
     joints: Array
     """Shape (k, n + e) [rad]; continuous along each curve, whole turns included."""
     exists: Mask
-    """Shape (k,): where the branch of the curve reaches the place."""
+    """Shape (k,): whether the branch of the curve reaches the place."""
 
     def jumps(self, turns: Array) -> Mask:
-        """Whether (k - 1,) a joint of the arm jumps between successive nodes.
+        """Mask (k - 1,) of jumps of an arm joint between successive nodes.
 
         Args:
-            turns: Of each joint (n,), see `Kinematics.turns`.
+            turns: Turn of each joint (n,), see `Kinematics.turns`.
         """
         step = np.abs(turning(np.diff(self.joints[:, : len(turns)], axis=0), turns))
         both = (self.curve[1:] == self.curve[:-1]) & self.exists[1:] & self.exists[:-1]
@@ -57,14 +57,14 @@ class Nodes:
 
 
 def spread(cells: Index, closed: Mask) -> tuple[Index, Array]:
-    """Evenly spaced nodes over parts (p,).
+    """Return evenly spaced nodes over parts (p,).
 
     Args:
         cells: Number of cells of each part, shape (p,).
-        closed: Whether (p,) there is a node at the end of a part, as there is at its beginning.
+        closed: Mask (p,) of the parts with a node at their end, as there is at their beginning.
 
     Returns:
-        The part of each node, and its position as a share of the part, 0 to 1.
+        Part of each node, and its position as a share of the part, 0 to 1.
     """
     count = cells + closed
     part = np.repeat(np.arange(len(cells)), count)
@@ -83,12 +83,12 @@ def nodes_along(
     """Solve nodes, and insert others where joints turn far in between.
 
     Args:
-        place: The first nodes (k,), those of a curve in order.
+        place: First nodes (k,), in order along each curve.
         part: The part (k,) that contains each.
         curve_of: The curve of each part (p,).
         shortest: Cells of a curve (m,) no longer than this are not halved.
-        solve: Finds joints.
-        turns: Of each joint of the arm (n,), see `Kinematics.turns`; other axes need no nodes.
+        solve: Function that finds joints.
+        turns: Turn of each joint of the arm (n,), see `Kinematics.turns`; other axes need no nodes.
     """
     joint_count = len(turns)
     joints, exists = solve(place, part)
@@ -112,7 +112,7 @@ def nodes_along(
 
 
 def _continuous(joints: Array, curve: Index, turns: Array) -> Array:
-    """Take the turn of each curve's first node along the whole curve."""
+    """Unwrap joints along each curve, starting in the turn of its first node."""
     if len(joints) < 2:
         return joints
     gone = np.cumsum(np.round(np.diff(joints, axis=0) / turns), axis=0)

@@ -1,4 +1,4 @@
-"""From segments to a path: its curves and corners first, then the joints along them."""
+"""Building of a path from segments: first curves and corners, then the joints along them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def build_path(
         segments: At least one; each starts with the joints at the end of the previous one, and has
             speeds above zero.
         model: Shape of corners.
-        check_deadline: Called now and then.
+        check_deadline: Called regularly.
 
     Returns:
         The path, or the first point where the arm cannot follow it.
@@ -49,20 +49,20 @@ def build_path(
 
 @dataclass(frozen=True, eq=False)
 class Outline:
-    """What is known of a path before the arm has followed it: its curves and its corners."""
+    """Curves and corners of a path, before inverse kinematics along it."""
 
     robot: Robot
     segments: tuple[Segment, ...]
     model: MotionModel
     active: Index
-    """Shape (m,): as `Path.active`."""
+    """Shape (m,): see `Path.active`."""
     curves: Curves
     arms: JointMapper
     corners: Corners
 
     @property
     def segment_bounds(self) -> Array:
-        """As `Path.segment_bounds`."""
+        """Path parameters at segment ends; see `Path.segment_bounds`."""
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)])
@@ -74,7 +74,7 @@ def outline_of(
     model: MotionModel,
     check_deadline: Look = undisturbed,
 ) -> Outline | PathFault:
-    """The curves and corners of segments; see `build_path`."""
+    """Return the curves and corners of segments; see `build_path`."""
     kinematics = robot.kinematics
     for i, segment in enumerate(segments):
         if segment.geometry is Geometry.JOINT:
@@ -102,7 +102,7 @@ def path_along(
     carrier_axes: CarrierAxes | None = None,
     further: Array | None = None,
 ) -> Path | PathFault:
-    """Let the arm follow an outline; see `build_path` and `layout_of`."""
+    """Solve the joints along an outline; see `build_path` and `layout_of`."""
     segments, active, arms, model = outline.segments, outline.active, outline.arms, outline.model
     kinematics, axes = outline.robot.kinematics, outline.robot.axes
     moving = [segments[int(i)] for i in active]
@@ -120,7 +120,7 @@ def path_along(
 
 
 def _joint_space_fault(path: Path, axes: Axes) -> PathFault | None:
-    """Where a joint move or a corner made in joint space leaves the limits."""
+    """Return the first point where a joint move or joint-space corner exceeds limits, or None."""
     layout = path.layout
     pieces = np.flatnonzero(
         layout.curves.in_joints[layout.row] | (layout.joint_corner >= 0)

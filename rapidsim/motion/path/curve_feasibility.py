@@ -1,8 +1,8 @@
-"""Whether the arm can follow many programmed lines and arcs, and where it is slowed down.
+"""Feasibility of many programmed lines and arcs, and the axes that limit their speed.
 
-A survey for checking: each path is taken by itself, from its start joints on their branch, without
-corners and without dynamics. Poses are as dense as the joint motion requires. For failures found
-here, `path.build_path` gives the exact place, one path at a time.
+A survey for checking: each path is tested separately, from its start joints on their branch,
+without corners and without dynamics. Poses are as dense as the joint motion requires. For failures
+found here, `building.build_path` returns the exact place, one path at a time.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ Index = npt.NDArray[np.int64]
 _BATCH = 2000
 _MOST_CELLS = 200
 _HALVINGS = 14
-"""Of a steep cell: 50 mm become 3 micrometres."""
+"""Bisections of a steep cell: 50 mm become 3 micrometres."""
 _PAST_LIMIT = 1e-6
 _NEAR = {"wrist": np.sin(np.radians(10.0)), "elbow": np.sin(np.radians(6.0)), "shoulder": 0.15}
-"""`Singularity.distance` from which an axis may be held up by a singularity."""
+"""`Singularity.distance` below which an axis may be limited by a singularity."""
 
 
 @value_class(frozen=True, slots=True)
 class SpeedBottleneck:
-    """Where an axis limits the programmed speed most."""
+    """Point where an axis limits the programmed speed most."""
 
     axis: int
-    """Counted from 1."""
+    """Axis, counted from 1."""
     share: float
-    """Of the programmed speed, what this axis allows; below 1."""
+    """Share of the programmed speed that this axis allows; below 1."""
     fraction: float
-    """Where on the way, 0 to 1."""
+    """Share of the path before this point, 0 to 1."""
     singularity: str | None
-    """Which singularity is near there."""
+    """Name of the nearby singularity; None if there is none."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -54,26 +54,26 @@ class SurveyedCurve:
     """Survey result for one line or arc."""
 
     travel: float
-    """Way of the TCP [m]."""
+    """Path length of the TCP [m]."""
     turned: float
     """Reorientation [rad]."""
     arrival: Array | None
-    """Joints (n,) [rad] at the end, whole turns followed; None where the branch ends before."""
+    """Joints (n,) [rad] at the end, whole turns included; None if the branch ends before."""
     broken: bool
-    """The branch ends, jumps, or passes a joint limit on the way."""
+    """Whether the branch ends, jumps, or exceeds a joint limit along the path."""
     hold_up: SpeedBottleneck | None
-    """None where the axes allow the programmed speed all along."""
+    """None if the axes allow the programmed speed along the whole path."""
 
 
 def survey_curves(
     robot: Robot, segments: Sequence[Segment], max_speed: Array | None
 ) -> tuple[SurveyedCurve, ...]:
-    """Survey lines and arcs that have passed `circle_fault`, each by itself.
+    """Survey lines and arcs that have passed `circle_fault`, each separately.
 
     Args:
         robot: The arm.
-        segments: The paths to survey; the joints at their ends do not count.
-        max_speed: Axis speeds (n,) [rad/s]; None if they are not known.
+        segments: The paths to survey; the joints at their ends are ignored.
+        max_speed: Axis speeds (n,) [rad/s]; None if unknown.
     """
     found: list[SurveyedCurve] = []
     for first in range(0, len(segments), _BATCH):
@@ -112,7 +112,7 @@ def _survey(
 
 
 def _nodes(curves: Curves, arms: JointMapper) -> Nodes:
-    """Places, as shares of their ways, on the branch of each."""
+    """Return nodes on each curve's branch; places are shares of the curve."""
     turn = np.linalg.norm(curves.tool_turn, axis=-1) + np.linalg.norm(curves.frame_turn, axis=-1)
     cells = np.ceil(np.maximum(curves.travel / LONGEST_CELL, turn / WIDEST_CELL))
     cells = np.clip(cells, 2, _MOST_CELLS).astype(np.int64)
@@ -135,7 +135,7 @@ def _hold_ups(
     nodes: Nodes,
     max_speed: Array,
 ) -> dict[int, SpeedBottleneck]:
-    """By way, where an axis would have to turn fastest beyond what it can."""
+    """Return, by path, the point where an axis most exceeds its speed; only paths that have one."""
     joints, all_rows = nodes.joints, nodes.curve
     row = all_rows[1:]
     motion = curves.at(all_rows, nodes.place * curves.length[all_rows])
@@ -151,7 +151,7 @@ def _hold_ups(
     usage = np.abs(np.diff(joints, axis=0)) / max_speed / np.where(counts, time, np.inf)[:, None]
     worst = usage.max(axis=-1)
     found: dict[int, SpeedBottleneck] = {}
-    # From small to large, so that the largest of each way stays.
+    # In ascending order, so that the largest of each path is stored last.
     for k in np.argsort(worst, kind="stable")[np.searchsorted(np.sort(worst), 1.0, side="right") :]:
         at, axis = int(k), int(usage[k].argmax())
         middle = 0.5 * (joints[at] + joints[at + 1])
@@ -165,7 +165,7 @@ def _hold_ups(
 
 
 def near_singularity(robot: Robot, joints: Array) -> str | None:
-    """The singularity that joints (n,) [rad] are near; None if none, or if solved by search."""
+    """Name of the singularity near joints (n,) [rad]; None if none, or if solved by search."""
     if not has_branches(robot.kinematics):
         return None
     found = robot.kinematics.singularities(joints)

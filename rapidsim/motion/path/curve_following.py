@@ -1,4 +1,4 @@
-"""Follows the Cartesian curves of a path on their branches, or finds where the arm cannot."""
+"""Inverse kinematics along the Cartesian curves of a path on their branches, with path faults."""
 
 from __future__ import annotations
 
@@ -23,49 +23,49 @@ from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.values import value_class
 
 _SHORT_PIECE = 0.005
-"""Up to here [m] both ends of a piece of a path are looked at and not its middle."""
+"""Length [m] of a piece up to which only its ends are solved at first, not its middle."""
 _SHORTEST_CELL = 2e-5
 _SHORTEST_SHARE = 1e-2
-"""An axis that turns by half a radian within this way of the TCP [m], or share of a short curve,
-has to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops before."""
+"""TCP distance [m], or share of a short curve, within which an axis that turns by half a radian has
+to jump: with axis 5 nearer to 0 than 0.006 deg on most arms. The controller stops earlier."""
 _LIMIT_TOLERANCE = 1e-6
 _MATCH_TOLERANCE = 1e-3
 
 
 class FaultKind(Enum):
-    """What keeps an arm from following a path."""
+    """Cause that prevents an arm from following a path."""
 
     REACH = "reach"
-    """The arm or one of its limits."""
+    """Reach or a limit of the arm."""
     SINGULARITY = "singularity"
-    """The path goes through it, or so near that a wrist axis would have to jump."""
+    """The path passes through it, or so close that a wrist axis would have to jump."""
     CONFIGURATION = "configuration"
-    """The branch at the start leads elsewhere than to the end."""
+    """The branch at the start does not lead to the end joints."""
     WRIST_PAIR = "wrist pair"
-    """Two wrist axes alone cannot lead the tool along the arc, or not within their limits."""
+    """Two wrist axes alone cannot guide the tool along the arc, or not within their limits."""
     SET_UP = "set-up"
-    """The move asks for no geometry at all."""
+    """The geometry of the move is undefined."""
     NOT_SIMULATED = "not simulated"
-    """Paths of such an arm are not simulated."""
+    """Paths of this kind of arm are not simulated."""
 
 
 @value_class(frozen=True, slots=True)
 class PathFault:
-    """Where a path cannot be driven, and why."""
+    """First point where a path is infeasible, with the reason."""
 
     segment: int
-    """Position in the row of segments that the path was built from."""
+    """Index in the sequence of segments from which the path was built."""
     fraction: float
     """Share of that segment, 0 to 1."""
     place: float
     """s of the path [m]."""
     distance: float
-    """TCP travel [m] on that segment before it fails."""
+    """TCP travel [m] on that segment before the fault."""
     reason: str
-    """What is wrong, with numbers."""
+    """Cause, with numbers."""
     kind: FaultKind = FaultKind.REACH
     cure: str | None = None
-    """What could be done, where that depends on the numbers."""
+    """Remedy, if that depends on the numbers; else None."""
 
 
 def follow(
@@ -76,7 +76,7 @@ def follow(
     axes: Axes,
     check_deadline: Look = undisturbed,
 ) -> Nodes | PathFault:
-    """Follow every Cartesian curve of a path.
+    """Solve the joints along every Cartesian curve of a path.
 
     Args:
         layout: The path.
@@ -84,7 +84,7 @@ def follow(
         lines: The lines with closed-form derivatives.
         segments: The segment of each curve.
         axes: Limits of the arm's joints and of the external axes.
-        check_deadline: Called now and then.
+        check_deadline: Called regularly.
 
     Returns:
         The joints, or the first point where the branch ends, jumps, does not match the joints at a
@@ -98,7 +98,7 @@ def follow(
         return _raw_joints(layout, arms, lines, place, piece)
 
     nodes = nodes_along(place, piece, layout.row, shortest, solve, arms.kinematics.turns)
-    # In corners made in joint space the arm is not on the curve.
+    # In corners in joint space the arm is not on the curve.
     on_path = np.flatnonzero(layout.joint_corner[nodes.part] < 0)
     candidates = (
         _unreached(layout, arms, nodes),
@@ -118,9 +118,9 @@ def follow(
 def limit_fault(
     layout: PathParameterisation, s: Array, row: Index, joints: Array, axes: Axes
 ) -> PathFault | None:
-    """The first of some points (k,) whose joints (k, n + e) are outside the limits."""
+    """Return the first of points (k,) whose joints (k, n + e) are outside the limits, or None."""
     lower, upper = axes.lower, axes.upper
-    # Behind them are axes of other robots, which look after their own limits.
+    # The remaining columns are axes of other robots, whose limits are checked for those robots.
     joints = joints[:, : len(lower)]
     over = np.maximum(lower - joints, joints - upper)
     bad = np.flatnonzero((over > _LIMIT_TOLERANCE).any(axis=-1))
@@ -128,7 +128,7 @@ def limit_fault(
         return None
     first = int(bad[0])
     axis = int(over[first].argmax())
-    # The worst of the same curve says more than the first node past the limit.
+    # The worst point on this curve is more informative than the first node past the limit.
     same = bad[row[bad] == row[first]]
     worst = int(same[over[same, axis].argmax()])
     limit = lower[axis] if joints[worst, axis] < lower[axis] else upper[axis]
@@ -144,7 +144,7 @@ def limit_fault(
 
 
 def _first_nodes(layout: PathParameterisation) -> tuple[Array, Index]:
-    """Places and pieces along all Cartesian curves, each curve with both ends."""
+    """Return initial places and pieces along all Cartesian curves, each curve with both ends."""
     pieces = np.flatnonzero(~layout.curves.in_joints[layout.row])
     row = layout.row[pieces]
     width = np.diff(layout.bounds)[pieces]
@@ -161,7 +161,7 @@ def _first_nodes(layout: PathParameterisation) -> tuple[Array, Index]:
 def _raw_joints(
     layout: PathParameterisation, arms: JointMapper, lines: Lines | None, s: Array, piece: Index
 ) -> tuple[Array, Mask]:
-    """Joints near the straight way in joint space; whole turns may be off in between."""
+    """Return joints near linear interpolation in joint space, up to whole turns, and a mask."""
     if lines is None:
         return _joints_in_general(layout, arms, s, piece)
     joints, exists = lines.joints(s, piece)
@@ -174,7 +174,7 @@ def _raw_joints(
 def _joints_in_general(
     layout: PathParameterisation, arms: JointMapper, s: Array, piece: Index
 ) -> tuple[Array, Mask]:
-    """The same for whatever arm and curve."""
+    """Return joints near linear interpolation for any arm and curve, and a mask."""
     row = layout.row[piece]
     near = layout.curves.joints_at(row, s - layout.places[row])
     near[:, arms.kinematics.joint_count :] = layout.course(s, piece).value
@@ -234,14 +234,14 @@ def _jump(layout: PathParameterisation, nodes: Nodes, turns: Array) -> PathFault
 def _missed_waypoint(
     layout: PathParameterisation, nodes: Nodes, segments: Sequence[Segment], axes: Axes
 ) -> PathFault | None:
-    """Where the branch does not lead from a segment's start joints to its end joints."""
+    """Return the first segment whose branch misses its start or end joints, or None."""
     row = nodes.curve
     rows = np.unique(row)
     first = np.searchsorted(row, rows, side="left")
     last = np.searchsorted(row, rows, side="right") - 1
     cut = (layout.position_corner >= 0) | (layout.orientation_corner >= 0)
     if layout.carrier_axes is not None:
-        # There the programmed point is where it is when the leader is at its own.
+        # With a carrier the programmed point is reached only if the carrier is at its own one.
         cut = cut | (layout.joint_corner >= 0)
     start = layout.curves.start_joints[rows]
     end = start + layout.curves.joint_travel[rows]
@@ -250,7 +250,7 @@ def _missed_waypoint(
     faults = []
     for node, waypoint, verb, other in ends:
         miss = np.abs(nodes.joints[node] - waypoint)[:, :arm]
-        # Within a corner path the node is not the waypoint; only a whole turn can be told.
+        # Within a corner path the node is not the waypoint; only a whole turn can be detected.
         allowed = np.where(cut[nodes.part[node]], 1.5 * math.pi, _MATCH_TOLERANCE)
         missed = np.flatnonzero(miss.max(axis=-1) > allowed)
         if len(missed):

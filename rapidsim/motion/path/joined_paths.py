@@ -24,34 +24,34 @@ Rows = TypeVar("Rows")
 
 _GAP_M = 1e-3
 _MOST_CURVES = 512
-"""So many are laid end to end: many more would cost digits, and gain nothing."""
+"""Maximum number of joined curves: many more would cost digits without a benefit."""
 _NO_CORNER = -1
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class JoinedPaths:
-    """Some paths (k,) of one arm, the short ones joined end to end."""
+    """Several paths (k,) of one arm, the short ones joined end to end."""
 
     paths: tuple[Path, ...]
     on: Index
-    """Shape (k,): the one of `paths` that holds each."""
+    """Shape (k,): index in `paths` of the joined path that contains each."""
     starts: Array
-    """Shape (k,): where each begins on it [m]."""
+    """Shape (k,): start of each on its joined path [m]."""
     before: Index
-    """Shape (k,): how many segments are before those of each."""
+    """Shape (k,): number of segments before each on its joined path."""
 
 
 def joined_paths(paths: Sequence[Path]) -> JoinedPaths:
     """Join paths of one arm end to end.
 
-    Joints, poses and travel are those of the paths, within the rounding of their common length.
-    Joined paths serve evaluation only.
+    Joints, poses and travel agree with those of the paths, within the rounding of their common
+    length. Joined paths serve evaluation only.
     """
     rows: list[list[Path]] = []
     size = _MOST_CURVES
     for path in paths:
         size += len(path.segments)
-        # What is one robot's part of a synchronised path is told by another parameter.
+        # One robot's part of a synchronised path has another parameter.
         if size > _MOST_CURVES or type(path) is not Path or type(rows[-1][0]) is not Path:
             rows.append([])
             size = len(path.segments)
@@ -105,7 +105,7 @@ def _layout(layouts: Sequence[PathParameterisation], starts: Array) -> PathParam
     bounds = [layout.bounds + start for layout, start in zip(layouts, starts, strict=True)]
 
     def pieces(values: Sequence[Index], in_gap: Sequence[int]) -> Index:
-        """Values of pieces, with an entry for the gap after each path but the last."""
+        """Return values of pieces, with an entry for the gap after each path but the last."""
         with_gaps = [np.append(*both) for both in zip(values, in_gap, strict=True)]
         return np.concatenate(with_gaps)[:-1]
 
@@ -132,7 +132,7 @@ def _layout(layouts: Sequence[PathParameterisation], starts: Array) -> PathParam
 
 
 def _corners(found: Sequence[Corners]) -> Corners:
-    """The corners of paths, and a stop point between each two."""
+    """Return the corners of paths, with a stop point between each two."""
     none = np.zeros(1)
     stop = Corners(none, none, np.zeros(1, dtype=bool), np.full(1, Limit.STOP_POINT))
     return _end_to_end([part for corners in found for part in (stop, corners)][1:])
@@ -160,7 +160,7 @@ def _wrist_rate(arms: JointMapper) -> Array:
 
 
 def _pairs(arms: JointMapper, like: WristPairs) -> WristPairs:
-    """The pairs of curves; where there are none, rows that say so."""
+    """Return the wrist pairs of curves; empty rows (-1) if there are none."""
     if arms.pairs is not None:
         return arms.pairs
     rows = {
@@ -171,7 +171,7 @@ def _pairs(arms: JointMapper, like: WristPairs) -> WristPairs:
 
 
 def _end_to_end(parts: Sequence[Rows]) -> Rows:
-    """Values whose fields have one row each, as one."""
+    """Concatenate values whose fields have one row per element."""
     values: Sequence[Any] = parts
     joined: Any
     if isinstance(values[0], np.ndarray):

@@ -1,6 +1,6 @@
-"""Joints alone at points of a path: what smoothing needs by the thousand.
+"""Joints without poses at points of a path, which smoothing needs in large numbers.
 
-They equal those of `Path.evaluate`; without derivatives and poses they cost a third.
+They equal the joints of `Path.evaluate`; without derivatives and poses they cost a third.
 """
 
 from __future__ import annotations
@@ -20,24 +20,25 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class JointSpacePoints:
-    """Points (k,) on joint moves, and in corners made in joint space, mapped to their curves.
+    """Points (k,) on joint moves, and in corners in joint space, mapped to their curves.
 
-    In a corner the joints are the sum of both curves that it joins, minus those where they meet.
+    In a corner the joints are the sum of both curves that it joins, minus the joints at their
+    junction.
     All are evaluated at once, because few points cost as much as many.
     """
 
     all_rows: Index
-    """Which of the places are on joint moves."""
+    """Indices of the points on joint moves."""
     cut: Index
-    """Which are in corners."""
+    """Indices of the points in corners."""
     corner: Index
-    """Of each of those, the curve before its corner."""
+    """Curve before the corner of each of those points."""
     row: Index
-    """Curves to be asked: those of `all_rows`, those before the corners, those behind them."""
+    """Curves to evaluate: those of `all_rows`, then before the corners, then after them."""
     x: Array
-    """Where [m] on each."""
+    """Position [m] on each of these curves."""
     rates: tuple[tuple[Array, Array], tuple[Array, Array]]
-    """Derivatives by s of where it is on the curve before each corner, and on the one behind."""
+    """Derivatives by s of the position on the curve before each corner, and on the next."""
 
     def split(self, values: Array) -> list[Array]:
         """Split values on curves into those on joint moves, before corners, after them."""
@@ -45,7 +46,7 @@ class JointSpacePoints:
 
 
 def in_joint_space(layout: PathParameterisation, s: Array, piece: Index) -> JointSpacePoints:
-    """The curves on which points (k,) of joint moves, and of corners in joint space, depend."""
+    """Return the curves on which points (k,) of joint moves and joint-space corners depend."""
     corner, row = layout.joint_corner[piece], layout.row[piece]
     whole, cut = np.flatnonzero(corner < 0), np.flatnonzero(corner >= 0)
     at = corner[cut]
@@ -63,16 +64,16 @@ def in_joint_space(layout: PathParameterisation, s: Array, piece: Index) -> Join
 def joints_at_corners(
     layout: PathParameterisation, corner: Index, s: Array, on_curve: Callable[[Index, Array], Array]
 ) -> tuple[Array, Array | float, Array | float]:
-    """Joints where both curves meet of corners (k,) in joint space, and derivatives, at s (k,).
+    """Return junction joints of joint-space corners (k,), and their derivatives, at s (k,).
 
-    Where another robot carries the work object and cuts its own corner, the curve before ends
-    elsewhere than the one behind begins; the joints pass over from this to that.
+    If another robot carries the work object and blends its own corner, the end of one curve differs
+    from the start of the next; the joints then blend from the latter to the former.
 
     Args:
         layout: The path.
         corner: The corners.
-        s: Places in them [m].
-        on_curve: Joints at places of curves.
+        s: Path parameters in them [m].
+        on_curve: Function that returns the joints at positions of curves.
     """
     if layout.carrier_axes is None:
         return layout.curves.start_joints[corner + 1], 0.0, 0.0
@@ -90,16 +91,16 @@ def joints_at_corners(
 
 @value_class(frozen=True, slots=True, eq=False)
 class JointsOnPath:
-    """The inverse kinematics of a path."""
+    """Inverse kinematics of a path."""
 
     layout: PathParameterisation
     arms: JointMapper
     nodes: Nodes
 
     def spaces(self, piece: Index) -> tuple[Index, Index]:
-        """Which of some pieces (k,) are made in Cartesian space and which in joint space.
+        """Return indices of pieces (k,) in Cartesian space, and of pieces in joint space.
 
-        Interpolated wrist axes count as joint space: only then do the joints determine the pose.
+        Interpolated wrist axes count as joint space: only there do the joints determine the pose.
         """
         row = self.layout.row[piece]
         joint = self.layout.curves.in_joints[row]
@@ -108,7 +109,7 @@ class JointsOnPath:
         return np.flatnonzero(~joint), np.flatnonzero(joint)
 
     def near(self, s: Array, external: Array) -> Array:
-        """Joints (k, n + e) close to those at points (k,) of Cartesian curves."""
+        """Return joints (k, n + e) close to those at points (k,) of Cartesian curves."""
         nodes = self.nodes
         joints = [np.interp(s, nodes.place, joint) for joint in nodes.joints.T]
         near = np.stack(joints, axis=-1)
@@ -116,13 +117,13 @@ class JointsOnPath:
         return near
 
     def in_space(self, s: Array, piece: Index) -> tuple[Twists, Array]:
-        """The motion at points (k,) of Cartesian curves and corners, and the joints (k, n + e)."""
+        """Motion at points (k,) of Cartesian curves and corners, and joints (k, n + e)."""
         motion = self.layout.motion(s, piece)
         near = self.near(s, self.layout.course(s, piece).value)
         return motion, self.arms.joints(motion, self.layout.row[piece], near)[0]
 
     def at(self, s: Array) -> Array:
-        """Joints, followed by external axes, (k, n + e) at s (k,) [m] on the path."""
+        """Return joints, followed by external axes, (k, n + e) at s (k,) [m] on the path."""
         piece = self.layout.piece_at(s)
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
         on_curve, in_joints = self.spaces(piece)
@@ -133,7 +134,7 @@ class JointsOnPath:
         return joints
 
     def _in_joint_space(self, s: Array, piece: Index) -> Array:
-        """The same on joint moves and in corners made in joint space."""
+        """Return joints (k, n + e) on joint moves and in corners in joint space."""
         places = in_joint_space(self.layout, s, piece)
         own, into, out = places.split(self._on_curve(places.row, places.x))
         joints = np.empty((len(s), self.nodes.joints.shape[1]))
@@ -143,7 +144,7 @@ class JointsOnPath:
         return joints
 
     def _on_curve(self, row: Index, x: Array) -> Array:
-        """The same at places x (k,) [m] of programmed curves (k,)."""
+        """Return joints (k, n + e) at positions x (k,) [m] of programmed curves (k,)."""
         curves = self.layout.curves
         x = np.clip(x, 0.0, curves.length[row])
         joints = curves.joints_at(row, x)

@@ -1,8 +1,7 @@
 """Closed-form derivatives on lines of ortho-parallel arms, much faster than the general method.
 
-Programs of many moves consist of lines. Anything but a line of a stationary arm holding its tool is
-left to the general method (`JointMapper.rates`), and so are points where the arm is close to
-singular.
+Programs with many moves consist of lines. Anything but a line of a stationary arm holding its tool
+uses the general method (`JointMapper.rates`), as do points where the arm is close to singular.
 """
 
 from __future__ import annotations
@@ -31,22 +30,22 @@ _ROTATION, _LEVER, _ARM = slice(9, 18), slice(18, 21), slice(21, 24)
 
 @dataclass(frozen=True, eq=False)
 class Lines:
-    """The lines of a path, in the frame of the arm's formulas."""
+    """Lines of a path, in the frame of the arm's formulas."""
 
     arm: OrthoParallel
     layout: PathParameterisation
     table: Array
-    """Shape (m, 24): a row a curve; its columns are named above."""
+    """Shape (m, 24): one row per curve; its columns are named above."""
     pieces: Mask
-    """Shape (p,): the pieces that are lines, or corners between two."""
+    """Shape (p,): mask of the pieces that are lines, or corners between two lines."""
     rows: Mask
-    """Shape (m,): the curves that are lines."""
+    """Shape (m,): mask of the curves that are lines."""
     turns_with_position: bool
     """Whether the tool turns in the same corners as the TCP."""
 
     @cached_property
     def alone(self) -> Lines:
-        """The lines as programmed, without corners: each is a piece with the number of its row."""
+        """Lines as programmed, without corners: the piece of each has the number of its row."""
         count = len(self.rows)
         no_corner = np.full(count, -1, dtype=np.int64)
         layout = replace(
@@ -60,7 +59,7 @@ class Lines:
         return replace(self, layout=layout, pieces=self.rows, turns_with_position=True)
 
     def rates(self, s: Array, piece: Index) -> tuple[PathRates, Mask]:
-        """Derivatives at s (k,) on pieces (k,), and where (k,) they are valid.
+        """Return derivatives at s (k,) on pieces (k,), and a mask (k,) of valid rows.
 
         They are valid on lines where the arm is not close to a singularity.
         """
@@ -92,7 +91,7 @@ class Lines:
         return rates, regular
 
     def joints(self, s: Array, piece: Index) -> tuple[Array, Mask]:
-        """Joints (k, 6) [rad] at s (k,) on pieces (k,), and where they are valid; see `rates`.
+        """Return joints (k, 6) [rad] at s (k,) on pieces (k,), and a mask of valid rows.
 
         Each is in the whole turn closest to linear interpolation in joint space.
         """
@@ -153,7 +152,7 @@ class Lines:
         )
 
     def _in_columns(self, s: Array, piece: Index) -> tuple[Any, ...]:
-        """What the formulas ask of places (k,), in columns; see `line_loops.place_on_lines`."""
+        """Return inputs of the formulas at s (k,), in columns; see `line_loops.place_on_lines`."""
         layout = self.layout
         into, out, sides = self._corners(layout.position_corner[piece], s, piece, turning=False)
         own, a, b = (_columns(self.table, index) for index in (layout.row[piece], into, out))
@@ -175,9 +174,9 @@ class Lines:
     def _corners(
         self, corner: Index, s: Array, piece: Index, *, turning: bool
     ) -> tuple[Index, Index, Array]:
-        """Lines before and after (k,), and places on both with derivatives (6, k).
+        """Return lines before and after (k,), and positions on both with derivatives (6, k).
 
-        Away from corners both are the line itself, and the one after adds nothing.
+        Outside corners both are the line itself, and the second contributes nothing.
         """
         layout = self.layout
         row = layout.row[piece]
@@ -196,7 +195,7 @@ class Lines:
 
 
 def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
-    """The lines of a path; None if it has none of an arm with closed forms."""
+    """Return the lines of a path; None if the arm has no closed formulas or no piece is a line."""
     arm, curves = arms.kinematics, layout.curves
     if not isinstance(arm, OrthoParallel) or curves.start_joints.shape[1] != arm.joint_count:
         return None
@@ -218,7 +217,7 @@ def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
     table[:, _RATE] = rotate(base.rotation, curves.chord * scale)
     table[:, _TURN_RATE] = rotate(base.rotation, curves.tool_turn * scale)
     table[:, _ROTATION] = (start.rotation @ tcp_from_opw6.rotation).reshape(-1, 9)
-    # From the TCP to the wrist centre, as the last frame of the formulas sees it.
+    # From the TCP to the wrist centre, expressed in the last frame of the formulas.
     table[:, _LEVER] = rotate(
         np.swapaxes(tcp_from_opw6.rotation, -1, -2), tcp_from_opw6.translation
     )
@@ -235,5 +234,5 @@ def lines_of(layout: PathParameterisation, arms: JointMapper) -> Lines | None:
 
 
 def _columns(table: Array, index: Index) -> tuple[Any, ...]:
-    """Some rows of the table, each column by itself."""
+    """Return rows of the table as separate contiguous columns."""
     return tuple(np.ascontiguousarray(table[index].T))

@@ -1,12 +1,11 @@
 """Derivatives of an ortho-parallel arm along lines and their corners, in scalar formulas.
 
-Everything here is written once and runs in two ways: on columns of NumPy arrays
-(`line_derivatives`) and, if numba is installed, compiled, on single numbers (`line_loops`).
-Therefore vectors are tuples of three columns and matrices of nine, row by row, and nothing branches
-on a value.
+All formulas are written once and run in two modes: on columns of NumPy arrays (`line_derivatives`)
+and, if numba is installed, compiled, on single numbers (`line_loops`). Therefore vectors are tuples
+of three columns and matrices of nine, row by row, and no code branches on a value.
 
-Frames: everything is expressed in the base of the arm's formulas; rotations are those of the last
-frame of the formulas, whose origin is the wrist centre.
+Frames: everything is expressed in the base of the arm's formulas; rotations are of the last frame
+of the formulas, whose origin is the wrist centre.
 """
 
 from __future__ import annotations
@@ -26,18 +25,18 @@ Four = tuple[Array, Array, Array, Array]
 Six = tuple[Array, Array, Array, Array, Array, Array]
 Lengths = tuple[float, float, float, float, float, float]
 OfJoints = tuple[float, ...]
-"""One a joint."""
+"""One value per joint."""
 
 TINY = 1e-40
 SMALLEST_ARM = 1e-5
-"""Distance [m] of the wrist centre from axis 1, and area [m2] of the triangle of the two arms, from
-which on derivatives are those of a regular arm."""
+"""Distance [m] of the wrist centre from axis 1, and area [m2] of the triangle of the two arms,
+above which the arm counts as regular."""
 SMALLEST_WRIST = 1e-5
-"""sin of axis 5 likewise."""
+"""sin of axis 5 above which the wrist counts as regular."""
 
 
 def turned(m: Matrix, v: Vector) -> Vector:
-    """M v."""
+    """Return M v."""
     return (
         m[0] * v[0] + m[1] * v[1] + m[2] * v[2],
         m[3] * v[0] + m[4] * v[1] + m[5] * v[2],
@@ -46,12 +45,12 @@ def turned(m: Matrix, v: Vector) -> Vector:
 
 
 def transposed(m: Matrix) -> Matrix:
-    """The inverse of a rotation."""
+    """Return the inverse of a rotation."""
     return m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]
 
 
 def rotation(v: Vector) -> Matrix:
-    """The rotation by a vector [rad]."""
+    """Return the rotation by a vector [rad]."""
     x, y, z = v
     angle = np.sqrt(x * x + y * y + z * z + TINY)
     sine = np.sin(angle) / angle
@@ -75,10 +74,10 @@ def rotation(v: Vector) -> Matrix:
 def turned_twice(
     turn: tuple[Matrix, Vector, Matrix, Vector], before: Array, after: Array
 ) -> tuple[Matrix, Matrix]:
-    """The rotation in a corner: from the corner back along the line before, on along the one after.
+    """Return the rotation in a corner: back along the line before, then along the line after.
 
     Args:
-        turn: Rotation at the start of the line before and its rate [rad/m], and likewise after.
+        turn: Rotation at the start of the line before and its rate [rad/m], then of the line after.
         before: Position on the line before [m].
         after: Position on the line after.
     """
@@ -95,15 +94,15 @@ def turning_on(
     before: Vector,
     after: Vector,
 ) -> tuple[Matrix, Vector, Vector]:
-    """Rotation, angular velocity and its derivative in a corner between two lines.
+    """Return rotation, angular velocity and its derivative in a corner between two lines.
 
     Args:
         start: Rotation at the start of the line before.
-        rate: Its rotation rate [rad/m].
+        rate: Rotation rate [rad/m] of the line before.
         next_start: Rotation at the start of the line after.
-        next_rate: Its rotation rate.
-        before: Position on the line before with both derivatives; see `layout.Sides`.
-        after: The same on the line after.
+        next_rate: Rotation rate [rad/m] of the line after.
+        before: Position on the line before with both derivatives; see `parameterisation.Sides`.
+        after: Position on the line after with both derivatives.
     """
     backwards, forwards = turned_twice((start, rate, next_start, next_rate), before[0], after[0])
     next_turning = turned(backwards, next_rate)
@@ -126,17 +125,17 @@ def lever_motion(
     turning: Vector,
     turning_change: Vector,
 ) -> tuple[Vector, Vector, Vector, Vector]:
-    """The wrist centre with two derivatives, and the velocity of the TCP, in a corner of two lines.
+    """Return the wrist centre with two derivatives, and the TCP velocity, in a corner of lines.
 
     Args:
         start: TCP at the start of the line before [m].
-        rate: Its direction times TCP travel per unit of the parameter.
-        next_rate: The same of the line after.
+        rate: Direction of the line before times TCP travel per unit of the parameter.
+        next_rate: Direction of the line after times TCP travel per unit of the parameter.
         before: Position on the line before with both derivatives.
-        after: The same on the line after.
-        lever: From the TCP to the wrist centre [m], turned as the tool is now.
+        after: Position on the line after with both derivatives.
+        lever: From the TCP to the wrist centre [m], in the current orientation of the tool.
         turning: Angular velocity.
-        turning_change: Its derivative.
+        turning_change: Derivative of the angular velocity.
     """
     velocity = plus(scaled(rate, before[1]), scaled(next_rate, after[1]))
     acceleration = plus(scaled(rate, before[2]), scaled(next_rate, after[2]))
@@ -153,15 +152,15 @@ def lever_motion(
 def main_axes(
     lengths: Lengths, side: Array, bend: Array, centre: Vector
 ) -> tuple[Pair, Pair, Pair, Pair, Array, Mask]:
-    """The rotation of axis 1, and lower arm and forearm in the arm's vertical plane.
+    """Return the rotation of axis 1, and lower arm and forearm in the arm's vertical plane.
 
-    Nothing here is an angle: derivatives need only sines and cosines, which follow from the
+    No angle is computed: derivatives need only sines and cosines, which follow from the
     triangle of both arms by the law of cosines.
 
     Args:
         lengths: a1, a2, b, c1, c2, c3 of `OpwGeometry` [m].
         side: 1 if the wrist centre is in front of axis 1, -1 if behind.
-        bend: 1 if it is in front of the lower arm, -1 if behind.
+        bend: 1 if the wrist centre is in front of the lower arm, -1 if behind.
         centre: Wrist centre [m].
 
     Returns:
@@ -199,7 +198,7 @@ def main_axes(
 
 
 def forearm_from_base(axis_1: Pair, forearm: Pair) -> Matrix:
-    """The rotation from base to the forearm frame, in which axis 4 is z."""
+    """Return the rotation from base to the forearm frame, in which axis 4 is z."""
     cos1, sin1 = axis_1
     cos23, sin23 = forearm
     return (
@@ -218,7 +217,7 @@ def forearm_from_base(axis_1: Pair, forearm: Pair) -> Matrix:
 def angles_of_arm(
     lengths: Lengths, arm: Vector, centre: Vector, rotation_6: Matrix
 ) -> tuple[Six, Mask]:
-    """The angles of the formulas [rad], in no particular turn, and whether they are regular.
+    """Return the angles of the formulas [rad], in no particular turn, and whether they are regular.
 
     Args:
         lengths: See `main_axes`.
@@ -252,7 +251,7 @@ def rates_of_arm(
     turning: Vector,
     turning_change: Vector,
 ) -> tuple[Six, Six, Four, Mask]:
-    """Both derivatives of the angles of the formulas, the arm's stance, and whether it is regular.
+    """Return both derivatives of the formulas' angles, the arm's stance, and whether it is regular.
 
     The stance is that of `PathRates`.
 
@@ -261,15 +260,15 @@ def rates_of_arm(
 
     Args:
         lengths: See `main_axes`.
-        side: Likewise.
-        bend: Likewise.
+        side: See `main_axes`.
+        bend: See `main_axes`.
         flip: 1 where axis 5 is positive, -1 where negative.
-        centre: Wrist centre [m], with its derivatives.
-        velocity: First.
-        acceleration: Second.
+        centre: Wrist centre [m].
+        velocity: First derivative of the wrist centre.
+        acceleration: Second derivative of the wrist centre.
         rotation_6: Rotation of the last frame.
-        turning: Its angular velocity.
-        turning_change: The derivative of that.
+        turning: Angular velocity of the last frame.
+        turning_change: Derivative of the angular velocity.
     """
     b = lengths[2]
     axis_1, lower, upper, forearm, forward, regular = main_axes(lengths, side, bend, centre)
@@ -292,7 +291,7 @@ def rates_of_arm(
     e2 = -(fore_ahead * e_ahead + fore_up * e_up) / area
     e23 = (lower_up * e_up + lower_ahead * e_ahead) / area
 
-    # The wrist, seen in the frame of the forearm.
+    # The wrist, in the frame of the forearm.
     frame = forearm_from_base(axis_1, forearm)
     of_arm = (-sin1 * d23, cos1 * d23, d1)
     of_arm_change = (
@@ -329,14 +328,14 @@ def rates_on_lines(
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
 ) -> tuple[Six, Six, Array, Array, Four, Mask]:
-    """Everything that timing needs at a point on a line or in a corner between two.
+    """Return all quantities for timing at a point on a line or in a corner between two lines.
 
     Args:
         lengths: See `main_axes`.
-        arm: Side, bend and flip there.
+        arm: Side, bend and flip at the point.
         lever: From the TCP to the wrist centre in the last frame of the formulas [m].
         line: Start and rate of the line before, rate of the line after.
-        sides: Positions on both with their derivatives; on a line alone the second is zero.
+        sides: Positions on both with their derivatives; outside corners the second is zero.
         turn: Start and rate of the rotation before, and after.
         turn_sides: Positions on both.
 
@@ -375,7 +374,7 @@ def rates_on_lines(
 
 
 def rates_of_joints(signs: OfJoints, coupling: float, rates: Six) -> Six:
-    """Rates of joints from rates of the angles of the formulas; see `OpwGeometry`."""
+    """Return rates of joints from rates of the angles of the formulas; see `OpwGeometry`."""
     second = rates[1] * signs[1]
     return (
         rates[0] * signs[0],
@@ -390,7 +389,7 @@ def rates_of_joints(signs: OfJoints, coupling: float, rates: Six) -> Six:
 def joints_near(
     signs: OfJoints, offsets: OfJoints, coupling: float, angles: Six, near: tuple[Array, ...]
 ) -> Six:
-    """Joints [rad] from angles of the formulas, each in the closest whole turn."""
+    """Return joints [rad] from angles of the formulas, each in the closest whole turn."""
     joints = rates_of_joints(
         signs,
         coupling,
@@ -422,7 +421,7 @@ def joints_on_lines(
     turn: tuple[Matrix, Vector, Matrix, Vector],
     turn_sides: tuple[Vector, Vector],
 ) -> tuple[Six, Mask]:
-    """The angles of the formulas at a point; see `rates_on_lines` and `angles_of_arm`."""
+    """Return the formulas' angles at a point; see `rates_on_lines` and `angles_of_arm`."""
     backwards, forwards = turned_twice(turn, turn_sides[0][0], turn_sides[1][0])
     rotation_6 = product(backwards, forwards)
     way = plus(scaled(line[1], sides[0][0]), scaled(line[2], sides[1][0]))
@@ -451,4 +450,4 @@ COMPILED = (
     joints_near,
     joints_on_lines,
 )
-"""All functions, each after those that it calls."""
+"""All functions, each after its callees."""

@@ -1,8 +1,9 @@
-"""Point-by-point loops over the formulas for lines, to be compiled; columns replace them otherwise.
+"""Point-by-point loops over the formulas for lines, for compilation; else columns are used.
 
-`CurveColumns` is what both loops need of a layout, as arrays: the table of `line_rates.Lines`, s at
-the start of each curve, lengths of curves, radii of corners for position and for orientation, and
-for each piece its curve and the corners that contain its position and orientation, or -1.
+`CurveColumns` contains the arrays of a layout for both loops: the table of
+`line_derivatives.Lines`, s at the start of each curve, lengths of curves, radii of corners for
+position and for orientation, and for each piece its curve and the corners that contain its position
+and orientation, or -1.
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from rapidsim.motion.path.line_formulas import (
 CurveColumns = tuple[Array, Array, Array, Array, Array, Index, Index, Index]
 
 TINY_LENGTH = 1e-9
-"""`curves.STANDSTILL`."""
+"""Copy of `curves.STANDSTILL`."""
 
 
 def rates_one_by_one(
@@ -63,7 +64,7 @@ def rates_one_by_one(
         tcp_rate: Filled with TCP travel (k,) per unit of s.
         turn_rate: Filled with rotation (k,) per unit of s.
         stance: Filled with the arm's stance (k, 4); see `PathRates`.
-        regular: Filled with where (k,) they are valid.
+        regular: Filled with a mask (k,) of valid rows.
     """
     for k in range(len(s)):
         arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
@@ -96,17 +97,17 @@ def joints_one_by_one(
 
     Args:
         lengths: See `rates_one_by_one`.
-        signs: Likewise.
+        signs: See `rates_one_by_one`.
         offsets: See `OpwGeometry`.
-        coupling: Likewise.
-        shapes: Likewise.
-        course: Likewise.
+        coupling: See `OpwGeometry`.
+        shapes: See `rates_one_by_one`.
+        course: See `CurveColumns`.
         start_joints: Joints (m, 6) [rad] at the start of each curve.
-        joint_travel: Those at its end minus those at its start.
+        joint_travel: End joints minus start joints of each curve.
         s: Points (k,) [m].
         piece: Their pieces (k,).
         joints: Filled with joints (k, 6) [rad].
-        regular: Filled with where (k,) they are valid.
+        regular: Filled with a mask (k,) of valid rows.
     """
     for k in range(len(s)):
         arm, lever, line, sides, turn, turn_sides = place_on_lines(course, shapes, s[k], piece[k])
@@ -141,7 +142,7 @@ def place_on_lines(
     tuple[Matrix, Vector, Matrix, Vector],
     tuple[Vector, Vector],
 ]:
-    """The arguments of `rates_on_lines` at one point: arm, lever, line, sides, turn, its sides."""
+    """Arguments of `rates_on_lines` at one point: arm, lever, line, sides, turn, turn_sides."""
     table, _, _, radii, turn_radii, rows, corners, turn_corners = course
     row, corner, turn_corner = rows[piece], corners[piece], turn_corners[piece]
     a, b, before, after = sides_at(course, radii, shapes[0], corner, row, s)
@@ -170,9 +171,9 @@ def sides_at(
     row: int,
     s: float,
 ) -> tuple[int, int, Any, Any]:
-    """Lines before and after a corner, and positions on both with derivatives; see `corner_sides`.
+    """Return lines before and after a corner, and positions on both; see `corner_sides`.
 
-    Away from corners both are the line itself, and the one after contributes nothing.
+    Outside corners both are the line itself, and the second contributes nothing.
     """
     if corner < 0:
         return row, row, (s - course[1][row], 1.0, 0.0), (0.0, 0.0, 0.0)
@@ -182,12 +183,12 @@ def sides_at(
 
 
 def three(table: Array, row: int, column: int) -> Vector:
-    """A vector in a row of a table."""
+    """Return a vector in a row of a table."""
     return table[row, column], table[row, column + 1], table[row, column + 2]
 
 
 def six(table: Array, row: int) -> Six:
-    """A row of six."""
+    """Return a row of six."""
     return (
         table[row, 0],
         table[row, 1],
@@ -199,7 +200,7 @@ def six(table: Array, row: int) -> Six:
 
 
 def nine(table: Array, row: int, column: int) -> Matrix:
-    """A matrix in a row of a table."""
+    """Return a matrix in a row of a table."""
     return (
         table[row, column],
         table[row, column + 1],
@@ -224,4 +225,4 @@ COMPILED = (
     rates_one_by_one,
     joints_one_by_one,
 )
-"""All functions, each after those that it calls."""
+"""All functions, each after its callees."""

@@ -1,7 +1,7 @@
-"""The geometry of one block of moves: segments joined by corner paths, as joints over s.
+"""Geometry of one block of moves: segments joined by corner paths, as joints over s.
 
-The path does not depend on how fast it is driven. s runs over the programmed segments one after the
-other [m] (see `curves`); the middle of a corner path has the s of the programmed point.
+The path does not depend on its speed. s runs over the programmed segments one after the other [m]
+(see `curves`); the middle of a corner path has the s of the programmed point.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from rapidsim.motion.path.segment_columns import SegmentLimits, programmed_of, w
 
 _KINK = 1e-6
 _WHILE_WIDENING = 0.9
-"""Share of the accelerations that leaves room for what a widening window adds; measured on random
+"""Share of the accelerations that reserves a margin for a widening window; measured on random
 programs."""
 _GAUSS_PLACES, _GAUSS_WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -50,21 +50,21 @@ class Path:
     layout: PathParameterisation
     arms: JointMapper
     active: Index
-    """Shape (m,): position in `segments` of each curve; segments without length have none."""
+    """Shape (m,): index in `segments` of each curve; segments without length have none."""
     nodes: Nodes
-    """Joints along the Cartesian curves: they tell whole turns apart."""
+    """Joints along the Cartesian curves, which determine whole turns."""
     model: MotionModel
     lines: Lines | None
-    """The lines, for which joints and derivatives have closed forms; None where there are none."""
+    """Lines with closed-form joints and derivatives; None if there are none."""
 
     @property
     def axis_count(self) -> int:
-        """The number of joints of the arm and external axes."""
+        """Number of joints of the arm and external axes."""
         return int(self.layout.curves.start_joints.shape[1])
 
     @property
     def own_axis_count(self) -> int:
-        """The same without the axes of robots that carry work objects."""
+        """Number of joints and external axes, without axes of robots that carry work objects."""
         led = self.segments[0].carrier_axes
         return self.axis_count - (0 if led is None else len(led[0]))
 
@@ -75,12 +75,12 @@ class Path:
 
     @cached_property
     def programmed(self) -> SegmentLimits:
-        """The limits requested by each segment."""
+        """Limits requested by each segment."""
         return programmed_of(self.segments)
 
     @cached_property
     def segment_starts(self) -> Array:
-        """The s (segments,) at the middle of the corner before each segment; 0 for the first."""
+        """Parameters s (segments,) at the middle of the corner before each segment, first 0."""
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.layout.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
@@ -99,19 +99,19 @@ class Path:
 
     @property
     def breakpoints(self) -> Array:
-        """The s of zone edges, middles of corners, and both ends, ascending."""
+        """Parameter s of zone edges, middles of corners, and both ends, ascending."""
         return self.layout.bounds
 
     @cached_property
     def stops(self) -> Array:
-        """The s where the arm must come to rest between the ends, ascending."""
+        """Parameter s of the stops between the ends, where the arm must come to rest, ascending."""
         corners, places = self.layout.corners, self.layout.places[1:-1]
         sharp = np.flatnonzero(corners.radius == 0.0)
         kinked = np.ones(len(sharp), dtype=bool)
         may_pass = np.flatnonzero(
             (corners.limit[sharp] != Limit.STOP_POINT)
             & (corners.limit[sharp] != Limit.TURN_ONLY)
-            # How far others are is worked out before anybody knows whether the arm could pass.
+            # Progress of a team is computed before it is known whether the arm could pass.
             & (self.layout.carrier_axes is None)
         )
         if len(may_pass):
@@ -127,7 +127,7 @@ class Path:
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """The planned corner at the end of each segment."""
+        """Planned corner at the end of each segment."""
         stop = Corner(0.0, in_joints=False, stops=True, reason=describe_stop(Limit.STOP_POINT))
         idle = dataclasses.replace(stop, reason=describe_stop(Limit.NO_LENGTH))
         found = [idle if segment.zone else stop for segment in self.segments]
@@ -157,7 +157,7 @@ class Path:
                     # A change of tool, work object or kind of move.
                     reason = "; ".join(filter(None, (reason, "made in joint space")))
                 if turns_only and not stops and turn > STANDSTILL:
-                    # There the path parameter is no length of anything.
+                    # There the path parameter is not a length.
                     reason = f"within {math.degrees(turn):.3g} deg of the end"
                 found[i] = Corner(0.0 if turns_only else radius, in_joints, stops, reason)
         return tuple(found)
@@ -213,21 +213,21 @@ class Path:
         return share
 
     def segment_of(self, piece: Index) -> Index:
-        """Position (k,) in `segments` of pieces (k,)."""
+        """Return the index (k,) in `segments` of pieces (k,)."""
         segment: Index = self.active[self.layout.row[piece]]
         return segment
 
     @cached_property
     def joints_on(self) -> JointsOnPath:
-        """The inverse kinematics of the path."""
+        """Inverse kinematics of the path."""
         return JointsOnPath(self.layout, self.arms, self.nodes)
 
     def joints_at(self, s: Array) -> Array:
-        """Joints, followed by external axes, (k, n + e) at s (k,) [m]; see `evaluate`."""
+        """Return joints, followed by external axes, (k, n + e) at s (k,) [m]; see `evaluate`."""
         return self.joints_on.at(np.clip(s, 0.0, self.length))
 
     def evaluate(self, s: Array) -> PathPoints:
-        """The arm at s (k,) [m], exactly on the path."""
+        """Return the arm at s (k,) [m], exactly on the path."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         piece = self.layout.piece_at(s)
         row = self.layout.row[piece]
@@ -257,16 +257,16 @@ class Path:
     def nearby_state(
         self, s: Array, joints: Array, rates: Array, speed: Array
     ) -> tuple[Transform, Index, Array]:
-        """The arm with joints and rates (k, n + e) close to, but not equal to, those at s (k,).
+        """Return the arm for joints and rates (k, n + e) close to, but not equal to, those at s.
 
         Args:
-            s: Places [m].
+            s: Path parameters [m].
             joints: Joints and external axes.
             rates: Their derivatives by time.
-            speed: How fast s changes (k,) [m/s].
+            speed: Rate of change (k,) of s [m/s].
 
         Returns:
-            base_from_tcp, position in `segments`, and the speed of the TCP relative to the work
+            base_from_tcp, index in `segments`, and the speed of the TCP relative to the work
             object.
         """
         del speed
@@ -276,14 +276,14 @@ class Path:
         return self.arms.base_from_tcp(joints, row), self.active[row], tcp_speed
 
     def segment_at(self, s: Array) -> Index:
-        """Position in `segments` at s (k,)."""
+        """Return the index in `segments` at s (k,)."""
         return self.active[self._row_at(s)]
 
     def _row_at(self, s: Array) -> Index:
         return self.layout.row[self.layout.piece_at(np.clip(s, 0.0, self.length))]
 
     def rates(self, s: Array, piece: Index) -> PathRates:
-        """Derivatives at s (k,) on pieces (k,); at breakpoints those of the given piece."""
+        """Return derivatives at s (k,) on pieces (k,); at breakpoints, `piece` selects the side."""
         if self.lines is None:
             return self._rates_in_general(s, piece)
         rates, holds = self.lines.rates(s, piece)
@@ -293,7 +293,7 @@ class Path:
         return rates
 
     def _rates_in_general(self, s: Array, piece: Index) -> PathRates:
-        """The same for whatever arm and curve."""
+        """Return derivatives for any arm and curve, without closed formulas."""
         row = self.layout.row[piece]
         joints, first, second = np.empty((3, len(s), self.axis_count))
         on_curve, in_joints = self.joints_on.spaces(piece)
@@ -310,14 +310,14 @@ class Path:
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
             joints[in_joints], first[in_joints], second[in_joints] = at, d1, d2
             speeds[in_joints] = norms(*self._tcp_twist(at, d1, row[in_joints]))
-            # Where two wrist axes lead, the speed is that of what follows the circle, not the TCP.
+            # With a wrist pair, the speed is that of the point on the circle, not of the TCP.
             led = self.arms.pair_rows[row] & (self.layout.joint_corner[piece] < 0)
             speeds[led, 0] = 1.0
         stance = self.kinematics.stance(joints[:, : self.kinematics.joint_count])
         return PathRates(first, second, speeds[:, 0], speeds[:, 1], stance)
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
-        """Both derivatives (k, 3) of the TCP's position at s (k,) on pieces (k,)."""
+        """Return both derivatives (k, 3) of the TCP's position at s (k,) on pieces (k,)."""
         velocity = np.empty((len(s), 3))
         acceleration = np.empty((len(s), 3))
         on_curve, in_joints = self.joints_on.spaces(piece)
@@ -328,14 +328,14 @@ class Path:
             row = self.layout.row[piece[in_joints]]
             at, d1, d2 = self._in_joint_space(s[in_joints], piece[in_joints])
             now, _ = self._tcp_twist(at, d1, row)
-            # Over a step of 1e-6 rad, as the joints' own second derivative.
+            # The step is 1e-6 rad, as for the joints' own second derivative.
             step = 1e-6 / np.maximum(np.abs(d1).max(axis=-1), 1e-9)[:, None]
             ahead, _ = self._tcp_twist(at + step * d1, d1 + step * d2, row)
             velocity[in_joints], acceleration[in_joints] = now, (ahead - now) / step
         return velocity, acceleration
 
     def travelled(self, s: Array) -> Array:
-        """TCP travel (k,) [m] from the start of the path to s (k,), with corners cut."""
+        """Return the TCP travel (k,) [m] from the start of the path to s (k,), with corners cut."""
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         piece = self.layout.piece_at(s)
         start = self.layout.bounds[piece]
@@ -349,7 +349,7 @@ class Path:
         return self._travel(bounds[:-1], bounds[1:], np.arange(len(bounds) - 1))
 
     def _travel(self, start: Array, end: Array, piece: Index) -> Array:
-        """TCP travel (k,) [m] from start to end (k,) within pieces (k,), by Gauss's quadrature."""
+        """Return the TCP travel (k,) [m] from start to end (k,) in pieces, by Gauss quadrature."""
         half = 0.5 * (end - start)
         s = (start + half)[:, None] + half[:, None] * _GAUSS_PLACES
         on_curve, in_joints = self.joints_on.spaces(piece)
@@ -367,7 +367,7 @@ class Path:
         return travel
 
     def _in_joint_space(self, s: Array, piece: Index) -> tuple[Array, Array, Array]:
-        """Joints and derivatives (k, n) on joint moves and in corners made in joint space."""
+        """Return joints and derivatives (k, n) on joint moves and in corners in joint space."""
         places = in_joint_space(self.layout, s, piece)
         whole, cut = places.all_rows, places.cut
         on_curves = self._on_curve(places.row, places.x)
@@ -388,7 +388,7 @@ class Path:
         return joints, first, second
 
     def _on_curve(self, row: Index, x: Array) -> tuple[Array, Array, Array]:
-        """Joints and derivatives (k, n) at places x (k,) of programmed curves (k,)."""
+        """Return joints and derivatives (k, n) at positions x (k,) of programmed curves (k,)."""
         curves = self.layout.curves
         x = np.clip(x, 0.0, curves.length[row])
         joints = curves.joints_at(row, x)
@@ -406,7 +406,7 @@ class Path:
     def _on_tcp_curve(
         self, row: Index, x: Array, course: ExternalCourse
     ) -> tuple[Array, Array, Array]:
-        """The same on curves that are not straight in joint space; `course` of external axes."""
+        """Return joints and derivatives (k, n) on Cartesian curves; `course` of external axes."""
         s = self.layout.places[row] + x
         near = self.joints_on.near(s, course.value)
         if self.lines is None:
@@ -425,6 +425,6 @@ class Path:
         return joints, first, second
 
     def _tcp_twist(self, joints: Array, first: Array, row: Index) -> tuple[Array, Array]:
-        """Velocity and angular velocity (k, 3) of the TCP against its curve per unit of s."""
+        """Return (angular) velocity (k, 3) of the TCP against its curve per unit of s."""
         motion = self.arms.curve_motion(joints, first, row)
         return motion.velocity, motion.turning

@@ -1,4 +1,4 @@
-"""The arm at points of a path, and derivatives with respect to the path's parameter."""
+"""State of the arm at points of a path, and derivatives by the path's parameter."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class PathPoints:
-    """The arm at points of a path."""
+    """State of the arm at points of a path."""
 
     joints: Array
     """Shape (k, n) [rad]."""
@@ -20,7 +20,7 @@ class PathPoints:
     base_from_tcp: Transform
     """Shape (k,); the tool is that of the segment."""
     segment: Index
-    """Shape (k,): position in `Path.segments`."""
+    """Shape (k,): index in `Path.segments`."""
     tcp_rate: Array
     """Shape (k,): TCP travel against the work object per unit of s; below 1 in corners."""
 
@@ -39,13 +39,13 @@ class PathRates:
     """Shape (k,): reorientation [rad/m]."""
 
     stance: Array
-    """Shape (k, 4 a): how lower arm and forearm of each of the a arms stand in its vertical plane,
-    which its inertia depends on: sine and cosine of the angle from straight up of the one, then of
-    the other; zeros for arms that are not ortho-parallel."""
+    """Shape (k, 4 a): directions of lower arm and forearm of each of the a arms in its vertical
+    plane, on which its inertia depends: sine and cosine of the angle from straight up of the lower
+    arm, then of the forearm; zeros for arms that are not ortho-parallel."""
 
     @staticmethod
     def not_filled(count: int, axes: int) -> PathRates:
-        """Uninitialised arrays for `count` points."""
+        """Return uninitialised arrays for `count` points."""
         speeds = np.empty((2, count))
         joints = np.empty((2, count, axes))
         return PathRates(joints[0], joints[1], speeds[0], speeds[1], np.empty((count, 4)))
@@ -56,11 +56,11 @@ class PathRates:
             mine[index] = other
 
     def beyond(self, count: int) -> PathRates:
-        """Those after the first few."""
+        """Return all rows after the first `count`."""
         return PathRates(*(part[count:] for part in self.columns))
 
     def and_then(self, more: PathRates) -> PathRates:
-        """These points followed by others."""
+        """Return these points followed by others."""
         parts = zip(self.columns, more.columns, strict=True)
         return PathRates(*(np.concatenate(pair) for pair in parts))
 
@@ -71,5 +71,5 @@ class PathRates:
 
 
 def norms(velocity: Array, turning: Array) -> Array:
-    """Lengths (k, 2) of two rows of vectors (k, 3)."""
+    """Return the lengths (k, 2) of two rows of vectors (k, 3)."""
     return np.stack([np.linalg.norm(velocity, axis=-1), np.linalg.norm(turning, axis=-1)], axis=-1)

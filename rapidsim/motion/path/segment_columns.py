@@ -1,4 +1,4 @@
-"""The limits of a path's segments as columns: looked up once, used at every point."""
+"""Limits of a path's segments as columns: looked up once, used at every point."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from rapidsim.motion.geometry.segments import Segment
 from rapidsim.values import value_class
 
 _WIDTHS = 4
-"""So many widths of the smoothing stand for those while it widens."""
+"""Number of widths that represent the smoothing window while it widens."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class SegmentLimits:
-    """Limits of segments (m,); infinite where there is none."""
+    """Limits of segments (m,); infinite for no limit."""
 
     tcp: Array
     """Shape (m,): TCP speed [m/s]."""
@@ -31,11 +31,11 @@ class SegmentLimits:
     world_acceleration: Array
     """Shape (m,): WorldAccLim [m/s2]."""
     load: Array
-    """Shape (m,): what hangs on the wrist, in shares of the rated payload."""
+    """Shape (m,): load at the wrist, as a share of the rated payload."""
 
 
 def programmed_of(segments: Sequence[Segment]) -> SegmentLimits:
-    """The limits of some segments, at least one."""
+    """Return the limits of one or more segments."""
     columns = np.array(
         [
             (

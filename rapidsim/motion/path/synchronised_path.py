@@ -1,8 +1,8 @@
-"""Paths of several robots travelled in sync, as one path with one parameter.
+"""Paths of several robots in synchronised motion, as one path with one parameter.
 
-How far each robot is at a value of the parameter, `team_progress` says.
+`team_progress` defines the position of each robot at a value of the parameter.
 
-Timing sees one path whose axes are those of all robots: at every point the slowest decides.
+Timing sees one path with the axes of all robots: at every point the slowest is the bottleneck.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ from rapidsim.motion.path.team_progress import MemberProgress, TeamProgress, tea
 from rapidsim.values import value_class
 
 _SLIVER = 1e-9
-"""Breakpoints so near [m] count as one."""
+"""Distance [m] below which breakpoints count as one."""
 
 
 @value_class(frozen=True, eq=False)
 class MemberPath:
-    """The path of one robot, and how far it is on it."""
+    """Path of one robot, and its progress on it."""
 
     path: Path
     progress: MemberProgress
 
     @cached_property
     def piece(self) -> Index:
-        """The piece (p,) of the robot's own path on each common piece."""
+        """Piece (p,) of the robot's own path on each common piece."""
         return self.path.layout.piece_at(self.progress.middles)
 
     def place(self, s: Array, piece: Index) -> Array:
-        """Positions (k,) [m] on the robot's own path."""
+        """Return positions (k,) [m] on the robot's own path."""
         return self.progress.place(s, piece)
 
     def rate(self, s: Array, piece: Index) -> Array:
-        """The derivative (k,) [m/m] of the position on the robot's own path."""
+        """Return the derivative (k,) [m/m] of the position on the robot's own path."""
         return self.progress.rate(s, piece)
 
     def rates(self, s: Array, piece: Index) -> PathRates:
-        """Derivatives with respect to the common parameter."""
+        """Return derivatives with respect to the common parameter."""
         own = self.path.rates(self.place(s, piece), self.piece[piece])
         rate, bend = self.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
         axes = slice(self.path.own_axis_count)
@@ -63,10 +63,10 @@ class MemberPath:
 
 @value_class(frozen=True, eq=False)
 class SharedPath(Path):
-    """The common parameter and its pieces, shared by the path of one robot and that of all."""
+    """Common parameter and its pieces, shared by the path of one robot and that of all."""
 
     starts: Array
-    """Shape (segments,): the common parameter at the start of each segment."""
+    """Shape (segments,): common parameter at the start of each segment."""
 
     @property
     def length(self) -> float:
@@ -75,7 +75,7 @@ class SharedPath(Path):
 
     @cached_property
     def segment_starts(self) -> Array:
-        """The common parameter at the start of each segment, shape (segments,)."""
+        """Common parameter at the start of each segment, shape (segments,)."""
         return self.starts
 
     def _pieces(self, s: Array) -> tuple[Array, Index]:
@@ -85,18 +85,18 @@ class SharedPath(Path):
 
 @value_class(frozen=True, eq=False)
 class PartPath(SharedPath):
-    """The path of one robot of a team, over the common parameter."""
+    """Path of one robot of a team, over the common parameter."""
 
     course: MemberPath
 
     @property
     def axis_count(self) -> int:
-        """The number of joints of the arm and its external axes."""
+        """Number of joints of the arm and its external axes."""
         return self.course.path.own_axis_count
 
     @cached_property
     def stops(self) -> Array:
-        """Where the team comes to rest between the ends."""
+        """Common parameters at which the team comes to rest between the ends."""
         own = [corner.stops for corner in self.course.path.corners[:-1]]
         stops: Array = self.starts[1:][np.array(own, dtype=bool)]
         return stops
@@ -108,16 +108,16 @@ class PartPath(SharedPath):
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """The planned corner at the end of each segment of the robot."""
+        """Planned corner at the end of each segment of the robot."""
         return self.course.path.corners
 
     def joints_at(self, s: Array) -> Array:
-        """Joints at values of the common parameter; see `Path.joints_at`."""
+        """Return joints at values of the common parameter; see `Path.joints_at`."""
         joints = self.course.path.joints_at(self.course.place(*self._pieces(s)))
         return joints[:, : self.axis_count]
 
     def evaluate(self, s: Array) -> PathPoints:
-        """The arm at places s (k,) [m] of the common parameter."""
+        """Return the arm at values s (k,) [m] of the common parameter."""
         s, piece = self._pieces(s)
         points = self.course.path.evaluate(self.course.place(s, piece))
         return replace(
@@ -130,13 +130,13 @@ class PartPath(SharedPath):
     def nearby_state(
         self, s: Array, joints: Array, rates: Array, speed: Array
     ) -> tuple[Transform, Index, Array]:
-        """The arm with other joints; see `Path.nearby_state`."""
+        """Return the arm with other joints; see `Path.nearby_state`."""
         s, piece = self._pieces(s)
         path, place = self.course.path, self.course.place(s, piece)
         own_speed = self.course.rate(s, piece) * speed
         more = path.axis_count - self.axis_count
         if more:
-            # Leaders are where their command has them: next to where they are, as this robot is.
+            # Carriers are at their commanded position, next to the actual one, as this robot is.
             led, first = np.zeros((2, len(s), more))
             path.layout.fill_carrier_axes(place, self.course.piece[piece], led, first)
             joints = np.concatenate([joints, led], axis=1)
@@ -145,29 +145,29 @@ class PartPath(SharedPath):
         return pose, self.segment_of(piece), tcp_speed
 
     def rates(self, s: Array, piece: Index) -> PathRates:
-        """Derivatives with respect to the common parameter."""
+        """Return derivatives with respect to the common parameter."""
         return self.course.rates(s, piece)
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
-        """Both derivatives (k, 3) of the TCP's position."""
+        """Return both derivatives (k, 3) of the TCP's position."""
         own = self.course
         first, second = own.path.tcp_derivatives(own.place(s, piece), own.piece[piece])
         rate, bend = own.rate(s, piece)[:, None], own.progress.bend[piece][:, None]
         return first * rate, second * rate**2 + first * bend
 
     def travelled(self, s: Array) -> Array:
-        """TCP travel (k,) [m] of the robot, with corners cut."""
+        """Return the TCP travel (k,) [m] of the robot, with corners cut."""
         return self.course.path.travelled(self.course.place(*self._pieces(s)))
 
 
 @value_class(frozen=True, eq=False)
 class TeamPath(SharedPath):
-    """The paths of all robots of a team as one, as timing sees it."""
+    """Paths of all robots of a team as one, for timing."""
 
     courses: tuple[MemberPath, ...]
 
     def part(self, number: int) -> PartPath:
-        """The path of one robot, counted from 0."""
+        """Return the path of one robot, counted from 0."""
         course = self.courses[number]
         own = course.path
         row = self.layout.row
@@ -188,19 +188,19 @@ class TeamPath(SharedPath):
 
     @property
     def axis_count(self) -> int:
-        """The joint count of the first robot: in a team, speeds of external axes do not count."""
+        """Joint count of the first robot: in a team, speeds of external axes are ignored."""
         return self.kinematics.joint_count
 
     @cached_property
     def stops(self) -> Array:
-        """Where one of the robots must come to rest, and thus all of them."""
+        """Common parameters at which a robot, and thus the team, must come to rest."""
         stops = [corner.stops for corner in self.corners[:-1]]
         places: Array = self.starts[1:][np.array(stops, dtype=bool)]
         return places
 
     @cached_property
     def zone_radius(self) -> Array:
-        """Radius (p,) [m] of the smallest zone that any robot is in; 0 if none is in one."""
+        """Radius (p,) [m] of the smallest zone that any robot is in; 0 if all are outside zones."""
         radii = np.array(
             [
                 course.path.zone_radius[course.piece]
@@ -213,7 +213,7 @@ class TeamPath(SharedPath):
 
     @cached_property
     def zone_speed(self) -> Array:
-        """Maximum speed (p,) [m/s] of the command: the smallest of the robots'."""
+        """Maximum speed (p,) [m/s] of the command: the smallest of the robots' speeds."""
         speeds = [
             course.path.zone_speed[course.piece] / np.maximum(course.progress.fastest_rate, 1e-12)
             for course in self.courses
@@ -228,16 +228,16 @@ class TeamPath(SharedPath):
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
-        """The planned corner at the end of each segment: a robot that stops there decides."""
+        """Planned corner at the end of each segment: a robot that stops there decides."""
         return tuple(
             next((corner for corner in corners if corner.stops), corners[0])
             for corners in zip(*(course.path.corners for course in self.courses), strict=True)
         )
 
     def rates(self, s: Array, piece: Index) -> PathRates:
-        """Derivatives of the axes of all robots, side by side.
+        """Return derivatives of the axes of all robots, side by side.
 
-        TCP travel and reorientation are those of the robot closest to its programmed speed,
+        TCP travel and reorientation are taken from the robot closest to its programmed speed,
         relative to that of the common segment.
         """
         segment = self.segment_of(piece)
@@ -265,7 +265,7 @@ def team_path(paths: Sequence[Path]) -> TeamPath:
 
 
 def joined(paths: Sequence[Path], team: TeamProgress) -> TeamPath:
-    """The paths of several robots, whose progress is known, as one."""
+    """Return the paths of several robots with known progress as one."""
     ends = team.ends
     inner = [one.bounds for one in team.members]
     inner += [_breakpoints(*pair) for pair in zip(paths, team.members, strict=True)]
@@ -292,13 +292,13 @@ def joined(paths: Sequence[Path], team: TeamProgress) -> TeamPath:
 
 
 def _breakpoints(path: Path, progress: MemberProgress) -> Array:
-    """The common parameter at the breakpoints of a robot's own path."""
+    """Return the common parameter at the breakpoints of a robot's own path."""
     found, piece = progress.at_own(path.breakpoints[1:-1])
     return found[(progress.rate(found, piece) > 0.0) | (progress.slope[piece] > 0.0)]
 
 
 def _merged(ends: Array, inner: Array) -> Array:
-    """The ends of segments and all other breakpoints that are not one of them, increasing."""
+    """Return segment ends and all other breakpoints, without duplicates, increasing."""
     ends = np.unique(ends)
     if len(ends) == 1:
         return np.repeat(ends, 2)
@@ -310,7 +310,7 @@ def _merged(ends: Array, inner: Array) -> Array:
 
 
 def _corner(course: MemberPath) -> Index:
-    """The corner in which each common piece lies for one robot; -1 where it lies in none."""
+    """Return the corner of a robot that contains each common piece, or -1."""
     corner: Index = course.path.layout.in_corner[course.piece]
     return corner
 
@@ -318,7 +318,7 @@ def _corner(course: MemberPath) -> Index:
 def _layout(
     of: PathParameterisation, bounds: Array, row: Index, corner: Index
 ) -> PathParameterisation:
-    """A layout that says where the pieces are, and nothing of the curves on them."""
+    """Return a layout of pieces without information about their curves."""
     none = np.full(len(row), -1, dtype=np.int64)
     return replace(
         of,

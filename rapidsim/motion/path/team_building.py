@@ -1,9 +1,9 @@
-"""From the segments of several robots to their path as one, also where one carries another's work.
+"""Building of one path from the segments of several robots, also with carried work objects.
 
-The path of a robot whose work object another carries (`CarrierRobot`) depends on where that one
-is, which
-is known from its path. Paths are therefore built in that order; how far each robot is at a value of
-the common parameter follows from lengths and stops alone, and is known before.
+The path of a robot whose work object another carries (`CarrierRobot`) depends on the carrier's
+position, which is known from the carrier's path. Paths are therefore built in that order; the
+progress of each robot at a value of the common parameter depends only on lengths and stops, and is
+known before.
 """
 
 from __future__ import annotations
@@ -30,23 +30,23 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class TeamFault:
-    """Where the path of a team cannot be driven."""
+    """First point where the path of a team is infeasible."""
 
     number: int
-    """Of the robot in the team."""
+    """Index of the robot in the team."""
     fault: PathFault
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CarrierPathAxes:
-    """Implements `parameterisation.CarrierAxes`: the axes of leaders, from their paths."""
+    """Implementation of `parameterisation.CarrierAxes`: axes of carriers, from their paths."""
 
     own: MemberProgress
-    """Of the robot that is led."""
+    """Progress of the robot whose work object is carried."""
     leaders: tuple[tuple[Path, MemberProgress], ...]
 
     def course(self, s: Array, inside: Array) -> ExternalCourse:
-        """The axes of all leaders (k, l) and their derivatives by the led robot's s (k,)."""
+        """Return the axes of all carriers (k, l), with derivatives by the s (k,) of this robot."""
         piece = self.own.at_own(inside)[1]
         common, middle = self.own.in_piece(s, piece), self.own.in_piece(inside, piece)
         own_rate, own_bend = self.own.rate(common, piece), self.own.bend[piece]
@@ -70,7 +70,7 @@ class CarrierPathAxes:
 
     @property
     def breakpoints(self) -> Array:
-        """Where on its path [m] the led robot is when the motion of a leader is not smooth."""
+        """Positions [m] on this robot's path at which the motion of a carrier is not smooth."""
         common = [self.own.bounds]
         for path, progress in self.leaders:
             common += [progress.bounds, progress.at_own(path.breakpoints)[0]]
@@ -88,9 +88,9 @@ def build_team(
 
     Args:
         robots: The arms.
-        rows: The segments of each; `CarrierRobot.number` counts these.
+        rows: The segments of each; `CarrierRobot.number` is an index of these.
         model: Shape of corners.
-        check_deadline: Called now and then.
+        check_deadline: Called regularly.
 
     Returns:
         The path, or the first point where one of the arms cannot follow it.
@@ -137,13 +137,13 @@ def build_team(
 
 
 def _leaders(row: Sequence[Segment]) -> tuple[int, ...]:
-    """The robots that carry work objects of some segments."""
+    """Return the robots that carry work objects of some segments."""
     carriers = (segment.carrier for segment in row if segment.carrier is not None)
     return tuple(sorted({one.robot.number for one in carriers if one.robot is not None}))
 
 
 def _order(leaders: Sequence[Sequence[int]]) -> list[int] | TeamFault:
-    """The robots that are led, each after those that lead it."""
+    """Return the robots with carriers, each after its carriers."""
     order: list[int] = []
     waiting = [number for number, one in enumerate(leaders) if one]
     while waiting:
@@ -165,7 +165,7 @@ _IN_A_CIRCLE = (
 def _wide(
     row: Sequence[Segment], leaders: Sequence[int], rows: Sequence[Sequence[Segment]]
 ) -> Sequence[Segment]:
-    """Segments with the axes of all robots that lead any of them."""
+    """Return segments with the axes of all robots that carry any of their work objects."""
     if not leaders:
         return row
     columns, count = {}, len(row[0].start.external)
@@ -197,9 +197,9 @@ def _stopping(
     model: MotionModel,
     check_deadline: Look,
 ) -> Sequence[Sequence[Segment]] | TeamFault:
-    """The segments, with a stop point of all others where a robot that is led has to stop.
+    """Return the segments, with stops of all other robots where one with a carrier has to stop.
 
-    It stops where its programmed point is when the leaders are at theirs, and not beside them.
+    It stops where its programmed point is while the carriers are at their programmed points.
     """
     own = np.zeros((len(rows), len(rows[0]) - 1), dtype=bool)
     for number, row in enumerate(rows):
@@ -222,12 +222,12 @@ def _stopped(segment: Segment, stops: bool) -> Segment:
 
 
 def _stops(path: Path) -> Mask:
-    """Where (segments - 1,) a robot stops that follows a path."""
+    """Return a mask (segments - 1,) of the stops of a robot on a path."""
     return np.array([corner.stops for corner in path.corners[:-1]], dtype=bool)
 
 
 def _led_stops(outline: Outline) -> Mask:
-    """Where (segments - 1,) a robot that is led stops; see `Path.stops`."""
+    """Return a mask (segments - 1,) of the stops of a robot with carriers; see `Path.stops`."""
     stops = np.ones(len(outline.segments) - 1, dtype=bool)
     stops[outline.active[:-1]] = outline.corners.radius == 0.0
     return stops

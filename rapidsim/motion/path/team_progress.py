@@ -1,4 +1,4 @@
-"""How far each robot of a team is on its own path when the team is at one place of the common one.
+"""Progress of each robot of a team on its own path as a function of the common parameter.
 
 Segment k of all paths begins and ends at the same time. In between, the robots' positions are
 functions of the common parameter s: proportional within a segment, with a smooth transition around
@@ -22,14 +22,14 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class MemberProgress:
-    """The position of one robot on its own path as a function of the common parameter.
+    """Position of one robot on its own path as a function of the common parameter.
 
     On each common piece it is `start + slope u + bend u2 / 2`, with u counted from the piece's
     start.
     """
 
     bounds: Array
-    """Shape (p + 1,): the common parameter [m] at the ends of the common pieces."""
+    """Shape (p + 1,): common parameter [m] at the ends of the common pieces."""
     start: Array
     """Shape (p,) [m]."""
     slope: Array
@@ -37,27 +37,27 @@ class MemberProgress:
     bend: Array
     """Shape (p,) [1/m]."""
     length: float
-    """Of the robot's own path [m]."""
+    """Length of the robot's own path [m]."""
 
     def piece_at(self, s: Array) -> Index:
-        """The common piece (k,) that contains each common s (k,)."""
+        """Return the common piece (k,) that contains each common s (k,)."""
         piece = np.searchsorted(self.bounds, s, side="right") - 1
         return np.clip(piece, 0, len(self.start) - 1).astype(np.int64)
 
     def place(self, s: Array, piece: Index) -> Array:
-        """Positions (k,) [m] on the robot's own path."""
+        """Return positions (k,) [m] on the robot's own path."""
         u = s - self.bounds[piece]
         own: Array = self.start[piece] + u * (self.slope[piece] + 0.5 * u * self.bend[piece])
         return np.clip(own, 0.0, self.length)
 
     def rate(self, s: Array, piece: Index) -> Array:
-        """The derivative (k,) [m/m] of the position on the robot's own path."""
+        """Return the derivative (k,) [m/m] of the position on the robot's own path."""
         rate: Array = self.slope[piece] + (s - self.bounds[piece]) * self.bend[piece]
         return rate
 
     @property
     def fastest_rate(self) -> Array:
-        """The maximum derivative (p,) [m/m] on each common piece."""
+        """Maximum derivative (p,) [m/m] on each common piece."""
         after: Array = self.slope + np.diff(self.bounds) * self.bend
         return np.maximum(self.slope, after)
 
@@ -69,16 +69,16 @@ class MemberProgress:
         return middles
 
     def at_own(self, places: Array) -> tuple[Array, Index]:
-        """Where the common parameter is (k,) when the robot is at places (k,), and on which piece.
+        """Return the common parameter (k,), and its piece, for positions (k,) of the robot.
 
-        Where the robot waits at a place, it is the end of the wait.
+        While the robot waits at a position, it is the end of the wait.
         """
         index = np.clip(np.searchsorted(self.start, places, side="right") - 1, 0, None)
         index = np.minimum(index, len(self.start) - 1).astype(np.int64)
         return self.in_piece(places, index), index
 
     def in_piece(self, places: Array, piece: Index) -> Array:
-        """The common parameter (k,) on pieces (k,) when the robot is at places (k,)."""
+        """Return the common parameter (k,) on pieces (k,) for positions (k,) of the robot."""
         way = places - self.start[piece]
         slope, bend = self.slope[piece], self.bend[piece]
         rate = slope + np.sqrt(np.maximum(slope**2 + 2.0 * bend * way, 0.0))
@@ -86,7 +86,7 @@ class MemberProgress:
         return np.clip(found, 0.0, self.bounds[-1])
 
     def refined(self, bounds: Array) -> MemberProgress:
-        """The same on more pieces."""
+        """Return this progress on more pieces."""
         index = np.searchsorted(self.bounds, 0.5 * (bounds[1:] + bounds[:-1]), side="right") - 1
         index = np.clip(index, 0, len(self.start) - 1)
         u = bounds[:-1] - self.bounds[index]
@@ -97,24 +97,25 @@ class MemberProgress:
 
 @value_class(frozen=True, slots=True, eq=False)
 class TeamProgress:
-    """The segments of a team, and how far each robot is."""
+    """Segments of a team, and the progress of each robot."""
 
     segments: tuple[Segment, ...]
-    """What timing and the path queue must know of each."""
+    """Common segments, with the data for timing and the path queue."""
     ends: Array
-    """Shape (segments + 1,): the common parameter [m] at their ends."""
+    """Shape (segments + 1,): common parameter [m] at their ends."""
     members: tuple[MemberProgress, ...]
 
 
 def team_progress(
     rows: Sequence[Sequence[Segment]], own: Sequence[Array], stops: Mask
 ) -> TeamProgress:
-    """Let several robots travel in sync.
+    """Return the progress of several robots in synchronised motion.
 
     Args:
         rows: The segments of each robot.
-        own: The ends of these on the robot's own path, (segments + 1,) [m].
-        stops: Shape (segments - 1,): where one of them stops, and thus all of them.
+        own: Segment ends on the robot's own path, (segments + 1,) [m].
+        stops: Shape (segments - 1,): mask of the segment ends where a robot, and thus the team,
+            stops.
     """
     lengths = np.array([np.diff(one) for one in own])
     longest: Array = lengths.max(axis=0)
@@ -133,7 +134,7 @@ def team_progress(
 
 
 def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
-    """What timing and the path queue must know of one segment of all robots."""
+    """Return the data of one segment of all robots for timing and the path queue."""
     moving = [(one, rate) for one, rate in zip(segments, slopes, strict=True) if rate > 0.0]
     durations = [one.duration for one in segments if one.duration is not None]
     zones = [one.zone.position / rate for one, rate in moving if one.zone]
@@ -157,17 +158,18 @@ def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Passages:
-    """How the rates of the robots pass over at each inner end of a segment.
+    """Transition of the robots' rates at each inner end of a segment.
 
-    From a rate a before to b after, each robot first goes to a rate c in between, both evenly. With
-    c = (a + b) / M, M the largest a + b of all robots, the fastest of them is always near rate 1:
-    the common parameter stays a length that all of them can be driven along at even speed.
+    Between a rate a before and b after, each robot passes through a rate c, with linear
+    transitions. With c = (a + b) / M, M the largest a + b of all robots, the fastest of them is
+    always near rate 1: the common parameter remains a length along which all of them can move at
+    constant speed.
     """
 
     before: Array
-    """Shape (segments - 1,) [m]: so far before and after the end, as if rates did not change."""
+    """Shape (segments - 1,) [m]: extent before and after the end, for constant rates."""
     half: Array
-    """Half the length [m] of the passage in the common parameter."""
+    """Half the length [m] of the transition in the common parameter."""
     largest: Array
     """M."""
 
@@ -176,13 +178,13 @@ def _passages(segments: Sequence[Segment], longest: Array, slopes: Array, stops:
     zones = np.array([one.zone.position if one.zone else 0.0 for one in segments[:-1]])
     before = np.where(stops, 0.0, np.minimum(zones, 0.5 * np.minimum(longest[:-1], longest[1:])))
     largest = np.maximum((slopes[:, :-1] + slopes[:, 1:]).max(axis=0), 1e-12)
-    # Each robot goes as far as it would at its rates before and after:
+    # The travel of each robot equals that at its rates before and after:
     # half (a + 2 c + b) / 2 = before (a + b).
     return _Passages(before, 2.0 * before * largest / (largest + 2.0), largest)
 
 
 def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> MemberProgress:
-    """One robot's place: straight pieces, and between them two parabolas around each end."""
+    """Return one robot's progress: linear pieces, with two parabolas around each inner end."""
     before, half = passages.before, passages.half
     into, out = slope[:-1], slope[1:]
     between = (into + out) / passages.largest
@@ -207,7 +209,7 @@ def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> Mem
     )
     bounds = np.append(bounds, ends[-1])
     kept = np.diff(bounds) > 0.0
-    # Where nobody moves at all there is one piece without length.
+    # If no robot moves, there is one piece without length.
     kept[0] |= not kept.any()
     bounds = np.append(bounds[:-1][kept], bounds[-1])
     return MemberProgress(bounds, start[kept], rate[kept], bend[kept], float(own[-1]))

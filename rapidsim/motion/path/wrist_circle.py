@@ -1,8 +1,8 @@
-r"""Arcs led by two wrist axes: start, end, deviations, and why they fail.
+r"""Arcs guided by two wrist axes: start, end, deviations, and reasons for failure.
 
-Source: Technical reference manual RAPID Instructions, "CirPathMode". How far the tool may lean from
-perpendicular, and that an arc after such an arc starts where the z axis intersects the plane rather
-than at the TCP, are assumptions: the manual specifies neither.
+Source: Technical reference manual RAPID Instructions, "CirPathMode". Two assumptions are our own,
+as the manual does not specify them: the largest tilt of the tool from perpendicular, and that an
+arc after such an arc starts where the z axis intersects the plane rather than at the TCP.
 """
 
 from __future__ import annotations
@@ -23,49 +23,49 @@ from rapidsim.motion.kinematics.arm import Kinematics, Mask
 from rapidsim.values import value_class
 
 _UPRIGHT = np.radians(10.0)
-"""How far [rad] the tool may stand from perpendicular to the circle without a word."""
+"""Angle [rad] of the tool from perpendicular to the circle above which a tilt is reported."""
 _TOLD_TURN = np.radians(0.5)
 _PLACES = 129
 _ON_THE_AXIS = 1e-6
 _IN_LINE = 1e-3
 _MM = 1e3
 _SINGULAR_ONLY = np.radians(0.05)
-"""A circle that goes no further [rad] beyond what a pair reaches fails because it is singular."""
+"""Angle [rad] outside a pair's range up to which a failed circle is reported as singular."""
 _BY_ALL_AXES = r"use all axes, with CirPathMode \PathFrame"
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class WristCircleError:
-    """Side effects of an arc led by two wrist axes, besides following the circle."""
+    """Path deviation of an arc guided by two wrist axes."""
 
     arrival: Array
     """Joints (n,) [rad] at the end."""
     tilt: float
-    """Angle [rad] between the tool's z axis and the normal of the plane at the start; 0 where the
-    arc goes on from another, which has tilted the tool."""
+    """Angle [rad] between the tool's z axis and the normal of the plane at the start; 0 if the arc
+    continues another, which has tilted the tool."""
     off_plane: float
-    """How far [m] the TCP leaves the plane."""
+    """Largest distance [m] of the TCP from the plane."""
     turned: float
-    """How far [rad] the tool turns away from its programmed orientation."""
+    """Largest rotation [rad] of the tool from its programmed orientation."""
     off_end: float
-    """How far [m] from the programmed end the TCP stands at last."""
+    """Final distance [m] of the TCP from the programmed end."""
 
 
 @value_class(frozen=True, slots=True)
 class WristCircleRefusal:
-    """Why two wrist axes cannot lead a circle, and a possible remedy."""
+    """Reason why two wrist axes cannot follow a circle, and a possible remedy."""
 
     reason: str
     cure: str
 
 
 def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
-    """The start of an arc led by two wrist axes: the TCP, or the aim of the preceding such arc.
+    """Return the start of an arc guided by two wrist axes: the TCP, or the previous arc's aim.
 
     Args:
         base_from_tcp: The current pose.
-        aim: The programmed end (3,) [m] of the arc before, if there was one; it counts as long as
-            the z axis of the tool passes through it.
+        aim: The programmed end (3,) [m] of the arc before, or None; it is used as long as the z
+            axis of the tool passes through it.
     """
     if aim is None:
         return base_from_tcp
@@ -76,12 +76,12 @@ def start_on_circle(base_from_tcp: Transform, aim: Array | None) -> Transform:
 
 
 def end_of_circle(end: Waypoint) -> Waypoint:
-    """The end of an arc led by two wrist axes: the programmed point, at which the tool aims."""
+    """Return the end of an arc guided by two wrist axes, with the programmed point as aim."""
     return replace(end, aim=end.base_from_tcp.translation)
 
 
 def wrist_circle_error(kinematics: Kinematics, segment: Segment) -> WristCircleError | None:
-    """The side effects of an arc led by two wrist axes; None if they fail on it."""
+    """Return the deviation of an arc guided by two wrist axes; None if they cannot follow it."""
     curves = curves_of((segment,), kinematics)
     arms = arms_of((segment,), kinematics, curves.joint_travel, curves.length)
     if arms.pairs is None:
@@ -110,7 +110,7 @@ def wrist_circle_error(kinematics: Kinematics, segment: Segment) -> WristCircleE
 def findings_on_pair(
     error: WristCircleError, segment: Segment, target: str
 ) -> tuple[Violation, ...]:
-    """Findings about an arc that two wrist axes lead to a target."""
+    """Return findings about an arc to a target that two wrist axes guide."""
     pair = segment.circle_mode.value
     found: list[Violation] = []
     if error.tilt > _UPRIGHT:
@@ -124,9 +124,9 @@ def findings_on_pair(
 
 
 def wrist_circle_refusal(arms: JointMapper, place: Array, row: Index) -> WristCircleRefusal:
-    """Why the pair of one arc cannot take the z axis to some points (k, 3) of it.
+    """Return the reason why the pair of one arc cannot aim the z axis at points (k, 3) of it.
 
-    The first determines the reason, all of them its extent.
+    The first point determines the reason, all of them its extent.
     """
     pairs, here = arms.pairs, row[:1]
     assert pairs is not None
@@ -177,7 +177,7 @@ def wrist_circle_refusal(arms: JointMapper, place: Array, row: Index) -> WristCi
 
 
 def _within(aim: PairTurns) -> Mask:
-    """Which places (k,) a pair reaches, or misses by so little that it is singular there."""
+    """Mask of points (k,) that a pair reaches, or misses by so little that it is singular there."""
     within: Mask = (aim.beyond < _SINGULAR_ONLY) & (aim.grazes <= 0.0)
     return within
 

@@ -1,7 +1,7 @@
-"""The robots that ship with rapidsim: one folder each, described by its `robot.toml`.
+"""Robots that ship with rapidsim: one folder each, described by its `robot.toml`.
 
-Input is a name, output a `CatalogueEntry` in SI units. Shapes are generated from the same entry by
-`scripts/build_robots.py` and stored beside it. The short names of all robots are in one file,
+Input is a name, output a `CatalogueEntry` in SI units. Shapes are generated from the entry by
+`scripts/build_robots.py` and stored in its folder. The short names of all robots are in one file,
 `aliases.toml`, so that finding a robot reads only its own entry.
 """
 
@@ -34,20 +34,20 @@ from rapidsim.values import value_class
 
 _PARTS = re.compile(r"(\d+)")
 NEAR_NAMES = 5
-"""How many similar names an unknown one is answered with."""
+"""Number of similar names suggested for an unknown one."""
 
 
 class RobotError(InputError):
-    """A robot that cannot be loaded; the message says which, why, and what to do."""
+    """A robot that cannot be loaded; the message contains the robot, the reason and the remedy."""
 
     def __init__(self, message: str, similar: Sequence[str] = ()) -> None:
-        """Say so; `similar` are known names near one that is not."""
+        """Create the error; `similar` are known names near an unknown one."""
         super().__init__(message, similar=similar)
 
 
 @value_class(frozen=True, slots=True)
 class CatalogueEntry:
-    """What is known about one arm."""
+    """Data of one arm."""
 
     name: str
     title: str
@@ -57,68 +57,68 @@ class CatalogueEntry:
     limits: tuple[tuple[float, float], ...]
     """Lower and upper limit of each joint [rad]."""
     max_speeds: tuple[float | None, ...]
-    """[rad/s]; None where no source gives it."""
+    """[rad/s]; None where no source has it."""
     max_accelerations: tuple[float | None, ...]
-    """[rad/s2], as version 1 of the motion model has them; None unless they were measured."""
+    """[rad/s2], for version 1 of the motion model; None unless measured."""
     torques: Torques | None
-    """None unless they were measured."""
+    """None unless measured."""
     payload_kg: float | None
     reach_m: float | None
     sources: tuple[str, ...]
-    """Where the numbers come from."""
+    """Sources of the numbers."""
     checks: tuple[str, ...]
-    """What the figures were compared with."""
+    """Sources with which the figures were compared."""
     notes: tuple[str, ...]
     notices: tuple[str, ...]
-    """What the user of the arm should know; commands print them."""
+    """Notices for the user of the arm; commands print them."""
     not_modelled: tuple[str, ...]
-    """What the arm has and a run leaves out; every run on it says so."""
+    """Properties of the arm that a run does not model; every run on it reports them."""
     link_excess_m: tuple[float, ...]
     """See `Robot.link_excess_m`."""
     folder: Path
 
     @property
     def urdf(self) -> Path | None:
-        """The description with link shapes, if there is one."""
+        """Description with link shapes; None if there is no such file."""
         file = self.folder / f"{self.name}.urdf"
         return file if file.is_file() else None
 
 
 def robots_folder() -> Path:
-    """The folder of the catalogue, in a checkout and in an installation alike."""
+    """Return the folder of the catalogue, in a checkout or an installation."""
     return shipped("robots")
 
 
 @cache
 def robot_names() -> tuple[str, ...]:
-    """The names of all robots in the catalogue, sorted, with numbers compared by value."""
+    """Return the names of all robots, sorted, with numbers compared by value."""
     names = (file.parent.name for file in robots_folder().glob("*/robot.toml"))
     return tuple(sorted(names, key=_by_number))
 
 
 @cache
 def aliases() -> Mapping[str, str]:
-    """The short names of robots, and the robots they refer to."""
+    """Return the short names of robots, and the robots they refer to."""
     text = (robots_folder() / "aliases.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)
 
 
 def aliases_of(name: str) -> tuple[str, ...]:
-    """The short names of a robot."""
+    """Return the short names of a robot."""
     return tuple(alias for alias, robot in aliases().items() if robot == name)
 
 
 def entry_name(name: str) -> str:
-    """The name of a robot in lower case, of an alias the name it refers to."""
+    """Return the name of a robot in lower case, for an alias the name it refers to."""
     wanted = name.lower()
     return aliases().get(wanted, wanted)
 
 
 def find_entry(name: str) -> CatalogueEntry:
-    """The robot of a name or alias, in any case.
+    """Return the robot of a name or alias, in any case.
 
     Raises:
-        RobotError: If there is none; the message lists the closest names.
+        RobotError: If no robot has the name; the message lists the closest names.
     """
     wanted = entry_name(name)
     if wanted not in robot_names():
@@ -127,11 +127,11 @@ def find_entry(name: str) -> CatalogueEntry:
 
 
 def speed_lender(entry: CatalogueEntry) -> CatalogueEntry | None:
-    """The arm whose axis speeds stand in for unknown ones; None if no arm of the same kind has any.
+    """Return the arm whose axis speeds replace unknown ones; None if no arm of its kind has any.
 
-    Arms of one kind have the same maker and structure. Those of the same family are preferred, then
-    those whose type has the same number, then those of the nearest payload and reach. The inertia
-    of a payload grows with the square of the reach, which therefore counts twice.
+    Arms of one kind have equal maker and structure. Arms of the same family are preferred, then
+    arms with the same number in their type, then those of the nearest payload and reach. The
+    inertia of a payload grows with the square of the reach, which therefore counts twice.
     """
 
     def is_of_kind(other: CatalogueEntry) -> bool:
@@ -151,18 +151,18 @@ def speed_lender(entry: CatalogueEntry) -> CatalogueEntry | None:
 
 @cache
 def _entries_with_speeds() -> tuple[CatalogueEntry, ...]:
-    """The arms whose axis speeds a source gives."""
+    """Return the arms with axis speeds from a source."""
     entries = map(find_entry, robot_names())
     return tuple(entry for entry in entries if None not in entry.max_speeds)
 
 
 def _family(name: str) -> str:
-    """The part of a name before payload and reach."""
+    """Return the part of a name before payload and reach."""
     return name.partition("-")[0]
 
 
 def _type_number(name: str) -> str:
-    """The number of a type, such as 1300 of `crb1300-7-1.4`."""
+    """Return the number of a type, such as 1300 of `crb1300-7-1.4`."""
     number = _PARTS.search(name)
     return "" if number is None else number[0]
 
@@ -176,7 +176,7 @@ def read_entry(folder: Path) -> CatalogueEntry:
     """Read the `robot.toml` of a folder.
 
     Raises:
-        RobotError: If the file says something that is not understood.
+        RobotError: If the file contains an invalid value or lacks one.
     """
     file = folder / "robot.toml"
     try:
@@ -188,7 +188,7 @@ def read_entry(folder: Path) -> CatalogueEntry:
 
 
 def kinematics_of(entry: CatalogueEntry) -> Kinematics:
-    """The solver for an arm: its closed form, or a search if it has none."""
+    """Return the solver for an arm: its closed form, or a search if it has none."""
     match entry.geometry:
         case OpwGeometry() as geometry:
             return arm_from_geometry(geometry)
@@ -205,7 +205,7 @@ def kinematics_of(entry: CatalogueEntry) -> Kinematics:
 def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
     """Torque limits of the main axes of an arm: measured, else scaled from measured ABB arms.
 
-    None if neither is known: arms of other makers and kinds, and those without axis speeds.
+    None if neither is known: for arms of other makers and kinds, and those without axis speeds.
     """
     if not isinstance(entry.geometry, OpwGeometry):
         return None
@@ -218,9 +218,9 @@ def dynamics_of(entry: CatalogueEntry) -> Dynamics | None:
 
 
 def arm_from_geometry(geometry: OpwGeometry) -> OrthoParallel:
-    """The arm with link frames that are parallel to the base with all joints at 0.
+    """Return the arm with link frames that are parallel to the base with all joints at 0.
 
-    The origin of link 1 is at the foot, 2 and 3 on their axes, 4 beside the elbow on axis 4, 5 in
+    The origin of link 1 is at the foot, 2 and 3 on their axes, 4 next to the elbow on axis 4, 5 in
     the wrist centre, 6 in the flange. The flange frame is that of the formulas, which for ABB's
     zero position is `tool0`.
     """
@@ -263,7 +263,7 @@ def _entry(table: Mapping[str, Any], folder: Path) -> CatalogueEntry:
 
 
 def _torques(table: Mapping[str, Any]) -> Torques:
-    """The table [dynamics]: what was measured of an arm."""
+    """Return the measured torques in the table [dynamics] of an arm."""
     w4, w5, w6 = (radians(one) for one in table["wrist_deg_s2"])
     return Torques(
         **{name: table[name] for name in ("i1", "rod", "point", "x", "z", "c", "d", "e", "kappa")},
@@ -282,7 +282,7 @@ def _torques(table: Mapping[str, Any]) -> Torques:
 
 
 def _limits(joint: Mapping[str, Any]) -> tuple[float, float]:
-    """Lower and upper limit of a joint [deg], or [mm] where it slides."""
+    """Return lower and upper limit of a joint [deg], or [mm] for a sliding joint."""
     lower, upper = joint["limits_mm"] if "limits_mm" in joint else joint["limits_deg"]
     return lower, upper
 
@@ -290,16 +290,16 @@ def _limits(joint: Mapping[str, Any]) -> tuple[float, float]:
 def _radians(
     joints: Sequence[Mapping[str, Any]], key: str, key_mm: str
 ) -> tuple[float | None, ...]:
-    """A value of each joint that may not be given at all.
+    """Return an optional value of each joint in radians, or None.
 
-    A joint that slides is given in mm, each of which counts as one degree; see `Kinematics`.
+    Values of a sliding joint are in mm, each of which counts as one degree; see `Kinematics`.
     """
     given = (joint.get(key_mm if "limits_mm" in joint else key) for joint in joints)
     return tuple(None if value is None else radians(value) for value in given)
 
 
 def _by_number(name: str) -> list[tuple[int, str]]:
-    """A sort key that puts `kr16-2` before `kr120-r2500-pro`."""
+    """Return a sort key that puts `kr16-2` before `kr120-r2500-pro`."""
     return [(int(part or 0), "") if part.isdigit() else (0, part) for part in _PARTS.split(name)]
 
 

@@ -31,14 +31,14 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import OpwGeometry
 from rapidsim.values import value_class
 
 _POINT_OF_RATED_LOAD = 1.3
-"""The effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""
+"""Effective mass of the forearm in units of the rated payload: 0.9 to 1.8. Assumed."""
 PRIOR_FACTOR = 1.5
-"""The accelerations of an arm that was not measured are right within this factor."""
+"""Factor within which the accelerations of an arm without measurements are right."""
 
 
 @value_class(frozen=True, slots=True)
 class Torques:
-    """The constants of the law above for one arm, in s2/rad; `rod` and `point` per m2."""
+    """Constants of the law above for one arm, in s2/rad; `rod` and `point` per m2."""
 
     i1: float
     """Motors and column."""
@@ -47,9 +47,9 @@ class Torques:
     point: float
     """Forearm and wrist, as a point."""
     x: float
-    """How far that point is ahead of axis 3, along the forearm [m]."""
+    """Distance [m] of that point ahead of axis 3, along the forearm."""
     z: float
-    """And above it [m]."""
+    """Height [m] of that point above axis 3."""
     c: float
     d: float
     delta: float
@@ -65,15 +65,15 @@ class Torques:
     fine_dwell: float
     """Time [s] at a stop point from the end of the command to the start of the next."""
     measured: bool
-    """Whether all this was measured on the arm, or scaled from others."""
+    """Whether these constants were measured on the arm, else scaled from others."""
     wrist_in_zones: tuple[float, float] | None = None
-    """What logs show of the wrist in zones: the share of its accelerations in a narrow zone, as a
-    factor on that of the main axes (`MotionModel.zone_share`), and by how many times the way in an
-    interpolation cycle a zone counts as wider (`MotionModel.zone_cycles`). None: as main axes."""
+    """Behaviour of the wrist in zones according to logs: the share of its accelerations in a narrow
+    zone, as a factor on that of the main axes (`MotionModel.zone_share`), and the number of cycles
+    whose travel widens the zone (`MotionModel.zone_cycles`). None: as for the main axes."""
 
 
 class _Inertia(NamedTuple):
-    """What of the law above depends on how the arm stands, columns (k,)."""
+    """Terms of the law above that depend on the posture of the arm, columns (k,)."""
 
     n11: Array
     n11_2: Array
@@ -86,19 +86,19 @@ class _Inertia(NamedTuple):
 
 @value_class(frozen=True, slots=True)
 class Dynamics:
-    """The dynamics of an ortho-parallel arm in terms of its torques."""
+    """Dynamics of an ortho-parallel arm in terms of its torques."""
 
     torques: Torques
     geometry: OpwGeometry
 
     def rows(self, stance: Array, first: Array, second: Array, load: Array) -> tuple[Array, Array]:
-        """Shares of the torques of axes 1 to 3 used by path acceleration and squared path speed.
+        """Return shares of the torques of axes 1 to 3 per path acceleration and squared path speed.
 
         Args:
             stance: Shape (k, 4); see `PathRates`.
             first: First derivatives of the joints (k, 3) along the path [rad/m].
             second: Second derivatives (k, 3) [rad/m2].
-            load: The load on the wrist (k,), as a share of the rated payload.
+            load: Load at the wrist (k,), as a share of the rated payload.
 
         Returns:
             Slope (k, 3) [s2/m] and bend (k, 3) [s2/m2].
@@ -108,14 +108,14 @@ class Dynamics:
         return slope, bend + self._of_speeds(inertia, first)
 
     def shares(self, stance: Array, rates: Array, changes: Array, load: Array) -> Array:
-        """Torques (k, 3), each divided by its limit, for joint rates and accelerations (k, 3)."""
+        """Torques (k, 3), divided by their limits, for joint rates and accelerations (k, 3)."""
         inertia = self._inertia(stance, load)
         return self._against(inertia, changes) + self._of_speeds(inertia, rates)
 
     def _inertia(self, stance: Array, load: Array) -> _Inertia:
         t, g = self.torques, self.geometry
         s2, c2, s23, c23 = stance.T
-        # The angle of the forearm in the formulas is counted from straight up.
+        # In the formulas, the angle of the forearm is measured from vertical.
         cos_phi, sin_phi = s23, -c23
         lean = s23 * c2 - c23 * s2, c23 * c2 + s23 * s2  # sine and cosine of theta3 = q3 + 90 deg
         sin_3, cos_3 = -lean[1], lean[0]
@@ -147,14 +147,14 @@ class Dynamics:
         return _Inertia(n11, n11_2, n11_3, n22, n23, n33, h)
 
     def _against(self, inertia: _Inertia, changes: Array) -> Array:
-        """Torques (k, 3) that joint accelerations (k, 3) take."""
+        """Return torques (k, 3) due to joint accelerations (k, 3)."""
         n = inertia
         e1, e2, e3 = self._of_formulas(changes)
         coupled = n.n33 * e3 + self.torques.kappa * n.n23 * e2
         return np.stack([n.n11 * e1, n.n22 * e2 + n.n23 * e3, coupled], axis=-1)
 
     def _of_speeds(self, inertia: _Inertia, rates: Array) -> Array:
-        """Torques (k, 3) that products of joint rates (k, 3) take."""
+        """Return torques (k, 3) due to products of joint rates (k, 3)."""
         n = inertia
         q1, q2, q3 = self._of_formulas(rates)
         square = 0.5 * q1 * q1
@@ -168,14 +168,14 @@ class Dynamics:
         )
 
     def _of_formulas(self, rates: Array) -> tuple[Array, Array, Array]:
-        """Rates of the angles of the formulas from those of joints 1 to 3 (k, 3)."""
+        """Convert rates of joints 1 to 3 (k, 3) to rates of the formulas' angles."""
         signs, coupling = self.geometry.signs, self.geometry.coupling
         j1, j2, j3 = rates.T
         return signs[0] * j1, signs[1] * j2, signs[2] * (j3 + coupling * j2)
 
     @property
     def least_accelerations(self) -> tuple[float, float, float]:
-        """Accelerations [rad/s2] of axes 1 to 3, each alone, in the worst, stretched, posture."""
+        """Accelerations [rad/s2] of axes 1 to 3, each alone, in the worst (stretched) posture."""
         t, g = self.torques, self.geometry
         r = g.a1 + g.c2 + t.x
         n11 = t.i1 + t.rod * ((g.a1 + 0.5 * g.c2) ** 2 + g.c2**2 / 12.0) + t.point * r**2
@@ -183,12 +183,12 @@ class Dynamics:
 
 
 def prior(geometry: OpwGeometry, speeds: tuple[float, ...], reach: float) -> Torques:
-    """Assumed torque constants of an arm that was not measured.
+    """Return assumed torque constants of an arm without measurements.
 
     Args:
-        geometry: Of the arm.
-        speeds: Of its axes [rad/s].
-        reach: Of the arm [m].
+        geometry: Lengths of the arm.
+        speeds: Axis speeds [rad/s].
+        reach: Reach of the arm [m].
 
     Source: shape and scale pooled over the two measured arms, accurate within a factor of 1.5 (one
     standard deviation 1.3); below 0.6 m and above 3 m of reach it is extrapolated.

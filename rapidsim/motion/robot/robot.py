@@ -32,7 +32,7 @@ __all__ = ["Joint", "Robot", "RobotError", "load_robot", "robot_names"]
 
 @value_class(frozen=True, slots=True)
 class Joint:
-    """One axis."""
+    """One joint of an arm, with name and limits."""
 
     name: str
     lower: float
@@ -40,9 +40,9 @@ class Joint:
     upper: float
     """[rad]"""
     max_speed: float | None
-    """[rad/s]; None where no source gives it."""
+    """[rad/s]; None if no source has it."""
     max_acceleration: float | None = None
-    """[rad/s2], as version 1 of the motion model has it; None unless it was measured."""
+    """[rad/s2], for version 1 of the motion model; None unless measured."""
     slides: bool = False
     """Whether it slides: then all its values are mm * pi / 180; see `Kinematics`."""
 
@@ -52,7 +52,7 @@ class Joint:
         return "mm" if self.slides else "deg"
 
     def within(self, lower: float, upper: float) -> Joint:
-        """The same joint with other limits [rad], [m] if it slides."""
+        """Return the joint with other limits [rad], [m] if it slides."""
         return replace(self, lower=lower / self.unit, upper=upper / self.unit)
 
     @property
@@ -67,59 +67,60 @@ class LinkMeshes:
 
     files: tuple[Path, ...]
     units_m: tuple[float, ...]
-    """What each counts in [m]."""
+    """Length [m] of the unit of each file."""
     in_base: bool
     """Whether all are drawn in the base frame with the joints at zero; else each in the frame of
-    its link: the origin on its axis, and turned as the base with the joints at zero."""
+    its
+    link: the origin on its axis, and parallel to the base with the joints at zero."""
 
 
 LARGEST_EXCESS: Final = (0.18, 0.07)
-"""The largest `Robot.link_excess_m` of an arm that was compared, as a share of its reach: of all
-links, and of those from the third on."""
+"""Largest known `Robot.link_excess_m` as a share of the reach: of all links, and of links from the
+third on."""
 
 
 @value_class(frozen=True, eq=False, repr=False)
 class Robot:
-    """An arm."""
+    """An arm with limits, external axes and shapes."""
 
     name: str
-    """Such as `irb1600-6-1.2`."""
+    """Catalogue name, such as `irb1600-6-1.2`."""
     title: str
-    """As its maker writes it: `ABB IRB 1600-6/1.2`."""
+    """Name as written by its maker: `ABB IRB 1600-6/1.2`."""
     joints: tuple[Joint, ...]
     kinematics: Kinematics
     urdf: Path | None
-    """The description with link shapes, for the recording and other tools."""
+    """Description with link shapes, for the recording and other tools; None if there is none."""
     payload_kg: float | None = None
     reach_m: float | None = None
     maker: str | None = None
-    """None for a URDF, which does not say."""
+    """None for a URDF, which does not contain it."""
     sources: tuple[str, ...] = ()
+    """Sources of the numbers."""
     notices: tuple[str, ...] = ()
-    """What the user should know of how this arm is solved; commands print them."""
-    """Where the numbers come from."""
+    """Notices for the user about the solver of this arm; commands print them."""
     checks: tuple[str, ...] = ()
-    """What the figures were compared with."""
+    """Sources with which the figures were compared."""
     notes: tuple[str, ...] = ()
     not_modelled: tuple[str, ...] = ()
-    """What the arm has but a run does not model."""
+    """Properties of the arm that a run does not model."""
     axis_speeds_from: str | None = None
-    """The arm of the catalogue that lends its axis speeds; None if they are this arm's."""
+    """Arm of the catalogue whose axis speeds are used; None if the speeds are this arm's."""
     link_excess_m: tuple[float, ...] = ()
-    """How far 95 % of the surface of the maker's links reach beyond ours at most [m], the base
-    first; empty where they were not compared."""
+    """Distance [m] by which 95 % of the surface of the maker's links extend at most beyond ours,
+    the base first; empty if not compared."""
     dynamics: Dynamics | None = None
-    """What its main axes can do; None where only axis speeds say something about that."""
+    """Torque limits of its main axes; None if only axis speeds are known."""
     external: tuple[ExternalAxis, ...] = ()
-    """Axes beside the arm, in the order of their letters; the station file names them."""
+    """Axes outside the arm, in the order of their letters; defined in the station file."""
     meshes: LinkMeshes | None = None
-    """Shapes that replace those of the description."""
+    """Shapes that replace the shapes of the description; None to keep these."""
 
     def units(self, per: str = "") -> str:
-        """RAPID's units of all joints, such as `deg/s` or, if one slides, `deg, j3 in mm`.
+        """Return RAPID's units of all joints, such as `deg/s` or, if one slides, `deg, j3 in mm`.
 
         Args:
-            per: What follows each unit, such as `/s`.
+            per: Suffix of each unit, such as `/s`.
         """
         sliding = [f", j{n} in mm{per}" for n, joint in enumerate(self.joints, 1) if joint.slides]
         return "".join([f"deg{per}", *sliding])
@@ -136,7 +137,7 @@ class Robot:
 
     @cached_property
     def axes(self) -> Axes:
-        """The arm's joints and the external axes with their limits."""
+        """Joints of the arm and external axes with their limits."""
         return Axes(
             np.append(self.lower, [axis.lower for axis in self.external]),
             np.append(self.upper, [axis.upper for axis in self.external]),
@@ -158,15 +159,15 @@ class Robot:
         return np.where(endless, 0.0, (self.lower + self.upper) / 2.0)
 
     def __repr__(self) -> str:
-        """One line."""
+        """Return one line with name and number of axes."""
         return f"<robot {self.name[:60]}, {len(self.joints)} axes>"
 
     def forward(self, joints: Array) -> Transform:
-        """base_from_flange of joint vectors (..., n) [rad]; the flange of ABB arms is tool0."""
+        """Return base_from_flange of joint vectors (..., n) [rad]; ABB's flange is tool0."""
         return self.kinematics.forward(np.asarray(joints, dtype=np.float64))
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """All branches of poses (...,), before limits; `confdata.configurations` applies those."""
+        """Return all branches of poses (...,), without the limits of `confdata.configurations`."""
         return self.kinematics.inverse(base_from_flange)
 
 
@@ -179,14 +180,14 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
             bars.
 
     Raises:
-        RobotError: If the name is not known, the file cannot be read, or the arm is of a kind
-            that is not supported; the message says which.
+        RobotError: If the name is unknown, the file cannot be read, or the kind of arm is not
+            supported; the message contains the reason.
         InputError: If the package that reads URDF files is not installed.
     """
     text = str(name_or_path)
     if isinstance(name_or_path, Path) or text.lower().endswith(DESCRIPTIONS):
         require("yourdfpy", "a robot from a URDF")
-        # yourdfpy takes two seconds to import, which a robot of the catalogue need not pay.
+        # Importing yourdfpy takes two seconds, which a robot of the catalogue does not need.
         from rapidsim.motion.robot.urdf import robot_parts_from_urdf  # noqa: PLC0415
 
         parts = robot_parts_from_urdf(Path(text), 1.0 if scale is None else scale)
@@ -205,7 +206,7 @@ def load_robot(name_or_path: str | Path, scale: float | None = None) -> Robot:
             title=parts.name,
             joints=joints,
             kinematics=parts.kinematics,
-            # Shapes of a scaled description would have the size that the file says.
+            # Shapes of a scaled description would keep the size in the file.
             urdf=Path(text) if scale is None else None,
             sources=(text,),
             notices=parts.notices,
@@ -252,7 +253,7 @@ def _from_entry(entry: CatalogueEntry) -> Robot:
 
 
 def _speed_notices(entry: CatalogueEntry, lender: CatalogueEntry | None) -> tuple[str, ...]:
-    """Notices about axis speeds of another arm."""
+    """Return notices about axis speeds taken from another arm."""
     if lender is None:
         return ()
     return (
@@ -262,7 +263,7 @@ def _speed_notices(entry: CatalogueEntry, lender: CatalogueEntry | None) -> tupl
 
 
 def _notices(entry: CatalogueEntry) -> tuple[str, ...]:
-    """What the user should know of an arm that is solved by search."""
+    """Return notices about an arm that is solved by search."""
     if not isinstance(entry.geometry, AxisRowGeometry):
         return ()
     count = len(entry.joint_names)

@@ -1,4 +1,4 @@
-"""The kinds of arms in the catalogue: from `structure` in a `robot.toml` to lengths in SI units."""
+"""Kinds of arms in the catalogue: from `structure` in a `robot.toml` to lengths in SI units."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Geometry = OpwGeometry | FiveAxisGeometry | PalletizerGeometry | ScaraGeometry |
 
 
 def geometry_from_table(table: Mapping[str, Any]) -> Geometry:
-    """The geometry that a `robot.toml` describes.
+    """Return the geometry that a `robot.toml` describes.
 
     Raises:
         KeyError: If something is missing.
@@ -97,4 +97,4 @@ _STRUCTURES: Mapping[str, tuple[_Read, int | None]] = MappingProxyType(
         "axis-row": (_axis_row, None),
     }
 )
-"""How each structure is read, and how many joints it has; None where any number will do."""
+"""Reader and number of joints of each structure; None if any number is accepted."""

@@ -1,7 +1,6 @@
 """Robots from URDF files: joints, limits and frames by yourdfpy, kinematics by recognition.
 
-The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it when given a
-file.
+The only module that imports yourdfpy, which takes two seconds; `load_robot` imports it for a file.
 """
 
 from __future__ import annotations
@@ -32,28 +31,28 @@ from rapidsim.motion.robot.urdf_text import plain_urdf
 from rapidsim.values import value_class
 
 FLANGE_NAMES = ("tool0", "flange")
-"""Links that are the flange, the first that the file has; else the link of the last axis."""
+"""Names of the flange link, in order of preference; default: the link of the last axis."""
 FEWEST_JOINTS = 2
 TURNING = ("revolute", "continuous")
 SLIDING = "prismatic"
 _FARTHEST_M = 10_000.0
 _LONGEST_LINK_M = 20.0
-"""Arms that one can buy have links of 2 m; what is longer was meant in mm."""
+"""Length above which a link is assumed to be in mm: commercial arms have links of up to 2 m."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class RobotParts:
-    """The content of a description."""
+    """Content of a robot description."""
 
     name: str
     joint_names: tuple[str, ...]
     limits: tuple[tuple[float, float], ...]
-    """[rad], see `Kinematics` for those that slide; infinite for continuous joints."""
+    """[rad], see `Kinematics` for sliding joints; infinite for continuous joints."""
     max_speeds: tuple[float | None, ...]
-    """[rad/s]; None where there is none, or the 0 that exporters write for an unknown one."""
+    """[rad/s]; None if missing, or 0, which exporters write for an unknown speed."""
     kinematics: Kinematics
     notices: tuple[str, ...]
-    """What the user should know of how this arm is solved."""
+    """Notices for the user about the solver of this arm."""
 
 
 def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
@@ -116,7 +115,7 @@ def robot_parts_from_urdf(file: Path, scale: float = 1.0) -> RobotParts:
 
 
 def _scara(file: Path, joints: list[yourdfpy.Joint], axes: AxesAtZero) -> Scara:
-    """The only arm with a joint that slides."""
+    """Return the SCARA of a description with a sliding joint, the only supported kind."""
     slides = np.array([joint.type == SLIDING for joint in joints])
     arm = scara_arm(axes, slides)
     if isinstance(arm, str):
@@ -128,7 +127,7 @@ def _scara(file: Path, joints: list[yourdfpy.Joint], axes: AxesAtZero) -> Scara:
 
 
 def _length_notices(file: Path, robot: yourdfpy.Robot) -> tuple[str, ...]:
-    """What lengths say that cannot be m."""
+    """Return a notice about lengths that are implausible in metres."""
     longest = max(
         (joint for joint in robot.joints if joint.origin is not None),
         key=lambda joint: float(np.abs(joint.origin[:3, 3]).max()),
@@ -146,7 +145,7 @@ def _length_notices(file: Path, robot: yourdfpy.Robot) -> tuple[str, ...]:
 
 
 def _read(file: Path, scale: float) -> tuple[yourdfpy.Robot, tuple[str, ...]]:
-    """The description with its lengths in m, and what of it has no place in a URDF."""
+    """Return the description with lengths in m, and remarks on skipped non-URDF content."""
     try:
         text, remarks = plain_urdf(file, input_text(file))
     except InputError as mistake:
@@ -160,7 +159,7 @@ def _read(file: Path, scale: float) -> tuple[yourdfpy.Robot, tuple[str, ...]]:
             load_collision_meshes=False,
         ).robot
     except (AttributeError, LookupError, SyntaxError, TypeError, ValueError) as mistake:
-        # yourdfpy has no error of its own: it fails wherever a tag or attribute is missing.
+        # yourdfpy has no exception class: it fails wherever a tag or attribute is missing.
         raise RobotError(f"{file}: not a readable URDF: {_reason(mistake)}") from None
     for joint in robot.joints:
         if joint.origin is not None:
@@ -169,7 +168,7 @@ def _read(file: Path, scale: float) -> tuple[yourdfpy.Robot, tuple[str, ...]]:
 
 
 def _reason(mistake: Exception) -> str:
-    """What yourdfpy tripped over, in words."""
+    """Describe an error of yourdfpy in words."""
     match mistake:
         case KeyError():
             return f"the attribute `{mistake.args[0]}` is missing"
@@ -180,7 +179,7 @@ def _reason(mistake: Exception) -> str:
 
 
 def _require_tree(file: Path, robot: yourdfpy.Robot) -> None:
-    """Refuse joints that do not hang together as a tree, or whose numbers are none."""
+    """Raise for joints that do not form a tree, or whose values are not finite numbers."""
     links = {link.name for link in robot.links}
     joint_to: dict[str, yourdfpy.Joint] = {}
     for joint in robot.joints:
@@ -223,7 +222,7 @@ def _require_numbers(file: Path, joint: yourdfpy.Joint) -> None:
 
 
 def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:
-    """The moving joints from base to flange."""
+    """Return the moving joints from base to flange."""
     moving = [joint for joint in robot.joints if joint.type != "fixed"]
     for joint in moving:
         if joint.type not in (*TURNING, SLIDING):
@@ -245,7 +244,7 @@ def _moving_joints(file: Path, robot: yourdfpy.Robot) -> list[yourdfpy.Joint]:
 def _towards_base(
     joint_to: dict[str, yourdfpy.Joint], joint: yourdfpy.Joint
 ) -> list[yourdfpy.Joint]:
-    """A joint and the moving joints that carry it."""
+    """Return a joint and the moving joints that carry it."""
     carried: list[yourdfpy.Joint] = []
     step: yourdfpy.Joint | None = joint
     while step is not None:
@@ -258,10 +257,10 @@ def _towards_base(
 def _coupling(
     file: Path, robot: yourdfpy.Robot, joints: list[yourdfpy.Joint], axes: AxesAtZero
 ) -> int:
-    """How joint 2 turns axis 3 besides joint 3: -1 where a rod holds the link between them level.
+    """Return the rotation of axis 3 per joint 2: -1 if a rod holds the link between level, else 0.
 
     Raises:
-        RobotError: If a joint mimics another in any other way.
+        RobotError: If a joint mimics another in any other form.
     """
     for rod in (joint for joint in robot.joints if joint.mimic is not None):
         if len(joints) == JOINT_COUNT and rod.mimic.joint == joints[1].name:
@@ -299,7 +298,7 @@ def _axes_at_zero(robot: yourdfpy.Robot, joints: list[yourdfpy.Joint]) -> AxesAt
 
 
 def _frames_at_zero(robot: yourdfpy.Robot) -> dict[str, Array]:
-    """base_from_link as matrix (4, 4) of every link with all joints at 0."""
+    """Return base_from_link as matrix (4, 4) of every link with all joints at 0."""
     children = {joint.child for joint in robot.joints}
     frames = {link.name: np.eye(4) for link in robot.links if link.name not in children}
     waiting = list(robot.joints)
@@ -315,14 +314,14 @@ def _frames_at_zero(robot: yourdfpy.Robot) -> dict[str, Array]:
 
 
 def _max_speed(joint: yourdfpy.Joint, scale: float) -> float | None:
-    """The speed [rad/s] of a joint; URDF demands one, and exporters write 0 where none is known."""
+    """Return the speed [rad/s] of a joint; None if missing or 0, as exporters write for unknown."""
     if not joint.limit or not joint.limit.velocity:
         return None
     return float(joint.limit.velocity * _unit(joint, scale))
 
 
 def _unit(joint: yourdfpy.Joint, scale: float) -> float:
-    """What values of a joint in the file are multiplied by; see `Kinematics`."""
+    """Return the factor on values of a joint in the file; see `Kinematics`."""
     return scale / METRES_PER_UNIT if joint.type == SLIDING else 1.0
 
 

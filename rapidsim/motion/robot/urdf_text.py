@@ -1,6 +1,6 @@
-"""The text of URDF files found in practice: whatever does not belong in URDF is left out.
+"""Text of URDF files found in practice, reduced to URDF elements.
 
-Input is text, output is XML with URDF's own elements only, and a line for each thing left out.
+Input is text, output is XML with URDF's own elements only, and a line for each omitted element.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from xml.parsers import expat
 from rapidsim.motion.robot.catalogue import RobotError
 
 _DEEPEST = 100
-"""Tags within tags; a description needs six."""
+"""Maximum depth of tags; a description needs six."""
 _MOST_CHARACTERS = 10_000_000
 _MOST_REMARKS = 10
 _DECLARATION = re.compile(r"\s*<\?xml\b.*?\?>", re.DOTALL)
@@ -35,21 +35,21 @@ _INSIDE: Mapping[str, frozenset[str]] = MappingProxyType(
         "inertial": frozenset({"origin", "mass", "inertia"}),
     }
 )  # fmt: skip
-"""What may stand inside the tags that a robot is read from; other tags hold what they like.
+"""Allowed children of the tags that a robot is read from; other tags may contain anything.
 
 Source: the XML specification of URDF, wiki.ros.org/urdf/XML.
 """
 
 
 def plain_urdf(file: Path, text: str) -> tuple[str, tuple[str, ...]]:
-    """The URDF elements of a file, and what else it contains.
+    """Return the URDF elements of a file, and remarks on its other content.
 
     Raises:
         RobotError: If it is not XML, declares entities, is too large, nested too deeply, or xacro.
     """
-    # What was decoded is what is read: whatever encoding the declaration names, none is left.
+    # The text is already decoded: any encoding in the declaration no longer applies, so remove it.
     text, declared = _DECLARATION.sub("", text, count=1), _DECLARATION.match(text)
-    # Lines that the declaration took are counted, so that messages name those of the file.
+    # Count the lines of the removed declaration, so that messages contain line numbers of the file.
     lines_before = declared.group().count("\n") if declared else 0
     if len(text) > _MOST_CHARACTERS:
         raise RobotError(f"{file}: more than {_MOST_CHARACTERS:g} characters")
@@ -66,7 +66,7 @@ def plain_urdf(file: Path, text: str) -> tuple[str, tuple[str, ...]]:
 
 
 class _Reader:
-    """Builds a tree of what is read and notes what is left out."""
+    """Builds a tree of URDF elements and records omitted ones."""
 
     def __init__(self, file: Path, lines_before: int) -> None:
         self.file = file
@@ -75,7 +75,7 @@ class _Reader:
         self.remarks: list[str] = []
         self.open: list[str] = []
         self.skipped = 0
-        """How many open tags are left out."""
+        """Number of open tags that are omitted."""
         self.parser = expat.ParserCreate()
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
@@ -84,7 +84,7 @@ class _Reader:
 
     @property
     def place(self) -> str:
-        """The current file and line."""
+        """Current file and line."""
         return f"{self.file}:{self.lines_before + self.parser.CurrentLineNumber}"
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
@@ -100,7 +100,7 @@ class _Reader:
         self.open.append(tag)
         if self.skipped:
             self.skipped += 1
-        # A joint of a transmission is no joint of the robot, and may hold what it likes.
+        # A joint of a transmission is not a joint of the robot, and may contain anything.
         elif tag not in _INSIDE.get(around, (tag,)) and "transmission" not in self.open:
             self.remarks.append(
                 f"{self.place}: `{tag}` is not allowed inside `{around}` and is left out"

@@ -1,4 +1,4 @@
-"""Active constraints: which axis or programmed speed limits a segment for most of its time."""
+"""Active constraints: the axis or programmed speed that limits a segment for most of its time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _REACHED = 0.99
 
 
 def limiters_of(problem: Problem, motion: StageMotion) -> tuple[Limiter, ...]:
-    """Find the active constraint of each segment of a path."""
+    """Return the active constraint of each segment of a path."""
     path, cells = problem.path, problem.cells
     kind = _most_used(problem, motion.stages, motion.x)
     kinds = (*problem.speeds.limiters, *problem.accelerations.limiters, Limiter(Quantity.NOTHING))
@@ -29,7 +29,7 @@ def limiters_of(problem: Problem, motion: StageMotion) -> tuple[Limiter, ...]:
 
 
 def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
-    """The limit (m,) that is used most in the middle of each stage; speeds are counted first."""
+    """Return the limit (m,) that is used most in the middle of each stage; speeds count first."""
     cells, speeds, accelerations = problem.cells, problem.speeds, problem.accelerations
     middle, u, square = in_the_middle(stages, x)
     kernel = jit_function(two_pass_loops, "held_back_by", len(u))
@@ -39,7 +39,7 @@ def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:
         kernel(rows, stages.cell, middle, u, square, _REACHED, kinds)
         return kinds
     at, weights = cells.at[stages.cell], weights_of(middle)
-    # A speed that is reached holds back, however much of the acceleration is used.
+    # A reached speed is the active constraint, for any share of the acceleration.
     usage = rows_along(speeds.rate, at, weights) * np.sqrt(square)[:, None]
     slope = rows_along(accelerations.slope, at, weights)
     bend = rows_along(accelerations.bend, at, weights)

@@ -17,15 +17,15 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class ArmTorques:
-    """The torques of one of the moving arms."""
+    """Torques of one of the moving arms."""
 
     dynamics: Dynamics
     torque: Array
-    """Shape (3,): factors on what is known of the arm."""
+    """Shape (3,): factors on the known torques of the arm."""
     first_axis: int = 0
-    """Where its axes begin among all."""
+    """Index of its first axis among all axes."""
     number: int = 0
-    """Which of the arms it is."""
+    """Index of the arm."""
 
     @property
     def axes(self) -> slice:
@@ -39,7 +39,7 @@ class ArmTorques:
         return slice(first, first + len(self.dynamics.torques.wrist))
 
     def rows(self, rates: PathRates, load: Array) -> tuple[Array, Array]:
-        """Slope and bend (k, 3) at points (k,) with loads (k,); see `AccelerationRows`."""
+        """Return slope and bend (k, 3) at points (k,) with loads (k,); see `AccelerationRows`."""
         stance = rates.stance[:, 4 * self.number : 4 * self.number + 4]
         first, second = rates.first[:, self.axes], rates.second[:, self.axes]
         slope, bend = self.dynamics.rows(stance, first, second, load)
@@ -54,18 +54,18 @@ class ArmTorques:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Limits:
-    """Limits of each axis, the same in both directions: of the arm's, then of external ones."""
+    """Limits of each axis, equal in both directions: the arm's axes, then external ones."""
 
     max_speed: Array
     """Shape (n + e,) [rad/s, m/s]."""
     max_acceleration: Array
-    """Shape (n + e,) [rad/s2, m/s2]. Where torques limit an axis, about the least they allow: what
-    is looked at closely enough for that is so for more."""
+    """Shape (n + e,) [rad/s2, m/s2]. For axes limited by torques, about the smallest acceleration
+    that they allow: a discretisation fine enough for that is fine enough for larger ones."""
     arms: tuple[ArmTorques, ...] = ()
-    """What limits main axes in place of an acceleration."""
+    """Torques that limit main axes instead of an acceleration; empty if there are none."""
 
     def scaled(self, factor: float) -> Limits:
-        """The limits with a factor on accelerations and torques."""
+        """Return the limits with a factor on accelerations and torques."""
         return replace(
             self,
             max_acceleration=self.max_acceleration * factor,
@@ -74,7 +74,7 @@ class Limits:
 
 
 def limits_of(robot: Robot, model: MotionModel) -> Limits:
-    """The limits of an arm under a motion model.
+    """Return the limits of an arm under a motion model.
 
     Raises:
         RobotError: If the speed of an axis is not known, or the model's speeds or accelerations are
@@ -111,7 +111,7 @@ def limits_of(robot: Robot, model: MotionModel) -> Limits:
 
 
 def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
-    """The torques of an arm under a motion model; None if accelerations limit its axes."""
+    """Return the torques of an arm under a motion model; empty if accelerations limit its axes."""
     known = model.version != "1" and model.own_accelerations and model.acceleration is None
     if robot.dynamics is None or not known:
         return ()
@@ -119,7 +119,7 @@ def torques_of(robot: Robot, model: MotionModel) -> tuple[ArmTorques, ...]:
 
 
 def combined_limits(limits: Sequence[Limits]) -> Limits:
-    """The limits of several robots that move as one."""
+    """Return the limits of several robots that move as one."""
     arms, axis = [], 0
     for number, one in enumerate(limits):
         arms += [replace(arm, first_axis=axis, number=number) for arm in one.arms]
@@ -132,7 +132,7 @@ def combined_limits(limits: Sequence[Limits]) -> Limits:
 
 
 def model_of(robot: Robot, model: MotionModel) -> MotionModel:
-    """A motion model with the times known for an arm where the model sets none."""
+    """Return a motion model in which the known times of an arm replace unset ones."""
     if robot.dynamics is None:
         return model
     torques = robot.dynamics.torques
@@ -140,7 +140,7 @@ def model_of(robot: Robot, model: MotionModel) -> MotionModel:
 
 
 def _max_speed(robot: Robot, model: MotionModel) -> Array:
-    """Axis speeds (n,) [rad/s]: those of the model, else the robot's own."""
+    """Return axis speeds (n,) [rad/s]: of the model, else of the robot."""
     if model.max_speed is not None:
         if len(model.max_speed) != len(robot.joints):
             raise RobotError(

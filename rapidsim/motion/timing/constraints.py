@@ -1,8 +1,8 @@
-"""The limits of motion along a path, as rows of numbers: all that the solver knows about an arm.
+"""Limits of motion along a path, as rows of numbers: the solver's only information on an arm.
 
 With v = ds/dt and u = d2s/dt2, a speed row requires |rate| v <= 1, an acceleration row |slope u +
 bend v2| <= 1. Each row is divided by its limit, so the solver treats rows of axes, of the TCP and
-of anything else that moves alike. A new kind of limit is a new entry in `_SPEEDS` or
+of other quantities alike. A new kind of limit is a new entry in `_SPEEDS` or
 `_ACCELERATIONS`.
 """
 
@@ -21,9 +21,9 @@ from rapidsim.motion.timing.discretisation import GridPoints
 from rapidsim.values import value_class
 
 Paces = Mapping[int, float]
-"""Path speeds [m/s] that give segments their programmed times, by the position of the segment."""
+"""Path speeds [m/s] that produce the programmed times of segments, by index of the segment."""
 _NARROW, _GROWTH = 0.010, 3.5
-"""In zones wider than this [m] more of the limits is used, by so much [1/m]: 79 % with z50."""
+"""Zone radius [m] above which a larger share of the limits is used; increase [1/m]: 79 % at z50."""
 _MOST_OF_ZONE = 0.85
 _NO_BEND = 1e-12
 """[s2/m2]"""
@@ -44,7 +44,7 @@ class Quantity(Enum):
     CYCLE = "interpolation cycle in a zone"
     DURATION = "programmed time"
     NOTHING = "nothing"
-    """The segment has no length, or lies before the start of the timing."""
+    """The segment has no length, or is before the start of the timing."""
 
 
 @value_class(frozen=True, slots=True)
@@ -53,10 +53,10 @@ class Limiter:
 
     quantity: Quantity
     axis: int | None = None
-    """Counted from 1; None where no single axis is meant."""
+    """Axis, counted from 1; None if the limit is not of a single axis."""
 
     def __str__(self) -> str:
-        """Such as `acceleration of axis 2`."""
+        """Return a description such as `acceleration of axis 2`."""
         match self.quantity:
             case Quantity.AXIS_SPEED:
                 return f"speed of axis {self.axis}"
@@ -70,19 +70,19 @@ class Limiter:
 
 @value_class(frozen=True, slots=True, eq=False)
 class SpeedRows:
-    """Some limits of the path speed."""
+    """Limits of the path speed."""
 
     limiters: tuple[Limiter, ...]
-    """One a row."""
+    """One per row."""
     rate: Array
     """Shape (k, rows) [s/m]: share of the limit that a path speed of 1 m/s uses, not negative; 0
-    where there is no such limit."""
+    for no limit."""
     of_command: int = 0
-    """How many of the last rows hold for the command alone: the smoothed motion may exceed them."""
+    """Number of last rows for the command alone: the smoothed motion may exceed these."""
 
     @property
     def largest(self) -> Array:
-        """The rate (k,) of the motion's tightest row; by columns, because rows are short."""
+        """Rate (k,) of the motion's tightest row; by columns, because rows are short."""
         largest = self.rate[:, 0].copy()
         for column in range(1, self.rate.shape[1] - self.of_command):
             np.maximum(largest, self.rate[:, column], out=largest)
@@ -91,19 +91,19 @@ class SpeedRows:
 
 @value_class(frozen=True, slots=True, eq=False)
 class AccelerationRows:
-    """Some limits of the path acceleration."""
+    """Limits of the path acceleration."""
 
     limiters: tuple[Limiter, ...]
-    """One a row."""
+    """One per row."""
     slope: Array
     """Shape (k, rows) [s2/m]: signed share of the limit that a path acceleration of 1 m/s2 uses; 0
-    where there is no such limit."""
+    for no limit."""
     bend: Array
-    """Shape (k, rows) [s2/m2]: signed share that a path speed of 1 m/s uses; 0 likewise."""
+    """Shape (k, rows) [s2/m2]: signed share that a path speed of 1 m/s uses; 0 for no limit."""
 
     @property
     def largest_bend(self) -> Array:
-        """The largest magnitude (k,) of bend."""
+        """Largest magnitude (k,) of bend."""
         largest = np.abs(self.bend[:, 0])
         for column in range(1, self.bend.shape[1]):
             np.maximum(largest, np.abs(self.bend[:, column]), out=largest)
@@ -111,13 +111,13 @@ class AccelerationRows:
 
 
 def speed_rows(path: Path, places: GridPoints, limits: Limits, paces: Paces) -> SpeedRows:
-    """All limits of the path speed.
+    """Return all limits of the path speed.
 
     Args:
         path: The geometry.
         places: The points to evaluate.
-        limits: Of the axes.
-        paces: Maximum path speeds [m/s] of segments with a programmed time, by position; they
+        limits: Axis limits.
+        paces: Maximum path speeds [m/s] of segments with a programmed time, by index; they
             replace the programmed speeds there.
     """
     found = [_programmed_speeds(path, places, paces)]
@@ -130,7 +130,7 @@ def speed_rows(path: Path, places: GridPoints, limits: Limits, paces: Paces) -> 
 
 
 def acceleration_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows:
-    """All limits of the path acceleration."""
+    """Return all limits of the path acceleration."""
     found = [rows for kind in _ACCELERATIONS if (rows := kind(path, places, limits)) is not None]
     return AccelerationRows(
         tuple(limiter for rows in found for limiter in rows.limiters),
@@ -146,7 +146,7 @@ def _axis_speeds(path: Path, places: GridPoints, limits: Limits) -> SpeedRows:
 
 
 def _programmed_speeds(path: Path, places: GridPoints, paces: Paces) -> SpeedRows:
-    """The four programmed speeds, or the pace that gives a segment its programmed time."""
+    """Return rows of the four programmed speeds, or of the pace of a programmed time."""
     segment = path.segment_of(places.piece)
     paced, timed = np.zeros(len(path.segments), dtype=np.bool_), np.zeros(len(path.segments))
     if paces:
@@ -177,7 +177,7 @@ def _zone_speeds(path: Path, places: GridPoints, limits: Limits) -> SpeedRows | 
 
 
 def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows:
-    """The limits of axis accelerations, or of torques where these are known.
+    """Return the limits of axis accelerations, or of torques where these are known.
 
     A load may raise the limits in some directions, because it also adds to the coupling of axes 2
     and 3; that has not been observed, so the limits without it apply as well.
@@ -208,7 +208,7 @@ def axis_rows(path: Path, places: GridPoints, limits: Limits) -> AccelerationRow
 def _in_zones(
     path: Path, places: GridPoints, limits: Limits, slope: Array, bend: Array
 ) -> tuple[Array, Array]:
-    """Slopes and bends (k, rows) with what is not used of the limits in zones."""
+    """Return slopes and bends (k, rows), scaled for the reduced limits in zones."""
     taken = _more_in_zones(path, places, bend, 1.0, path.model.zone_cycles)[:, None]
     slopes, bends = slope * taken, bend * taken
     for arm in limits.arms:
@@ -222,14 +222,14 @@ def _in_zones(
 def _more_in_zones(
     path: Path, places: GridPoints, bend: Array, part: float, cycles: float
 ) -> Array:
-    """Factors (k,) on what is taken of the limits in zones, where not all of them is used.
+    """Return factors (k,) on the used share of limits in zones, where not all of it is available.
 
     A zone of radius r that is passed at u counts as one of r + n u T, T the interpolation cycle and
-    n `cycles`. The speed taken here is the largest that the bend (k, axes) alone would allow.
-    `part` is what axes use of the share that main axes use.
+    n `cycles`. The speed used here is the largest that the bend (k, axes) alone would allow. `part`
+    is the share that axes use, relative to the share of the main axes.
 
-    Source: fit to logs of corners of 3 to 30 deg, z1 to z500, at v1000 and more; of the wrist to
-    turns of 22 deg on straight lines, where nothing else has to accelerate.
+    Source: fit to logs of corners of 3 to 30 deg, z1 to z500, at v1000 and more; for the wrist, to
+    rotations of 22 deg on straight lines, where nothing else has to accelerate.
     """
     factors = np.ones(len(places.s))
     radius = path.zone_radius[places.piece]
@@ -249,7 +249,7 @@ def _more_in_zones(
 
 
 def _path_accelerations(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows | None:
-    """PathAccLim. The solver brakes as it accelerates, so the smaller of both limits counts."""
+    """Return the limit of PathAccLim, the smaller of both: the solver treats braking alike."""
     del limits
     allowed = path.programmed.tcp_acceleration
     if np.isinf(allowed).all():
@@ -261,7 +261,7 @@ def _path_accelerations(path: Path, places: GridPoints, limits: Limits) -> Accel
 
 
 def _world_accelerations(path: Path, places: GridPoints, limits: Limits) -> AccelerationRows | None:
-    """WorldAccLim: an octagon within the circle of all accelerations along and across the path."""
+    """Return WorldAccLim as an octagon within the circle of accelerations along and across."""
     del limits
     allowed = path.programmed.world_acceleration
     if np.isinf(allowed).all():
@@ -277,7 +277,7 @@ def _world_accelerations(path: Path, places: GridPoints, limits: Limits) -> Acce
 
 
 def _tcp_bends(path: Path, places: GridPoints) -> tuple[Array, Array, Array]:
-    """|p'|, and p'' along and across the path, (k,) each."""
+    """Return |p'|, and p'' along and across the path, (k,) each."""
     first, second = path.tcp_derivatives(places.s, places.piece)
     along = np.linalg.norm(first, axis=-1)
     straight = np.einsum("ki,ki->k", first, second) / np.maximum(along, 1e-12)
@@ -298,11 +298,11 @@ _SPEEDS: tuple[Callable[[Path, GridPoints, Limits], SpeedRows | None], ...] = (
     _axis_speeds,
     _zone_speeds,
 )
-"""What limits speed beside what is programmed; None where a path has no such limit at all. What
-holds for the command alone comes last."""
+"""Speed limits besides the programmed ones; None if a path has no such limit. Limits of the command
+alone are last."""
 _ACCELERATIONS: tuple[Callable[[Path, GridPoints, Limits], AccelerationRows | None], ...] = (
     axis_rows,
     _path_accelerations,
     _world_accelerations,
 )
-"""What limits acceleration; None where a path has no such limit at all."""
+"""Acceleration limits; None if a path has no such limit."""

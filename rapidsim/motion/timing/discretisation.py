@@ -1,7 +1,7 @@
 """Discretisation of a path for timing: cells, denser where derivatives change quickly.
 
 Each cell has derivatives at its start, middle and end, all taken from the piece that contains it,
-so that jumps at zone edges stay sharp; between the three they follow a parabola. Cells of one piece
+so that jumps at zone edges are kept; between the three they follow a parabola. Cells of one piece
 share the points where they meet.
 """
 
@@ -23,10 +23,10 @@ from rapidsim.values import value_class
 
 _LONGEST_CELL = 0.025
 _TCP_CELLS = 8
-"""Cells of half a corner where the acceleration of the TCP is limited: its derivatives are lengths
-of vectors, which bend more than those of joints."""
+"""Cells of half a corner where the acceleration of the TCP is limited: its derivatives are norms of
+vectors, which have larger curvature than those of joints."""
 _MIXED_CELLS = 4
-"""Cells of half a corner between a joint move and a line: they bend so much that fewer never do."""
+"""Cells of half a corner between a joint move and a line, whose curvature always requires these."""
 _FIRST_DEVIATION = 0.02
 _SECOND_DEVIATION = 0.2
 _SHORTEST_SHARE = 1e-9
@@ -51,9 +51,9 @@ class GridCells:
 
     places: GridPoints
     at: Index
-    """Shape (c, 3): which of the places are the start, the middle and the end of each cell."""
+    """Shape (c, 3): indices in `places` of the start, the middle and the end of each cell."""
     driven: int
-    """The first cell of the motion; smoothing sees the speed limits of those before it."""
+    """First cell of the motion; smoothing uses the speed limits of the cells before it."""
 
     @property
     def s(self) -> Array:
@@ -69,7 +69,7 @@ class GridCells:
 
     @property
     def piece(self) -> Index:
-        """The piece of each cell (c,)."""
+        """Piece of each cell (c,)."""
         piece: Index = self.places.piece[self.at[:, 0]]
         return piece
 
@@ -81,14 +81,14 @@ def cells_of(
     check_deadline: Look = undisturbed,
     within: tuple[float, float] = (-np.inf, np.inf),
 ) -> GridCells:
-    """Cells of a path, fine enough for its derivatives.
+    """Return cells of a path, fine enough for its derivatives.
 
     Args:
         path: The geometry.
-        limits: Of the axes.
-        start: Where [m] on the path the motion starts.
-        check_deadline: Called now and then.
-        within: The range [m] of interest, around the start; only pieces that overlap it get cells.
+        limits: Axis limits.
+        start: Position [m] on the path where the motion starts.
+        check_deadline: Called regularly.
+        within: Range [m] of interest, around the start; only pieces that overlap it get cells.
     """
     cells = _evaluate(path, *_first_cells(path, start, within))
     rough = np.arange(len(cells.at))
@@ -98,7 +98,7 @@ def cells_of(
         if not len(rough):
             break
         cells = _halved(path, cells, rough)
-        # Only the halves can be rough still.
+        # Only the halves can still be rough.
         first = rough + np.arange(len(rough))
         rough = np.stack([first, first + 1], axis=1).ravel()
     driven = int(np.searchsorted(cells.places.s[cells.at[:, 0]], start))
@@ -106,7 +106,7 @@ def cells_of(
 
 
 def _halved(path: Path, cells: GridCells, index: Index) -> GridCells:
-    """Cut some cells (k,), in increasing order, in the middle."""
+    """Halve cells (k,), in increasing order."""
     places, cut = cells.places, cells.at[index]
     start, middle, end = places.s[cut].T
     s = np.concatenate([0.5 * (start + middle), 0.5 * (middle + end)])
@@ -141,7 +141,7 @@ def _first_cells(
     end = np.append(begin[1:], layout.bounds[owner[-1] + 1])
     if start <= 0.0:
         return begin, end, owner.astype(np.int64)
-    # A start inside a cell cuts it; a sliver of a cell would only be rounding.
+    # A start inside a cell cuts it, unless a sliver of the cell would only be rounding.
     kept = end > start + 1e-3 * np.minimum(end - begin, path.length)
     kept[-1] = True
     before = begin < start
@@ -155,7 +155,7 @@ def _first_cells(
 
 
 def _is_mixed(layout: PathParameterisation) -> Mask:
-    """Which pieces (p,) lie in a corner between a joint move and another curve."""
+    """Mask of pieces (p,) in a corner between a joint move and another curve."""
     corner, in_joints = layout.joint_corner, layout.curves.in_joints
     mixed: Mask = (corner >= 0) & ~(in_joints[corner] & in_joints[corner + 1])
     return mixed
@@ -170,7 +170,7 @@ def _tcp_is_limited(path: Path) -> bool:
 def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> GridCells:
     count = len(start)
     number = np.arange(count)
-    # Where the next cell is of another piece, the end is a place of its own.
+    # If the next cell belongs to another piece, the end is a separate point.
     last = np.flatnonzero(np.append(piece[1:] != piece[:-1], True))
     after = number + 1
     after[last] = 2 * count + np.arange(len(last))
@@ -181,17 +181,17 @@ def _evaluate(path: Path, start: Array, end: Array, piece: Index) -> GridCells:
 
 
 def _rough(cells: GridCells, index: Index, limits: Limits, length: float) -> Mask:
-    """Whether derivatives bend too much within some cells (k,)."""
+    """Mask of cells (k,) within which derivatives bend too much."""
     at, rates = cells.at[index], cells.places.rates
     start, middle, end = at.T
     width = cells.places.s[end] - cells.places.s[start]
     bend, scale = _bend(rates.first[at] / limits.max_speed)
     curl, curve = _bend(rates.second[at] / limits.max_acceleration)
-    # What the second derivative does counts as far as it can use up the acceleration.
+    # The second derivative counts as far as it can use up the acceleration.
     fastest = np.minimum(1.0 / np.maximum(curve, 1e-12), 1.0 / np.maximum(scale, 1e-12) ** 2)
     wide = width > _SHORTEST_SHARE * length
-    # The TCP may come to a point and go back: then its rate is a V that a middle can miss, and on
-    # the way there an S that three places do not show.
+    # The TCP may reverse in a cusp: then its rate is a V that a middle can miss, and before the
+    # cusp an S that three points do not show.
     a, b, c = rates.tcp_rate[start], rates.tcp_rate[middle], rates.tcp_rate[end]
     most = np.maximum(np.maximum(a, b), c)
     dented = (np.abs(b - 0.5 * (a + c)) > _DENT * most) | (np.abs(c - a) > _DROP * most)
@@ -202,9 +202,10 @@ def _rough(cells: GridCells, index: Index, limits: Limits, length: float) -> Mas
 
 
 def _bend(values: Array) -> tuple[Array, Array]:
-    """How far values (k, 3, n) are off a straight line in the middle, and how large they get (k,).
+    """Return the deviation of values (k, 3, n) from a line in the middle, and their maximum (k,).
 
-    Of the n columns the largest counts; they come first, for short rows are slow to go along.
+    The maximum over the n columns is used; columns come first, because short rows are slow to
+    process.
     """
     columns = np.ascontiguousarray(values.T)
     off: Array = np.abs(columns[:, 1] - 0.5 * (columns[:, 0] + columns[:, 2])).max(axis=0)

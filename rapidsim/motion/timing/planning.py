@@ -1,4 +1,4 @@
-"""The fastest motion along a path within limits and programmed times."""
+"""Time-optimal motion along a path within limits and programmed times."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def plan(
 
     Args:
         path: The geometry.
-        limits: Of the axes; the segments bring the limits of the TCP.
+        limits: Axis limits; the segments contain the limits of the TCP.
         start: Position [m] where the motion starts.
         start_speed: Path speed [m/s] there. If it is too fast to brake within the limits, it is
             kept, the first section brakes too hard, and `TimeScaling.start_excess` is set.
         spent_s: Time [s] already spent in the segment where the motion starts; None takes the
             corresponding share of its programmed time.
-        check_deadline: Called now and then.
+        check_deadline: Called regularly.
     """
     if start >= path.length:
         nothing = Limiter(Quantity.NOTHING)
@@ -56,7 +56,7 @@ def plan(
     unpaced = {**driven, **dict.fromkeys(timed, math.inf)}
     problem = problem_of(path, cells_of(path, limits, start, check_deadline), limits, unpaced)
     division, motion = fastest_drive(problem, start_speed, check_deadline)
-    # A pace is no limit of the arm: whoever is faster than it at the start slows down to it.
+    # A pace is not a limit of the arm: a faster start is slowed down to it.
     fastest_start = motion.fastest_start
     if timed:
         paces = _paces(problem, division, start_speed, timed, driven, check_deadline)
@@ -68,7 +68,8 @@ def plan(
     stops = np.flatnonzero(np.isin(nodes[1:-1], path.stops)) + 1
     standing = None
     if len(stops) and path.window:
-        # So long that the smoothed motion comes to rest, too: it could not turn a kink on the way.
+        # Long enough for the smoothed motion to come to rest too: it could not follow a kink in
+        # motion.
         nodes, speed = np.insert(nodes, stops, nodes[stops]), np.insert(speed, stops, 0.0)
         standing = np.where(np.diff(nodes) == 0.0, path.window, 0.0)
     return TimeScaling(
@@ -83,10 +84,10 @@ def plan(
 def _timed(
     path: Path, start: float, spent_s: float | None
 ) -> tuple[dict[int, float], dict[int, float]]:
-    """Programmed time [s] of what is left of each segment that has one, and those driven already.
+    """Return the remaining programmed time [s] of each timed segment, and the finished segments.
 
-    The latter have no pace any more, nor the speed that their time replaces: smoothing would hold
-    what comes after them to it.
+    Finished segments have neither a pace nor the speed that their time replaces: smoothing would
+    apply it to the motion after them.
     """
     begins, ends = path.segment_bounds[:-1], path.segment_bounds[1:]
     times, driven = {}, {}
@@ -111,10 +112,10 @@ def _paces(
     driven: Paces,
     check_deadline: Look,
 ) -> Paces:
-    """The path speed that gives each timed segment its time; infinite if too short.
+    """Return the path speed that yields each timed segment's time; infinite if that is too short.
 
-    Neighbours share the ramps between them, so all are halved together, and again around what was
-    found until the times agree.
+    Neighbours share the ramps between them, so all are bisected together, and again around the
+    result until the times agree.
     """
     index = np.array(list(timed))
     wanted = np.array(list(timed.values()))
@@ -123,7 +124,7 @@ def _paces(
     way = np.bincount(segment, width, minlength=len(path.segments))[index]
 
     def spent(trial: Array) -> Array:
-        """The time spent in the timed segments at given paces."""
+        """Return the time spent in the timed segments at these paces."""
         check_deadline()
         attempt = {**driven, **dict(zip(timed, trial.tolist(), strict=True))}
         step = drive(at_pace(problem, attempt), division, start_speed).times
@@ -131,9 +132,9 @@ def _paces(
         return time
 
     fastest = spent(np.full(len(index), np.inf))
-    # Of a segment that takes no time there is nothing left to drive.
+    # A segment that takes no time has no remaining path.
     feasible = (fastest > 0.0) & (fastest < wanted * (1.0 - _TIME_TOLERANCE))
-    # Half the mean speed is slow enough even where a fast start has to be braked away first.
+    # Half the mean speed is slow enough even if a fast start has to be braked first.
     low = 0.5 * way / wanted
     high = low + np.divide(4.0 * way, fastest, out=np.full(len(way), np.inf), where=feasible)
     found = high

@@ -1,4 +1,4 @@
-"""The limits of a motion at the points of a path, ready for the solver."""
+"""Limits of a motion at the points of a path, ready for the solver."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ from rapidsim.values import value_class
 
 _LEAST_SLOWNESS = 1e-6
 _HELD_BEND = 1.25
-"""By this much less of the acceleration is used for the bend of the path where smoothing may add a
-change of speed that the command does not have there; measured on random programs."""
+"""Factor by which less of the acceleration is used for the bend of the path where smoothing may add
+a change of speed that the command does not have there; measured on random programs."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -36,7 +36,7 @@ class Problem:
     speeds: SpeedRows
     accelerations: AccelerationRows
     slowness: Array
-    """Shape (k,) [s/m]: one over the largest path speed of the arm."""
+    """Shape (k,) [s/m]: inverse of the largest path speed of the arm."""
 
 
 def problem_of(path: Path, cells: GridCells, limits: Limits, paces: Paces = NO_PACES) -> Problem:
@@ -45,8 +45,8 @@ def problem_of(path: Path, cells: GridCells, limits: Limits, paces: Paces = NO_P
     Args:
         path: The geometry.
         cells: The discretisation; the motion comes to rest after the last cell.
-        limits: Of the axes.
-        paces: Maximum path speeds [m/s] of segments with a programmed time, by position; they
+        limits: Axis limits.
+        paces: Maximum path speeds [m/s] of segments with a programmed time, by index; they
             replace the programmed speeds there.
     """
     speeds = speed_rows(path, cells.places, limits, paces)
@@ -56,17 +56,17 @@ def problem_of(path: Path, cells: GridCells, limits: Limits, paces: Paces = NO_P
 
 
 def at_pace(problem: Problem, paces: Paces) -> Problem:
-    """The same with other paces; see `problem_of`."""
+    """Return the problem with other paces; see `problem_of`."""
     speeds = speed_rows(problem.path, problem.cells.places, problem.limits, paces)
     slowness = _slowness(problem.path, speeds, problem.accelerations)
     return replace(problem, speeds=speeds, slowness=slowness)
 
 
 def _slowness(path: Path, speeds: SpeedRows, accelerations: AccelerationRows) -> Array:
-    """One over the largest path speeds (k,) that the arm may have at places.
+    """Return the inverse of the largest path speeds (k,) that the arm may have at the points.
 
     If the smoothed motion is to keep accelerations, these are speeds that use most of them where
-    the path bends; what is left is for the change of speed.
+    the path bends; the rest is for the change of speed.
     """
     slowness = speeds.largest
     if path.model.slows_for_bends:

@@ -1,4 +1,4 @@
-"""The inner loop of timing: the minimum of some lines and a cap, step after step.
+"""Inner loop of timing: the minimum of some lines and a cap, step after step.
 
     y[k + 1] = max(0, min(cap[k + 1], min over i of slope[k, i] y[k] + offset[k, i]))
 
@@ -32,9 +32,10 @@ def sweep(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
     count = len(slopes)
     if count < _WORTH_LANES:
         return _one_by_one(first, slopes, offsets, caps)
-    # Long rows are cut into lanes that run abreast. A lane's entry is at first guessed to be its
-    # cap, then it is the exit of the lane before, until no entry changes: then the result is that
-    # of one lane. Every cap that is met makes a lane forget its entry, so a few rounds do.
+    # Long rows are cut into lanes that run in parallel. The entry of a lane is first assumed to be
+    # its cap, then it is the exit of the previous lane, until no entry changes: then the result
+    # equals that of one lane. At every active cap a lane becomes independent of its entry, so few
+    # rounds suffice.
     lanes = -(-count // _LANE)
     padding = lanes * _LANE - count
     rows = slopes.shape[1]
@@ -57,9 +58,9 @@ def sweep(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
 
 
 def _one_by_one(first: float, slopes: Array, offsets: Array, caps: Array) -> Array:
-    """The same step by step, for short rows.
+    """Run the recurrence step by step, for short rows.
 
-    Lines above the cap at both ends of the range of y are never met; most are.
+    Lines above the cap at both ends of the range of y are never active; most are.
     """
     largest = np.append(max(first, 0.0), caps[1:-1])[:, None]
     met = np.minimum(offsets, slopes * largest + offsets) < caps[1:, None]

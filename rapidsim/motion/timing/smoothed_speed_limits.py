@@ -1,13 +1,13 @@
 """Limits of the command's speed such that the smoothed motion keeps the maximum speeds.
 
 The arm's speed is the mean of the command's over the filter time, and its position the mean of the
-command's positions. When the arm is at p, the command passes p in the middle of that time, and gets
-as far to either side as half the time allows; where it is slow on one side, it stays there longer.
-If around p it stays below one straight line through the maximum speed at p, so does its mean: the
-mean of values on a line is the line at the mean position.
+command's positions. When the arm is at p, the command passes p in the middle of that time, and is
+ahead or behind by at most half the time; where it is slow on one side, it spends longer there. If
+around p it stays below one straight line through the maximum speed at p, so does its mean: the mean
+of values on a line is the line at the mean position.
 
-Any line will do. A level one suits minima; where the maximum speed rises or falls evenly, as it
-does along a joint move, a level one would cost time, and the line that follows it costs none.
+Any line is valid. A level line suits minima; where the maximum speed rises or falls linearly, as it
+does along a joint move, a level line would cost time, and the line that follows it costs none.
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ from rapidsim.motion.timing import smoothed_speed_loops
 from rapidsim.motion.timing.smoothed_speed_loops import EVEN, LEVEL, NEXT, STEEP
 
 _REACH = 0.5
-"""Share of the window that the command is away from the arm at most, to either side."""
+"""Share of the window by which the command is away from the arm at most, to either side."""
 _PAIRS = 2_000_000
 
 
 def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Array:
-    """Maximum speeds of the command.
+    """Return maximum speeds of the command.
 
     Args:
         places: Shape (k,) [m], ascending.
         speeds: Shape (k,) [m/s]: maximum speeds of the arm there.
-        needed: Shape (k,): where the smoothed motion would exceed them; elsewhere it is enough that
-            the command keeps them.
+        needed: Shape (k,): mask of the points where the smoothed motion would exceed them; at
+            others it suffices that the command keeps them.
         window: The filter time [s].
 
     Returns:
         Shape (k,) [m/s].
     """
-    # No command gets there sooner. A place of its own where the TCP only turns has next to no
-    # largest speed, so how far it gets follows from all the places on the way.
+    # Lower bounds of the command's times. A point where the TCP only turns has nearly zero maximum
+    # speed, so the distance travelled follows from all the points on the path.
     steps = 0.5 * np.diff(places) * (1.0 / speeds[1:] + 1.0 / speeds[:-1])
     times = np.concatenate([[0.0], np.cumsum(steps)])
     reach = _REACH * window
@@ -50,7 +50,7 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
         kernel(places, speeds, needed, times, reach, result)
         return result
     near = first, after = within(times, reach)
-    # Where places are farther apart than that, the next ones stand for what lies between.
+    # If points are farther apart than the window, their neighbours represent the interval between.
     own = np.arange(len(places))
     next_before = np.maximum(own - NEXT, 0)
     next_after = np.minimum(own + NEXT + 1, len(places))
@@ -66,9 +66,9 @@ def held_speeds(places: Array, speeds: Array, needed: Mask, window: float) -> Ar
 
 
 def _slopes(places: Array, speeds: Array, at: Index, first: Index, last: Index) -> Array:
-    """The slopes (j,) [1/s] of the lines to keep below around some places (j,), 0 for level ones.
+    """Return slopes (j,) [1/s] of the lines to keep below around points (j,), 0 for level ones.
 
-    `first` and `last` (j,) are the places at the ends of their windows.
+    `first` and `last` (j,) are the points at the ends of their windows.
     """
     way, rise = places[last] - places[first], speeds[last] - speeds[first]
     steepness = np.abs(rise)
@@ -90,7 +90,7 @@ def _keep_below_lines(
     first: Index,
     after: Index,
 ) -> None:
-    """Lower speeds (k,) to the lines through some places as far as they reach."""
+    """Lower speeds (k,) to the lines through some points within their windows."""
     if not len(lined):
         return
     ends = np.cumsum(after[lined] - first[lined])
@@ -105,14 +105,14 @@ def _keep_below_lines(
 
 
 def within(times: Array, window: float) -> tuple[Index, Index]:
-    """The first of ascending times (k,) within a window [s] around each, and the one after it."""
+    """Return indices (k,) of the first time within a window [s] of each, and past the last."""
     first = np.searchsorted(times, times - window, side="left")
     return first, np.searchsorted(times, times + window, side="right")
 
 
 def least_around(speeds: Array, near: tuple[Index, Index]) -> Array:
-    """The minimum of speeds (k,) [m/s] around each point; `near` is the result of `within`."""
-    # `reduceat` takes the least from each index to the next; every second one is a window.
+    """Return the minimum of speeds (k,) [m/s] around each point; `near` is from `within`."""
+    # `reduceat` takes the minimum from each index to the next; every second interval is a window.
     bounds = np.stack(near, axis=1).ravel()
     least: Array = np.minimum.reduceat(np.append(speeds, np.inf), bounds)[::2]
     return least

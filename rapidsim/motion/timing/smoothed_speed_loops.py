@@ -1,4 +1,4 @@
-"""The loops of `smoothed_speed_limits`, to be compiled; columns replace them otherwise."""
+"""Loops of `smoothed_speed_limits` for compilation; without it, columns are used."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.kinematics.arm import Mask
 
 NEXT = 2
-"""As many places to either side count even if they are out of reach; two may be at one place."""
+"""Number of neighbours on either side that count even outside the window; two may coincide."""
 LEVEL = 2e-4
 """Share of a speed by which it may change over the window and still count as level."""
 STEEP = 1.0
-"""Share above which lines would go to nothing within the window."""
+"""Share above which lines would fall to zero within the window."""
 EVEN = 0.25
 """Share of its rise by which the largest speed may be off the line."""
 
@@ -27,7 +27,7 @@ def hold(
         speeds: Shape (k,) [m/s].
         needed: Shape (k,).
         times: Shape (k,) [s], ascending: the earliest time of the command at each point.
-        reach: How far [s] the command gets from the arm, to either side.
+        reach: Time [s] by which the command is away from the arm at most, to either side.
         bounded: Filled in.
     """
     count = len(places)
@@ -57,7 +57,7 @@ def hold(
 
 
 def slope_around(places: Array, speeds: Array, k: int, first: int, last: int) -> float:
-    """The slope [1/s] of the line that bounds speeds around a point; 0 for a level one."""
+    """Return the slope [1/s] of the line that bounds speeds around a point; 0 for a level one."""
     way, rise = places[last] - places[first], speeds[last] - speeds[first]
     if not (LEVEL * speeds[k] < abs(rise) < STEEP * speeds[k] and way > 0.0):
         return 0.0
@@ -93,4 +93,4 @@ def keep_below_levels(level: Array, times: Array, reach: float, bounded: Array) 
 
 
 COMPILED = (slope_around, keep_below_levels, hold)
-"""All functions, each after those that it calls."""
+"""All functions, each after its callees."""

@@ -1,4 +1,4 @@
-"""The steps of the solver: parts of the cells of a path, with all their limits.
+"""Steps of the solver: parts of the cells of a path, with all their limits.
 
 Derivatives are known at three points of a cell (`discretisation`). Within it they follow the
 parabola through these, so a cell can be divided into as many stages as its time requires without
@@ -29,16 +29,16 @@ class Stages:
     cell: Index
     """Shape (m,)."""
     begin: Array
-    """Where in its cell each begins, shape (m,), from 0 to 1."""
+    """Start of each in its cell, shape (m,), from 0 to 1."""
     end: Array
-    """Where it ends."""
+    """End of each in its cell, shape (m,), from 0 to 1."""
     nodes: Array
-    """S of their ends, shape (m + 1,) [m]."""
+    """Parameter s of their ends, shape (m + 1,) [m]."""
     slack: Array
-    """Shape (m, rows of begins, then of ends): |u + tilt x| <= slack, x at the begin."""
+    """Shape (m, rows of starts, then of ends): |u + tilt x| <= slack, x at the start."""
     tilt: Array
     widest: Array
-    """Shape (m,): largest x at the begin for which some u keeps every row."""
+    """Shape (m,): largest x at the start for which some u keeps every row."""
 
     @property
     def width(self) -> Array:
@@ -47,12 +47,12 @@ class Stages:
 
     @property
     def places(self) -> Array:
-        """Start, middle and end of each, shape (m, 3) [m]."""
+        """Start, middle and end of each stage, shape (m, 3) [m]."""
         first, last = self.nodes[:-1], self.nodes[1:]
         return np.stack([first, 0.5 * (first + last), last], axis=1)
 
     def beyond(self, count: int) -> Stages:
-        """Those after the first few."""
+        """Return the stages after the first `count`."""
         return Stages(
             self.cell[count:],
             self.begin[count:],
@@ -65,7 +65,7 @@ class Stages:
 
 
 def stages_of(cells: GridCells, rows: AccelerationRows, parts: int) -> Stages:
-    """Each cell divided into equal stages; `rows` are those of the cells' points."""
+    """Divide each cell into equal stages; `rows` are the rows at the cells' points."""
     cell = np.repeat(np.arange(len(cells.at)), parts)
     share = np.arange(parts + 1) / parts
     begin, end = (np.tile(part, len(cells.at)) for part in (share[:-1], share[1:]))
@@ -77,11 +77,11 @@ def stages_of(cells: GridCells, rows: AccelerationRows, parts: int) -> Stages:
 
 
 def cut(stages: Stages, cells: GridCells, rows: AccelerationRows, parts: Index) -> Stages:
-    """Each stage divided into a number (m,) of equal ones."""
+    """Divide each stage into a number (m,) of equal ones."""
     owner = np.repeat(np.arange(len(parts)), parts)
     number = np.arange(len(owner)) - np.repeat(np.cumsum(parts) - parts, parts)
     begin, step = stages.begin[owner], ((stages.end - stages.begin) / parts)[owner]
-    # The last one ends exactly where its stage did, for ends are compared with stops.
+    # The last part ends exactly where its stage did, because ends are compared with stops.
     last = number + 1 == parts[owner]
     smaller = Stages(
         stages.cell[owner],
@@ -97,7 +97,7 @@ def cut(stages: Stages, cells: GridCells, rows: AccelerationRows, parts: Index) 
 
 
 def weights_of(share: Array) -> Array:
-    """The weights of start, middle and end of cells at shares (m,) of them, shape (m, 3).
+    """Return weights (m, 3) of start, middle and end of cells at shares (m,) of them.
 
     These are the weights of the parabola through three values.
     """
@@ -110,11 +110,12 @@ def weights_of(share: Array) -> Array:
 
 
 def rows_along(values: Array, at: Index, weights: Array) -> Array:
-    """Rows (m, r) within cells, on the parabolas through three points of each.
+    """Return rows (m, r) within cells, on the parabolas through three points of each.
 
     Args:
         values: Shape (k, r), at points.
-        at: Shape (m, 3): the start, the middle and the end of each cell among the points.
+        at: Shape (m, 3): indices of the start, the middle and the end of each cell among the
+            points.
         weights: Shape (m, 3); see `weights_of`.
     """
     rows: Array = np.einsum("mp,mpr->mr", weights, values[at])
@@ -122,10 +123,10 @@ def rows_along(values: Array, at: Index, weights: Array) -> Array:
 
 
 def fastest(stages: Stages, cells: GridCells, slowness: Array) -> Array:
-    """Maximum path speeds (m, 3) [m/s] at start, middle and end of stages.
+    """Return maximum path speeds (m, 3) [m/s] at start, middle and end of stages.
 
-    `slowness` (k,) [s/m] is that at the points of the cells. Within a cell it may have a kink,
-    where another limit takes over: the slower of the parabola and of straight lines counts.
+    `slowness` (k,) [s/m] is the inverse speed at the points of the cells. Within a cell it may have
+    a kink, where another limit takes over: the slower of the parabola and of straight lines counts.
     """
     kernel = jit_function(two_pass_loops, "fast_stages", len(stages.cell))
     if kernel is not None:
@@ -173,7 +174,7 @@ def _fill_in(stages: Stages, cells: GridCells, rows: AccelerationRows, new: Inde
     slope = np.concatenate([rows_along(rows.slope, at, weights) for weights in ends], axis=1)
     slope[:, own:] += span[:, None] * tilt[:, own:]
     steepest = np.abs(slope).max(axis=1)
-    # Rows that hardly see u get a small share of it instead: their bound on x is then 1 / |bend|.
+    # Rows nearly independent of u get a small share of it: their bound on x is then 1 / |bend|.
     least = 1e-9 * (steepest[:, None] + span[:, None] * np.abs(tilt)) + 1e-300
     inverse = 1.0 / np.where(np.abs(slope) > least, slope, least)
     slack, tilt = np.abs(inverse), tilt * inverse
@@ -182,10 +183,10 @@ def _fill_in(stages: Stages, cells: GridCells, rows: AccelerationRows, new: Inde
 
 
 def _widest(slack: Array, tilt: Array, span: Array) -> Array:
-    """Largest x (m,) for which some u keeps every row of a stage and stays above zero.
+    """Return the largest x (m,) for which some u keeps every row of a stage and stays above zero.
 
-    Seen over x, the rows leave u a band that narrows to a point. From far outside one goes to where
-    the two rows cross that are the tightest there, until they are the tightest at their crossing.
+    As a function of x, the rows bound u by a band that narrows to a point. Starting far outside,
+    iterate to the crossing of the two tightest rows, until they are the tightest at their crossing.
     """
     x = np.full(len(slack), LARGEST_X)
     among = np.arange(len(slack))
@@ -212,18 +213,18 @@ def _widest(slack: Array, tilt: Array, span: Array) -> Array:
 
 
 def in_the_middle(stages: Stages, x: Array) -> tuple[Array, Array, Array]:
-    """Share of the cell, path acceleration [m/s2] and squared path speed (m,) in mid-stage.
+    """Return share of the cell, path acceleration [m/s2] and squared path speed (m,) in mid-stage.
 
-    `x` (m + 1,) is given at the nodes.
+    `x` (m + 1,) are the values at the nodes.
     """
     u = np.diff(x) / np.maximum(2.0 * stages.width, 1e-300)
     return 0.5 * (stages.begin + stages.end), u, 0.5 * (x[:-1] + x[1:])
 
 
 def loads(stages: Stages, cells: GridCells, rows: AccelerationRows, x: Array) -> Array:
-    """The most constraining share (m,) of an acceleration limit in the middle of stages.
+    """Return the most constraining share (m,) of an acceleration limit in the middle of stages.
 
-    `x` (m + 1,) is given at the nodes, `rows` are those at the points of the cells.
+    `x` (m + 1,) are the values at the nodes, `rows` the rows at the points of the cells.
     """
     middle, u, square = in_the_middle(stages, x)
     kernel = jit_function(two_pass_loops, "load_stages", len(u))

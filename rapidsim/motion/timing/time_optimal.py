@@ -23,7 +23,7 @@ from rapidsim.values import value_class
 _FIRST_PARTS = 2
 _ROUNDS = 3
 _MORE_ROUNDS = 3
-"""After the rounds that save time, those in which only stages are cut that break a limit."""
+"""Rounds after those that save time, which cut only stages that break a limit."""
 _MOST_PARTS = 8
 _IDLE = 1e-5
 """Share of its segment's time that a stage may lose by its size."""
@@ -32,7 +32,7 @@ _ACCELERATION_EXCESS = 0.002
 """Share of an acceleration by which it may be exceeded within a stage."""
 _SPEED_EXCESS = 5e-4
 _NEARLY = 0.97
-"""A smoothed speed this near to its limit counts as exceeding it."""
+"""Share of its limit from which on a smoothed speed counts as exceeding it."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -43,7 +43,7 @@ class StageMotion:
     x: Array
     """Squares of the path speed at the nodes, shape (m + 1,)."""
     fastest_start: float
-    """The largest x at the start from which the rest can be driven."""
+    """Largest x at the start from which the rest is feasible."""
     by_speed: Array
     """Largest x by speeds in the middle of the stages, shape (m,)."""
 
@@ -57,16 +57,16 @@ class StageMotion:
 
 @value_class(frozen=True, slots=True, eq=False)
 class Division:
-    """The division of a path's cells into stages, including cells before the start."""
+    """Division of a path's cells into stages, including cells before the start."""
 
     stages: Stages
     needed: Mask
-    """Shape (m,): the stages in which the smoothed motion would be too fast."""
+    """Shape (m,): mask of the stages in which the smoothed motion would be too fast."""
     driven: int
-    """The first stage of the motion."""
+    """First stage of the motion."""
 
     def cut(self, problem: Problem, parts: Index) -> Division:
-        """Each stage divided into a number (m,) of parts."""
+        """Divide each stage into a number (m,) of parts."""
         stages = cut(self.stages, problem.cells, problem.accelerations, parts)
         return Division(stages, np.repeat(self.needed, parts), int(parts[: self.driven].sum()))
 
@@ -74,7 +74,7 @@ class Division:
 def fastest_drive(
     problem: Problem, start_speed: float, check_deadline: Look = undisturbed
 ) -> tuple[Division, StageMotion]:
-    """Find the fastest motion from a start speed [m/s] to rest at the end of the path."""
+    """Return the fastest motion from a start speed [m/s] to rest at the end of the path."""
     stages = stages_of(problem.cells, problem.accelerations, _FIRST_PARTS)
     first = problem.cells.driven * _FIRST_PARTS
     division = Division(stages, np.zeros(len(stages.cell), dtype=bool), first)
@@ -93,7 +93,7 @@ def fastest_drive(
 
 
 def drive(problem: Problem, division: Division, start_speed: float) -> StageMotion:
-    """The fastest motion over given stages from a start speed [m/s]."""
+    """Return the fastest motion over these stages from a start speed [m/s]."""
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
     if division.needed.any():
@@ -109,7 +109,7 @@ def drive(problem: Problem, division: Division, start_speed: float) -> StageMoti
 
 
 def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
-    """Largest x (m + 1,) at the nodes from largest speeds (m, 3) of stages.
+    """Return the largest x (m + 1,) at the nodes from largest speeds (m, 3) of stages.
 
     A dip within a stage holds at both of its ends.
     """
@@ -122,10 +122,10 @@ def _caps(problem: Problem, stages: Stages, speeds: Array) -> Array:
 
 
 def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
-    """In which stages (m,) speeds must be held for the smoothed motion to keep them.
+    """Mask (m,) of the stages whose speeds must be lowered so that the smoothed motion keeps them.
 
-    That is where a motion would exceed it that holds nothing: what holds is slower, and so is its
-    mean.
+    These are the stages where a motion without lowered speeds would exceed the limit: the lowered
+    motion is slower, and so is its mean.
     """
     stages = division.stages
     speeds = fastest(stages, problem.cells, problem.slowness)
@@ -137,7 +137,7 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
         place, speed = free.smoothed(window)
         mean = np.interp(stages.places, place, speed)
         needed |= np.any(mean > _NEARLY * speeds, axis=1)
-    # What happens between two places shows in one of the next stages.
+    # An excess between two points shows in one of the next stages.
     near = needed.copy()
     near[1:] |= needed[:-1]
     near[:-1] |= needed[1:]
@@ -145,11 +145,11 @@ def _needed(problem: Problem, division: Division, start_speed: float) -> Mask:
 
 
 def _parts(problem: Problem, result: StageMotion, *, save_time: bool) -> Index:
-    """In how many parts (m,) to cut the stages of a motion, to keep limits and to save time."""
+    """Return the number of parts (m,) to divide stages into, to keep limits and to save time."""
     stages, x = result.stages, result.x
     load = loads(stages, problem.cells, problem.accelerations, x)
     speed = np.sqrt(0.5 * (x[1:] + x[:-1]) / result.by_speed)
-    # What a limit is exceeded by between two ends where it is kept falls with the square.
+    # The excess over a limit between two ends that keep it decreases with the square.
     over = np.maximum((load - 1.0) / _ACCELERATION_EXCESS, (speed - 1.0) / _SPEED_EXCESS)
     parts = np.sqrt(np.maximum(over, 0.0))
     if save_time:
@@ -159,7 +159,7 @@ def _parts(problem: Problem, result: StageMotion, *, save_time: bool) -> Index:
 
 
 def _parts_worth_while(problem: Problem, result: StageMotion, used: Array) -> Array:
-    """In how many parts (m,) stages lose little time that use some share (m,) of their limits."""
+    """Return parts (m,) with which stages that use shares (m,) of their limits lose little time."""
     segment = problem.path.segment_of(problem.cells.piece[result.stages.cell])
     times = result.times
     matters = np.bincount(segment, times, minlength=len(problem.path.segments))[segment]

@@ -14,25 +14,25 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.timing.constraints import Limiter
 
 _COUNTED_S = 1.0
-"""Integrals of a motion begin anew about as often, so that they keep their digits."""
+"""Interval [s] after which integrals of a motion restart, so that they keep their digits."""
 
 
 @dataclass(frozen=True, eq=False)
 class TimeScaling:
-    """Position on a path as a function of time; time 0 is where it starts."""
+    """Position on a path as a function of time; time 0 is at its start."""
 
     s: Array
     """Nodes (k,) [m]."""
     speed: Array
     """Path speed ds/dt at the nodes, shape (k,) [m/s]."""
     start_excess: float
-    """How much faster [m/s] the start was than what can be braked within the limits, else 0. Up to
-    1 % of the speed comes from looking at other nodes than the plan that led there."""
+    """Excess [m/s] of the start speed over the speed that can be braked within the limits, else 0.
+    Up to 1 % of the speed results from other nodes than those of the previous plan."""
     limited_by: tuple[Limiter, ...]
-    """What holds each segment of the path back for most of its time."""
+    """Active constraint of each segment of the path for most of its time."""
     standing: Array | None = None
-    """Time [s] spent in each cell (k - 1,) beside driving through it: at stops in mid path, which
-    are cells without width. None where there are none."""
+    """Time [s] at rest in each cell (k - 1,): at stops within the path, which are cells of zero
+    width. None if there are none."""
 
     @cached_property
     def acceleration(self) -> Array:
@@ -56,7 +56,7 @@ class TimeScaling:
 
     @property
     def braking_s(self) -> float:
-        """The time [s] before its end during which the motion only slows down."""
+        """Time [s] before its end during which the motion only slows down."""
         rises = np.flatnonzero(np.diff(self.speed) >= 0.0)
         return self.duration - float(self.times[rises[-1] + 1] if len(rises) else 0.0)
 
@@ -67,7 +67,7 @@ class TimeScaling:
     def s_at(self, t: Array) -> Array: ...
 
     def s_at(self, t: float | Array) -> float | Array:
-        """Position [m] at times [s], one or (k,); before and after, the motion is at rest."""
+        """Return positions [m] at times [s], one or (k,); at rest before and after the motion."""
         k, since = self._cell(t)
         place: Array = self.s[k] + since * (self.speed[k] + 0.5 * since * self.acceleration[k])
         place = np.clip(place, self.s[0], self.s[-1])
@@ -80,7 +80,7 @@ class TimeScaling:
     def speed_at(self, t: Array) -> Array: ...
 
     def speed_at(self, t: float | Array) -> float | Array:
-        """Path speed [m/s] at times [s], one or (k,)."""
+        """Return path speeds [m/s] at times [s], one or (k,)."""
         k, since = self._cell(t)
         speed: Array = self.speed[k] + since * self.acceleration[k]
         speed = np.maximum(speed, 0.0)
@@ -93,7 +93,7 @@ class TimeScaling:
     def time_at(self, s: Array) -> Array: ...
 
     def time_at(self, s: float | Array) -> float | Array:
-        """Time [s] at positions [m], one or (k,)."""
+        """Return times [s] at positions [m], one or (k,)."""
         place = np.clip(np.asarray(s, dtype=np.float64), self.s[0], self.s[-1])
         k = np.clip(np.searchsorted(self.s, place, side="right") - 1, 0, len(self.s) - 2)
         way = place - self.s[k]
@@ -102,7 +102,7 @@ class TimeScaling:
         return time if np.ndim(s) else float(time)
 
     def parameter_integral(self, t: Array) -> Array:
-        """Integral of s - s[0] from time 0 to times (k,) [m s]."""
+        """Return the integral of s - s[0] from time 0 to times (k,) [m s]."""
         k, since = self._cell(t)
         cubic = since * (
             self.s[k] - self.s[0] + since * (self.speed[k] / 2 + since * self.acceleration[k] / 6)
@@ -111,7 +111,7 @@ class TimeScaling:
         return integral
 
     def smoothed(self, window: float) -> tuple[Array, Array]:
-        """Positions [m] and speeds [m/s], (k,) each, averaged over a window [s] before each node.
+        """Return positions [m] and speeds [m/s], (k,), averaged over a window [s] before each node.
 
         Before the first node the motion is assumed to have had the speed that it has there.
         """
@@ -132,13 +132,13 @@ class TimeScaling:
 
     @cached_property
     def marks(self) -> Index:
-        """The nodes (m,) at which integrals restart, including the first node."""
+        """Nodes (m,) at which integrals restart, including the first node."""
         period = np.floor(self.times[:-1] / _COUNTED_S)
         return np.flatnonzero(np.diff(period, prepend=-1.0))
 
     @cached_property
     def since_marks(self) -> Array:
-        """Distance [m], its integral [m s] and that one's [m s2] since the last mark, (3, k).
+        """Distance [m], its integral [m s] and double integral [m s2] since the last mark, (3, k).
 
         The last node counts as a mark.
         """

@@ -1,9 +1,9 @@
-"""The fastest motion along a path that keeps every limit, in closed form.
+"""Time-optimal motion along a path that keeps every limit, in closed form.
 
 Along the path parameter s, x is the square of the path speed ds/dt and u the path acceleration,
 constant within a stage. Every acceleration row requires |slope u + bend x| <= 1 at both ends of a
-stage. A backward pass finds the largest x from which the arm can still brake, a forward pass goes
-as fast as that allows. Because limits are symmetric, x = 0 is always feasible, so every stage has a
+stage. A backward pass finds the largest x from which the arm can still brake, a forward pass is as
+fast as that allows. Because limits are symmetric, x = 0 is always feasible, so every stage has a
 solution.
 
 Source: the two-pass method of Pham and Pham (2018), A new approach to time-optimal path
@@ -24,15 +24,15 @@ _STEEP = 1e-12
 
 
 def solve(stages: Stages, caps: Array, start_speed: float) -> tuple[Array, float]:
-    """Find the fastest x at the nodes.
+    """Return the fastest x at the nodes.
 
     Args:
-        stages: The limits of u.
+        stages: Limits of u.
         caps: Largest x at the nodes, shape (m + 1,).
         start_speed: Path speed [m/s] at the first node.
 
     Returns:
-        x (m + 1,), and the largest x at the first node from which the rest can be driven.
+        x (m + 1,), and the largest x at the first node from which the rest is feasible.
     """
     caps = np.append(np.minimum(caps[:-1], stages.widest), 0.0)
     slack, tilt = stages.slack, stages.tilt

@@ -1,4 +1,4 @@
-"""The solver's loops over cells, to be compiled; see `stages` and `two_pass`.
+"""Loops of the solver over cells, for compilation; see `stages` and `two_pass`.
 
 Without numba, operations on columns of NumPy arrays (`stages`) and on lanes (`smallest_line`) are
 used instead.
@@ -13,7 +13,7 @@ from rapidsim.motion.geometry.curves import Index
 
 
 def parabola(start: float, middle: float, end: float, share: float) -> float:
-    """The value at a share of a cell; see `stages.weights_of`."""
+    """Return the value at a share of a cell; see `stages.weights_of`."""
     rest = 1.0 - share
     return (
         start * (rest * (1.0 - 2.0 * share))
@@ -33,7 +33,7 @@ def limit_stages(
     Args:
         rows: Points (c, 3) of the cells, slopes and bends (k, r) at the points.
         parts: The cells (j,) of the stages, their start and end within the cells, and span.
-        which: An x that is never reached; and which of the stages (m,) they are.
+        which: An x that is never reached; and the indices of the stages among all (m,).
         limits: Slack, tilt and widest, filled in.
     """
     at, slopes, bends = rows
@@ -60,7 +60,7 @@ def limit_stages(
 
 
 def widest_of(slack: Array, tilt: Array, span: float, largest: float) -> float:
-    """The largest x for which some u keeps every row (r,) and stays above zero."""
+    """Return the largest x for which some u keeps every row (r,) and stays above zero."""
     x = largest
     while True:
         above, below = 0, 0
@@ -87,7 +87,7 @@ def both_passes(
     """Fill in x (c + 1,) from `first` on under caps (c + 1,).
 
     Returns:
-        The largest x at the first node from which the rest can be driven.
+        The largest x at the first node from which the rest is feasible.
     """
     count = len(span)
     x[count] = 0.0
@@ -160,7 +160,7 @@ def held_back_by(
         middle: The positions of the middles within the cells.
         u: Path acceleration (m,).
         square: Square of the path speed (m,) there.
-        reached: Beyond this share, a speed limit counts as active whatever accelerations do.
+        reached: Share above which a speed limit counts as active for any acceleration.
         kind: Filled in: speeds are counted first.
     """
     at, rates, slopes, bends = rows
@@ -192,4 +192,4 @@ COMPILED = (
     fast_stages,
     held_back_by,
 )
-"""All functions, each after those that it calls."""
+"""All functions, each after its callees."""

@@ -1,1 +1,1 @@
-"""The motion of a whole run as a function of time, smoothed as by the controller."""
+"""Motion of a whole run as a function of time, smoothed as by the controller."""

@@ -1,12 +1,12 @@
-"""Smoothing of each axis by itself: a weighted mean of its commanded angle over the window.
+"""Smoothing of each axis separately: a weighted mean of its commanded angle over the window.
 
 The visible motion then deviates slightly from the path: it rounds corners, as recorded arms do. A
-mean never exceeds the speed and acceleration of what is averaged, so axes keep the limits that the
-command keeps.
+mean never exceeds the speed and acceleration of the averaged motion, so axes keep the limits that
+the command keeps.
 
-The integrals are those of polynomials through the command in short parts, which end where its
-acceleration changes (the nodes of the timing). Parts belong to the command and are shared by
-samples, so the cost depends on the time covered by all windows, however close samples are.
+The command is integrated as polynomials over short parts, which end where its acceleration changes
+(the nodes of the timing). Parts belong to the command and are shared by samples, so the cost
+depends on the time covered by all windows, for any density of samples.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from rapidsim.motion.trajectory.filter_windows import Windows
 from rapidsim.values import value_class
 
 _AT_ONCE = 2_000
-"""So many samples share their parts, which bounds the memory."""
+"""Number of samples that share their parts, which bounds the memory."""
 _COVERED_S, _COARSE_COVERED_S = 4.0, 40.0
-"""And so much of the time: integrals of it keep their digits."""
+"""Length of time [s] that they share at most: its integrals keep their digits."""
 _LONGEST_PART_S = 0.016
 _PLACES = ((5, 0.002), (3, 0.00025), (2, 0.0))
-"""At so many places of Gauss parts that are longer than this are looked at; fewer integrate shorter
-ones as well."""
+"""Numbers of Gauss points for parts longer than this [s]; fewer points integrate shorter parts as
+well."""
 _COARSE_PART_S, _COARSE_PLACES = 0.008, 3
 _MOST = 5
 
@@ -34,11 +34,11 @@ _MOST = 5
 def mean_joints(
     command: MotionCommand, windows: Windows, times: Array, *, coarse: bool = False
 ) -> tuple[Array, Array]:
-    """Visible joints and their rates.
+    """Return visible joints and their rates.
 
     Args:
-        command: At least one piece.
-        windows: The widths of the smoothing window.
+        command: Motion command with at least one piece.
+        windows: Widths of the smoothing window.
         times: Instants (k,) [s], in any order.
         coarse: Whether 1e-6 suffices, which takes half the time or less.
 
@@ -60,14 +60,14 @@ def mean_joints(
 def _means(
     command: MotionCommand, windows: Windows, times: Array, coarse: bool
 ) -> tuple[Array, Array]:
-    """The same for ascending instants (k,) [s]."""
+    """Return visible joints and their rates for ascending instants (k,) [s]."""
     width, rate, floor = windows.at(times)
     before = np.maximum(times - width, floor)
     place = command.place_at(times)
     moves = command.place_at(before) != place
     joints = np.empty((len(times), command.piece(1).path.axis_count))
     rates = np.zeros_like(joints)
-    # Where the command stands all the while, the arm stands there to the last digit.
+    # If the command is at rest during the window, so is the arm, to the last digit.
     still, moving = np.flatnonzero(~moves), np.flatnonzero(moves)
     if len(still):
         _, first, same = np.unique(place[still], return_index=True, return_inverse=True)
@@ -89,7 +89,7 @@ def _means(
 
 
 def _since(state: Array, begin: Array, step: Array) -> Array:
-    """State (3, k, n) counted from what it was (3, k, n) some steps (k, 1) [s] ago."""
+    """Return a state (3, k, n) relative to the state (3, k, n) some steps (k, 1) [s] earlier."""
     old, once, _ = begin
     since = state - begin
     since[2] -= step * (once + 0.5 * step * old)
@@ -99,21 +99,21 @@ def _since(state: Array, begin: Array, step: Array) -> Array:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Parts:
-    """The command in short parts (m,), in the order of time."""
+    """The command in short parts (m,), in order of time."""
 
     start: Array
     """Shape (m,) [s]."""
     width: Array
     """Shape (m,) [s]."""
     origin: Array
-    """Joints (n,) from which all are counted, so that those that hardly change lose no digits."""
+    """Joints (n,) to which all are relative, so that nearly constant ones lose no digits."""
     powers: Array
-    """Joints as a polynomial of the share of each part that is over, (m, _MOST, n)."""
+    """Joints as a polynomial of the elapsed share of each part, (m, _MOST, n)."""
     integrals: Array
-    """The integral and the integral of that where each part begins, (2, m, n)."""
+    """Integral and double integral at the start of each part, (2, m, n)."""
 
     def at(self, times: Array) -> Array:
-        """Joints, their integral and the integral of that at times (k,) [s], (3, k, n)."""
+        """Return joints, their integral and double integral at times (k,) [s], (3, k, n)."""
         part = np.maximum(np.searchsorted(self.start, times, side="right") - 1, 0)
         width = self.width[part][:, None]
         share = np.clip((times - self.start[part]) / width[:, 0], 0.0, 1.0)
@@ -132,13 +132,13 @@ class _Parts:
 
 _POWERS = np.arange(_MOST)
 _FALLING = np.array([np.ones(_MOST), 1.0 / (_POWERS + 1), 1.0 / ((_POWERS + 1) * (_POWERS + 2))])
-"""What integrating makes of powers: nothing, once, twice."""
+"""Factors of the powers after zero, one and two integrations."""
 
 
 def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
-    """The parts of the command that windows from and to ascending instants (k,) [s] cover."""
+    """Return parts of the command covered by windows from and to ascending instants (k,) [s]."""
     nodes = command.nodes_between(before[0], times[-1])
-    # What is beyond the nodes is a standstill; in between, samples do not say where parts end.
+    # Beyond the nodes the command is at rest; in between, samples do not define the ends of parts.
     ends = min(before[0], nodes.min(initial=np.inf)), max(times[-1], nodes.max(initial=-np.inf))
     edges = np.unique(np.concatenate([nodes, ends]))
     # Windows begin and end in the same order.
@@ -157,7 +157,7 @@ def _parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
 
 
 def _even_parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
-    """Parts of one width, at multiples of it, that the same windows cover."""
+    """Return parts of equal width, at multiples of it, that such windows cover."""
     first = np.floor(before / _COARSE_PART_S).astype(np.int64)
     last = np.ceil(times / _COARSE_PART_S).astype(np.int64)
     change = np.zeros(last[-1] - first[0] + 1, dtype=np.int64)
@@ -173,7 +173,7 @@ def _even_parts(command: MotionCommand, before: Array, times: Array) -> _Parts:
 
 
 def _integrated(start: Array, width: Array, origin: Array, powers: Array) -> _Parts:
-    """Parts with the integrals over all before them."""
+    """Return parts with the integrals over all parts before them."""
     once, twice = np.einsum("op,mpn->omn", _FALLING[1:], powers)
     integral = _sums_before(width[:, None] * once)
     double = _sums_before(width[:, None] * (integral + width[:, None] * twice))
@@ -183,7 +183,7 @@ def _integrated(start: Array, width: Array, origin: Array, powers: Array) -> _Pa
 def _powers(
     command: MotionCommand, start: Array, width: Array, stationary: Mask
 ) -> tuple[Array, Array]:
-    """Origin (n,) and polynomials (m, _MOST, n) of parts (m,) of the command."""
+    """Return origin (n,) and polynomials (m, _MOST, n) of parts (m,) of the command."""
     kinds: list[tuple[int, Index]] = [(1, np.flatnonzero(stationary))]
     longer = np.full(len(start), False)
     for count, least in _PLACES:
@@ -208,7 +208,7 @@ def _powers(
 
 
 def _gauss(count: int) -> tuple[Array, Array]:
-    """Gauss's places in a part as shares of it, and what makes powers of the values there."""
+    """Return Gauss points as shares of a part, and the matrix from values there to powers."""
     places = 0.5 * (np.polynomial.legendre.leggauss(count)[0] + 1.0)
     return places, np.asarray(np.linalg.inv(places[:, None] ** np.arange(count)), np.float64)
 
@@ -217,5 +217,5 @@ _GAUSS = {count: _gauss(count) for count in (1, 2, 3, 5)}
 
 
 def _sums_before(parts: Array) -> Array:
-    """The sum of all parts (m, n) before each."""
+    """Return the sum of all parts (m, n) before each."""
     return np.concatenate([np.zeros_like(parts[:1]), np.cumsum(parts[:-1], axis=0)])

@@ -1,8 +1,8 @@
-"""The command of a robot over a whole run: pieces of timed paths, with standstill in between.
+"""Command of a robot over a whole run: pieces of timed paths, with rest in between.
 
-All pieces joined end to end give one parameter, the position S [m] of the whole run. Pieces are
-counted from 1. Integrals over time are taken in stretches of about a second, so that they keep
-their precision: a long piece has several, in rows of one table; row 0 is the standstill before all.
+All pieces joined end to end have one parameter, the position S [m] of the whole run. Pieces are
+counted from 1. Integrals over time are split into intervals of about a second, so that they keep
+their precision: a long piece has several, in rows of one table; row 0 is the rest before all.
 """
 
 from __future__ import annotations
@@ -25,37 +25,37 @@ from rapidsim.values import value_class
 Index = npt.NDArray[np.int64]
 
 ROUNDING_M = 1e-11
-"""Places so near count as one."""
+"""Distance [m] below which positions count as one."""
 _PIECES_AT_ONCE = 128
-"""So many have their paths laid end to end, which bounds the memory."""
+"""Number of pieces whose paths are joined end to end, which bounds the memory."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Piece:
-    """A stretch of a timed path, commanded from an instant on."""
+    """A section of a timed path, commanded from an instant on."""
 
     start_time: float
     """[s]"""
     path: Path
     timing: TimeScaling
     from_s: float
-    """Place [m] on the path where the piece starts."""
+    """Position [m] on the path where the piece starts."""
     to_s: float
-    """Place [m] where it ends; the next piece may go on from there on another path."""
+    """Position [m] where it ends; the next piece may continue from there on another path."""
     first: int = 0
-    """The number, among all moves of the robot, of the first segment of the path."""
+    """Number, among all moves of the robot, of the first segment of the path."""
 
     @property
     def numbered(self) -> Iterator[tuple[int, Segment]]:
-        """The segments of its path with the numbers of their moves."""
+        """Segments of its path with the numbers of their moves."""
         return enumerate(self.path.segments, self.first)
 
 
 class MotionCommand:
-    """A sequence of pieces; it can only be extended, and cut at its end."""
+    """Sequence of pieces that can only be extended, and cut at its end."""
 
     def __init__(self) -> None:
-        """Nothing is commanded."""
+        """Create an empty command."""
         self._pieces: list[Piece] = []
         # Columns: see `_Column`.
         self._table = np.zeros((16, 8))
@@ -63,10 +63,10 @@ class MotionCommand:
         self._joined_timings: _JoinedTimings | None = None
         self._joined_paths: _JoinedPaths | None = None
         self._taking: Index | None = None
-        """The rows that take time or way, and the number behind the last row."""
+        """Rows that take time or distance, followed by the number of rows."""
 
     def copy(self) -> MotionCommand:
-        """A copy to be extended independently."""
+        """Return a copy that can be extended independently."""
         copied = MotionCommand()
         copied._pieces = list(self._pieces)
         copied._table = self._table[: self._rows + 1].copy()
@@ -75,17 +75,17 @@ class MotionCommand:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The pieces in the order of time."""
+        """Pieces in order of time."""
         return tuple(self._pieces)
 
     @property
     def last_row(self) -> int:
-        """The number of the last row; 0 without pieces."""
+        """Number of the last row; 0 without pieces."""
         return self._rows - 1
 
     @property
     def end(self) -> float:
-        """When it ends [s]; 0 without pieces."""
+        """End time [s]; 0 without pieces."""
         if not self._pieces:
             return 0.0
         row = self._table[self._rows - 1]
@@ -131,7 +131,7 @@ class MotionCommand:
         return place
 
     def cut(self, time_s: float) -> None:
-        """Remove what is commanded after a time [s]."""
+        """Remove the command after a time [s]."""
         self._joined_timings = self._joined_paths = self._taking = None
         kept = self._rows
         while kept > 1 and self._table[kept - 1, _Column.START] >= time_s:
@@ -150,9 +150,9 @@ class MotionCommand:
         row[_Column.DURATION], row[_Column.WAY] = driven, to_s - row[_Column.FROM_S]
 
     def forget(self, before_s: float) -> None:
-        """Forget what nobody who looks at a time [s] or later can see.
+        """Discard data that queries for a time [s] or later do not need.
 
-        What is kept is found as before to the last bit: those who asked last keep what they joined.
+        Remaining results are unchanged to the last bit: cached joined timings and paths are kept.
         """
         under_way = int(self.row_at(np.array([before_s]))[0])
         pieces = max(int(self._table[under_way, _Column.PIECE]) - 1, 0)
@@ -173,27 +173,27 @@ class MotionCommand:
             self._joined_paths = replace(paths, numbers=paths.numbers - pieces)
 
     def row_at(self, times: Array) -> Index:
-        """The last row (k,) that began before times (k,) [s]."""
+        """Return the last row (k,) that began before times (k,) [s]."""
         starts = self._table[1 : self._rows, _Column.START]
         return np.searchsorted(starts, times, side="right").astype(np.int64)
 
     def piece(self, number: int) -> Piece:
-        """A piece by its number."""
+        """Return a piece by its number."""
         return self._pieces[number - 1]
 
     def pieces_of(self, row: Index) -> Index:
-        """The numbers of the pieces (k,) to which rows (k,) belong; the first one for row 0."""
+        """Return the numbers of the pieces (k,) that contain rows (k,); 1 for row 0."""
         numbers: Index = np.maximum(self._table[row, _Column.PIECE].astype(np.int64), 1)
         return numbers
 
     def on_paths(self, row: Index, arc_length: Array) -> Iterator[tuple[Path, Array, Index, Index]]:
-        """The paths and positions for distances (k,) [m] since the start of rows (k,).
+        """Yield paths and positions for distances (k,) [m] since the start of rows (k,).
 
         Before the first piece the arm is at its start.
 
         Yields:
-            A path, positions s on it [m], which of the k they are, and what is added to the places
-            of their segments on it to get the numbers of their moves.
+            A path, positions s on it [m], their indices among the k, and the offset from segment
+            indices on it to the numbers of their moves.
         """
         if not len(row):
             return
@@ -212,11 +212,11 @@ class MotionCommand:
                 yield joined.paths.paths[each], s[here[at]] + start[at], here[at], number[at]
 
     def starts(self, row: Index) -> tuple[Array, Array]:
-        """The start times of rows (k,) [s], and their positions S [m]."""
+        """Return the start times of rows (k,) [s], and their positions S [m]."""
         return self._table[row, _Column.START], self._table[row, _Column.PLACE]
 
     def increases(self, row: Index) -> Array:
-        """The increase of S in rows (k,) [m]."""
+        """Return the increase of S in rows (k,) [m]."""
         ways: Array = self._table[row, _Column.WAY]
         return ways
 
@@ -227,7 +227,7 @@ class MotionCommand:
         return over
 
     def state(self, row: Index, times: Array) -> Array:
-        """Distance [m], its integral [m s] and that one's [m s2] since rows (k,) start, (3, k).
+        """Distance [m], integral [m s] and double integral [m s2] since rows (k,) start, (3, k).
 
         Args:
             row: The rows.
@@ -245,7 +245,7 @@ class MotionCommand:
         own = rows - joined.lowest
         way, once, twice = joined.before[:, own]
         now = joined.timings.since_marks(joined.interval_of[own], offset + driven)
-        # At its end the row is where it says, whatever rounding makes of it.
+        # At its end the row has its exact length, independent of rounding.
         state[0, at] = np.where(since >= duration, whole, np.clip(now[0] - way, 0.0, whole))
         state[1, at] = now[1] - once - way * driven
         state[2, at] = now[2] - twice - driven * (once + 0.5 * way * driven)
@@ -257,19 +257,19 @@ class MotionCommand:
     def since(
         self, before: Array, instants: Sequence[Array]
     ) -> tuple[Index, Array, tuple[Array, ...]]:
-        """How far the command has moved since earlier instants.
+        """Return the travel of the command since earlier instants.
 
         Args:
-            before: Those instants (k,) [s].
+            before: Earlier instants (k,) [s].
             instants: Later ones (k,) [s], one or more sets.
 
         Returns:
             The row (k,) of the earlier instants, and the distance [m] since the row's start (k,);
-            for each set of later ones the distance since then [m], its integral [m s] and that
-            one's [m s2], (3, k). Distances are relative, so neither a long run nor a long
-            standstill costs precision.
+            for each set of later ones the distance since then [m], its integral [m s] and double
+            integral [m s2], (3, k). Distances are relative, so neither a long run nor a long rest
+            costs precision.
         """
-        # All instants in one go: so few numbers cost what the calls of NumPy cost.
+        # All instants at once: for so few numbers, the cost is that of the NumPy calls.
         looks, times = len(instants), np.concatenate(instants)
         first, last = self.row_at(before), self.row_at(times)
         row = np.tile(first, looks)
@@ -297,15 +297,15 @@ class MotionCommand:
         return first, origin[0], tuple(np.split(since, looks, axis=1))
 
     def _ends(self, ahead: Index, last: Index, times: Array) -> Array:
-        """Until when (k,) [s] rows before others (k,) count, up to times (k,) [s] in last rows."""
+        """Return times (k,) [s] until which rows before others (k,) count; `times` in last rows."""
         ends: Array = np.where(ahead <= last, self.starts(np.minimum(ahead, last))[0], times)
         return ends
 
     def following(self, row: Index) -> Index:
-        """The next rows (k,) after rows (k,) that take time or distance; after the last, none.
+        """Return the next rows (k,) after rows (k,) that take time or distance, or past the last.
 
-        Moves without length leave rows with neither, thousands of them where a loop makes nothing
-        else.
+        Moves without length have rows with neither, thousands of them if a loop contains only such
+        moves.
         """
         if self._taking is None:
             table = self._table[: self._rows]
@@ -314,7 +314,7 @@ class MotionCommand:
         return self._taking[np.searchsorted(self._taking[:-1], row, side="right")]
 
     def speed(self, row: Index, times: Array) -> Array:
-        """Speed dS/dt (k,) [m/s] in rows (k,)."""
+        """Return the speed dS/dt (k,) [m/s] in rows (k,)."""
         speed = np.zeros(len(times))
         start, duration, offset = self._table[row][
             :, [_Column.START, _Column.DURATION, _Column.OFFSET]
@@ -326,13 +326,13 @@ class MotionCommand:
         return speed
 
     def place_at(self, times: Array) -> Array:
-        """Position S (k,) [m] at times (k,) [s]."""
+        """Return positions S (k,) [m] at times (k,) [s]."""
         row = self.row_at(times)
         place: Array = self._table[row, _Column.PLACE] + self.state(row, times)[0]
         return place
 
     def time_at(self, place: Array) -> Array:
-        """First time (k,) [s] at positions S (k,)."""
+        """Return the first times (k,) [s] at positions S (k,)."""
         ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
         row = np.searchsorted(ends, place - ROUNDING_M, side="left")
         row = np.clip(row, 0, self._rows - 1).astype(np.int64)
@@ -346,7 +346,7 @@ class MotionCommand:
         return times
 
     def rows_at(self, place: Array) -> tuple[Index, Array]:
-        """The rows (k,), after row 0, that hold positions S (k,) [m], and the ways (k,) in them."""
+        """Rows (k,), after row 0, that contain positions S (k,) [m], and distances in them."""
         ends = self._table[: self._rows, _Column.PLACE] + self._table[: self._rows, _Column.WAY]
         row = np.searchsorted(ends, place - ROUNDING_M, side="left")
         row = np.clip(row, 1, self._rows - 1).astype(np.int64)
@@ -354,7 +354,7 @@ class MotionCommand:
         return row, np.clip(place - before, 0.0, way)
 
     def joints_at(self, times: Array) -> Array:
-        """Joints of the arm, followed by external axes, (k, n + e) at times (k,) [s]."""
+        """Return joints of the arm, then external axes, (k, n + e) at times (k,) [s]."""
         row = self.row_at(times)
         joints = np.empty((len(times), self.piece(1).path.axis_count))
         for path, s, at, _ in self.on_paths(row, self.state(row, times)[0]):
@@ -362,7 +362,7 @@ class MotionCommand:
         return joints
 
     def nodes_between(self, first_s: float, last_s: float) -> Array:
-        """Times [s] at which the acceleration changes, of all rows from one instant to another."""
+        """Return times [s] of acceleration changes, in all rows from one instant to another."""
         first, last = self.row_at(np.array([first_s, last_s])).tolist()
         nodes = [np.zeros(0)]
         for start, duration, _, _, offset, _, number, mark in self._table[max(first, 1) : last + 1]:
@@ -373,20 +373,20 @@ class MotionCommand:
         return np.concatenate(nodes)
 
     def _timings_of(self, lowest: int, highest: int) -> _JoinedTimings:
-        """The timings of some rows, counted from 1.
+        """Return the timings of some rows, counted from 1.
 
-        They are kept, for whoever asks about many rows mostly asks again.
+        They are cached, because a query about many rows is usually repeated.
         """
         joined = self._joined_timings
         if joined is None or lowest < joined.lowest or highest > joined.highest:
-            # Whole pieces, for a long one has several rows.
+            # Use whole pieces, because a long piece has several rows.
             all_numbers = self._table[: self._rows, _Column.PIECE]
             first, last = int(all_numbers[lowest]), int(all_numbers[highest])
             lowest = int(np.searchsorted(all_numbers, first, side="left"))
             highest = int(np.searchsorted(all_numbers, last, side="right")) - 1
             rows = self._table[lowest : highest + 1]
             numbers = rows[:, _Column.PIECE].astype(np.int64)
-            # A cycle that repeats has the same timing each time, and each is laid down once.
+            # A repeated cycle has the same timing each time; each distinct timing is joined once.
             all_of_them = [piece.timing for piece in self._pieces[first - 1 : last]]
             distinct = {id(one): one for one in all_of_them}
             place_of = {one: place for place, one in enumerate(distinct)}
@@ -399,7 +399,7 @@ class MotionCommand:
         return joined
 
     def _paths_of(self, numbers: Index) -> _JoinedPaths:
-        """The paths of some pieces, numbers increasing; kept as the timings are."""
+        """Return the paths of some pieces, numbers increasing; cached like the timings."""
         joined = self._joined_paths
         if joined is None or not np.isin(numbers, joined.numbers).all():
             pieces = [self._pieces[number - 1] for number in numbers.tolist()]
@@ -411,26 +411,26 @@ class MotionCommand:
 
 @value_class(frozen=True, slots=True, eq=False)
 class _JoinedPaths:
-    """The paths of some pieces (k,)."""
+    """Joined paths of some pieces (k,)."""
 
     numbers: Index
     paths: JoinedPaths
     first: Index
-    """What is added to the place of a segment of each on its joined path to get its number."""
+    """Offset from a segment's index on its joined path to the number of its move, per piece."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class _JoinedTimings:
-    """The timings of some rows (m,)."""
+    """Joined timings of some rows (m,)."""
 
     timings: TimeScalings
     lowest: int
-    """The number of the first row."""
+    """Number of the first row."""
     highest: int
     interval_of: Index
-    """Shape (m,): the stretch of the timings that each row is of."""
+    """Shape (m,): interval of the timings that contains each row."""
     before: Array
-    """Shape (3, m): what its state is where each row starts, counted from its mark."""
+    """Shape (3, m): state at the start of each row, relative to its mark."""
 
 
 class _Column:
@@ -447,15 +447,15 @@ class _Column:
     OFFSET = 4
     """Time of the timing at its start [s]."""
     FROM_S = 5
-    """Place [m] on its path at its start."""
+    """Position [m] on its path at its start."""
     PIECE = 6
-    """The number of the piece that it is of."""
+    """Number of its piece."""
     MARK = 7
-    """Which mark of the timing it is counted from."""
+    """Index of the mark of the timing to which it is relative."""
 
 
 def groups(row: Index) -> list[tuple[int, Index]]:
-    """The indices in `row` of each of its values, values ascending."""
+    """Return the indices in `row` of each of its values, values ascending."""
     if not len(row):
         return []
     order = np.argsort(row, kind="stable")

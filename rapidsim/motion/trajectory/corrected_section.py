@@ -1,7 +1,7 @@
-"""Part of a path on which the TCP is corrected: the arm follows its path with an offset.
+"""Section of a path on which the TCP is corrected: the arm follows its path with an offset.
 
-The offset is known at knots and linear in between. Joints are those of the arm on its path, moved
-by the offset.
+The offset is known at knots and linear in between. Joints are those on the path, moved by the
+offset.
 """
 
 from __future__ import annotations
@@ -19,27 +19,27 @@ from rapidsim.motion.kinematics.arm import Kinematics
 
 @dataclass(eq=False)
 class CorrectedSection:
-    """A corrected part of a path; it can only be extended."""
+    """A corrected section of a path; it can only be extended."""
 
     start_s: float
     kinematics: Kinematics
     until_s: float = math.inf
-    """From when on [s] the arm is somewhere else."""
+    """Time [s] from which on the arm no longer follows this section."""
     _times: list[float] = field(default_factory=list)
     _offsets: list[Array] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        """Begin on the path."""
+        """Start on the path."""
         self.append(self.start_s, np.zeros(3))
 
     @property
     def end_s(self) -> float:
-        """The time [s] up to which the offset is known; it stays constant after that."""
+        """Time [s] up to which the offset is known; it stays constant after that."""
         return self._times[-1]
 
     @property
     def end(self) -> Array:
-        """The offset (3,) [m] at the end so far."""
+        """Offset (3,) [m] at the current end."""
         return self._offsets[-1]
 
     def append(self, time_s: float, arc_length: Array) -> None:
@@ -48,7 +48,7 @@ class CorrectedSection:
         self._offsets.append(arc_length)
 
     def forget(self, before_s: float) -> None:
-        """Forget what nobody who looks at a time [s] or later can see."""
+        """Discard data that queries for a time [s] or later do not need."""
         gone = max(bisect_right(self._times, before_s) - 2, 0)
         del self._times[:gone], self._offsets[:gone]
 
@@ -58,22 +58,22 @@ class CorrectedSection:
             self.append(start_s + number * cycle_s, way)
 
     def offsets_at(self, times: Array) -> Array:
-        """The offsets (k, 3) [m] at instants (k,) [s], in base."""
-        # A run has many knots, and one asks for few that lie close together.
+        """Return the offsets (k, 3) [m] at instants (k,) [s], in base."""
+        # A run has many knots, and a query needs few that are close together.
         first = max(0, bisect_right(self._times, float(times.min())) - 1)
         last = bisect_right(self._times, float(times.max())) + 1
         knots, ways = self._times[first:last], np.array(self._offsets[first:last])
         return np.stack([np.interp(times, knots, ways[:, k]) for k in range(3)], axis=-1)
 
     def speeds_at(self, times: Array) -> Array:
-        """The rate (k,) [m/s] at which the offset changes."""
+        """Return the rate (k,) [m/s] at which the offset changes."""
         step_s = 1e-3
         change = self.offsets_at(times + step_s) - self.offsets_at(times - step_s)
         speed: Array = np.linalg.norm(change, axis=1) / (2.0 * step_s)
         return speed
 
     def joints(self, joints: Array, offsets: Array) -> Array:
-        """Joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN where unreachable."""
+        """Return joints (k, n) [rad] of an arm moved by offsets (k, 3) [m]; NaN if unreachable."""
         flange = self.kinematics.forward(joints)
         led = Transform(flange.rotation, flange.translation + offsets)
         branches = self.kinematics.branch_of(joints)

@@ -1,14 +1,14 @@
-"""The width of the smoothing window over time, and how AccSet's ramps widen it.
+"""Width of the smoothing window over time, with its widening by AccSet's ramps.
 
 The visible position of the arm is a weighted mean of the command over the window [t - T(t), t]. T
 is the filter time; a ramp of p % makes it 100 / p times as long. Ramps were not measured: this is
-an assumption. The weights are those of one moving average of width T, all equal, or of two
-successive ones of width T / 2: they rise evenly to the middle of the window and fall again.
+assumption. The weights are uniform for one moving average of width T; for two successive ones of
+width T / 2 they rise linearly to the middle of the window and fall again.
 
 The mean stays on the path of the command and is never faster while 0 <= T' <= 1, so a window only
-widens while the arm moves, evenly and slowly. It becomes narrow again when it is empty, that is,
-when the arm has been at rest so long that the window contains only the standstill. From there on it
-does not look back beyond the new start.
+widens while the arm moves, smoothly and slowly. It becomes narrow again when it is empty, that is,
+when the arm has been at rest so long that the window contains only rest. From then on it does not
+extend back beyond the new start.
 """
 
 from __future__ import annotations
@@ -25,22 +25,23 @@ from rapidsim.motion.trajectory.zero_crossings import first_crossing
 from rapidsim.values import value_class
 
 _STEEPEST = 0.5
-"""Largest T' while a window widens: the arm is seen at least at three quarters of its speed."""
+"""Largest T' while a window widens: the visible speed is at least three quarters of the arm's."""
 _UNHURRIED_S = 1.0
-"""A window takes at least so long to widen. It slows the arm down a little, which takes a share of
-the acceleration: quicker, that would be felt. A last move that is shorter gets less of a ramp."""
+"""Minimum time [s] in which a window widens. Widening slows the arm down slightly, which takes a
+share of the acceleration: a faster change would be noticeable. A shorter last move has less of a
+ramp."""
 _ROUNDING = 1e-9
 
 
 @value_class(frozen=True, slots=True)
 class _Step:
-    """From an instant on the window widens, or begins anew."""
+    """An instant from which the window widens, or restarts."""
 
     start_s: float
     floor_s: float
-    """Before this nothing counts: the arm stood."""
+    """Earliest time [s] in the window: before it the arm was at rest."""
     width_s: float
-    """At the start."""
+    """Width at the start."""
     growth_s: float = 0.0
     lasts_s: float = 1.0
 
@@ -54,17 +55,17 @@ class _Step:
 
 
 class Windows:
-    """The width of the window over the time of a whole run; it can only be extended."""
+    """Width of the window over the time of a whole run; it can only be extended."""
 
     def __init__(self, filter_time: float, averages: Averages = 1) -> None:
-        """`filter_time` [s] is the width of all moving averages together, without ramps."""
+        """Create windows; `filter_time` [s] is the width of all averages, without ramps."""
         self.filter_time = filter_time
         self.averages = averages
         self.widest = filter_time
-        """No width [s] is larger."""
+        """Largest width [s]."""
         self._steps: list[_Step] = []
         self._table = np.zeros((16, 5))
-        """What `_at` asks of each step."""
+        """Inputs of `_at` for each step."""
         self._add(_Step(-np.inf, -np.inf, filter_time))
 
     @property
@@ -78,52 +79,52 @@ class Windows:
         return any(one.widest_s > self.filter_time for one in self._steps)
 
     def copy(self) -> Windows:
-        """A copy to be extended independently."""
+        """Return a copy that can be extended independently."""
         copied = Windows(self.filter_time, self.averages)
         copied.widest = self.widest
         copied._steps, copied._table = list(self._steps), self._table.copy()
         return copied
 
     def at(self, times: Array) -> tuple[Array, Array, Array]:
-        """Width T [s], its rate T' and the earliest instant to consider [s] at times (k,)."""
+        """Return width T [s], its rate T' and the window's earliest instant [s] at times (k,)."""
         if self.is_constant:
             count = len(times)
             return np.full(count, self.filter_time), np.zeros(count), np.full(count, -np.inf)
         return _at(self._table[: len(self._steps)], times)
 
     def instants(self, times: Array, width: Array, before: Array) -> tuple[Array, ...]:
-        """When [s] to evaluate the command for `mean`: now, and in the middle of the windows.
+        """Return times [s] to evaluate the command for `mean`: now, and in the middle of windows.
 
         Args:
-            times: When windows (k,) end [s].
+            times: End times of windows (k,) [s].
             width: Their widths [s].
-            before: When they begin [s]; earlier times do not count.
+            before: Their start times [s]; earlier times are ignored.
         """
         if self.averages == 1:
             return (times,)
         return times, np.maximum(times - 0.5 * width, before)
 
     def mean(self, width: Array, rate: Array, changes: Sequence[Array]) -> tuple[Array, Array]:
-        """The mean over windows of a changing quantity, and its rate of change.
+        """Return the mean over windows of a changing quantity, and its rate of change.
 
         Args:
-            width: Of the windows (k, ...) [s].
-            rate: At which they widen (k, ...).
-            changes: For each of `instants`, the change since the start of the window, its integral
-                and the integral of that, (3, k, ...).
+            width: Widths of the windows (k, ...) [s].
+            rate: Rates at which they widen (k, ...).
+            changes: For each of `instants`, the change since the start of the window, its
+                integral and double integral, (3, k, ...).
         """
         now = changes[0]
         if self.averages == 1:
             mean = now[1] / width
             return mean, (now[0] - rate * mean) / width
-        # The second difference of the second integral, as a mean over two windows is.
+        # Second difference of the second integral, as for a mean over two windows.
         middle, scale = changes[1], 4.0 / width**2
         mean = scale * (now[2] - 2.0 * middle[2])
         slope = scale * (now[1] - (2.0 - rate) * middle[1])
         return mean, slope - 2.0 * rate / width * mean
 
     def lag(self, command_s: float) -> float:
-        """The delay [s] until the visible motion has completed what was commanded by a time."""
+        """Return the delay [s] until the visible motion has completed the command up to a time."""
         if self.is_constant:
             return self.filter_time
         starts = self._table[: len(self._steps), 0]
@@ -136,7 +137,7 @@ class Windows:
             last += 1
         if command_s + self._steps[last].widest_s >= self._steps[last].end_s:
             return self._steps[last].widest_s
-        # The window goes on widening while the arm comes to rest.
+        # The window continues to widen while the arm comes to rest.
         steps = self._table[first : last + 1]
         run_empty = first_crossing(
             lambda since, _: since - _at(steps, command_s + since)[0],
@@ -146,16 +147,16 @@ class Windows:
         return float(run_empty[0])
 
     def forget(self, before_s: float) -> None:
-        """Forget what nobody who looks at a time [s] or later can see."""
+        """Discard data that queries for a time [s] or later do not need."""
         count = len(self._steps)
         under_way = int(np.searchsorted(self._table[:count, 0], before_s, side="right")) - 1
         if under_way > 1:
-            # The first one tells what holds without ramps.
+            # The first step defines the width without ramps.
             del self._steps[1:under_way]
             self._table = np.delete(self._table, np.s_[1:under_way], axis=0)
 
     def cut(self, time_s: float) -> None:
-        """Remove what begins at a time [s] or later."""
+        """Remove steps that begin at a time [s] or later."""
         while self._steps[-1].start_s >= time_s:
             self._steps.pop()
 
@@ -170,17 +171,17 @@ class Windows:
         empty: bool,
         elsewhere: bool = False,
     ) -> None:
-        """Widen the window as required by the moves of a part of a path.
+        """Widen the window as required by the moves of a section of a path.
 
         Args:
-            start_s: The command time of its start [s].
+            start_s: Command time of its start [s].
             path: Its geometry; the ramps of the moves in a block decrease.
-            timing: Of the path.
-            from_s: Where on the path it starts [m].
-            to_s: Where it ends [m].
-            empty: Whether the visible motion is at rest when it starts.
-            elsewhere: Whether the arm is elsewhere than the previous command left it; then what was
-                commanded before does not count.
+            timing: Timing of the path.
+            from_s: Start position on the path [m].
+            to_s: End position on the path [m].
+            empty: Whether the visible motion is at rest at its start.
+            elsewhere: Whether its start differs from the end of the previous command; then
+                earlier commands are ignored.
         """
         if self.is_constant and path.window == self.filter_time and not elsewhere:
             return
@@ -202,23 +203,23 @@ class Windows:
             if stop_width_s > width_s and timing.s[-1] >= end - _ROUNDING:
                 ends_s = shift_s + timing.time_at(end)
                 begins_s = max(ends_s - self._lasts(stop_width_s), begins_s)
-                # What begins later than this stretch ends, the next one brings along.
+                # A step that would begin after the end of this section is added with the next one.
                 if begins_s < shift_s + timing.time_at(to_s):
                     self._widen(begins_s, stop_width_s)
 
     def _begin(self, start_s: float, width_s: float, *, elsewhere: bool) -> None:
-        """Begin anew with a width, unless the window is as wide."""
+        """Restart with a width, unless the window already has it."""
         self.cut(start_s)
         last = self._steps[-1]
         if elsewhere or width_s != last.widest_s or last.end_s > start_s:
             self._add(_Step(start_s, start_s, width_s))
 
     def _lasts(self, width_s: float) -> float:
-        """How long it takes [s] to widen to a width."""
+        """Return the time [s] in which the window widens to a width."""
         return max(_UNHURRIED_S, 1.5 * (width_s - self._steps[-1].widest_s) / _STEEPEST)
 
     def _widen(self, begins_s: float, width_s: float) -> None:
-        """Widen to a width, if it is not as wide already; one step after the other."""
+        """Widen to a width, unless already as wide; one step after the other."""
         last = self._steps[-1]
         growth_s = width_s - last.widest_s
         if growth_s > 0.0:
@@ -237,7 +238,7 @@ class Windows:
 
 
 def _at(steps: Array, times: Array) -> tuple[Array, Array, Array]:
-    """Width, its rate and the earliest instant that counts at times (k,) [s], from steps (m, 5)."""
+    """Return width, rate and earliest instant at times (k,) [s], from steps (m, 5)."""
     number = np.maximum(np.searchsorted(steps[:, 0], times, side="right") - 1, 0)
     start, floor, width, growth, lasts = steps[number].T
     since = times - np.where(growth > 0.0, start, times)

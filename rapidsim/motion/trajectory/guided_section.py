@@ -1,6 +1,6 @@
-"""Motion that was not planned: joints once per cycle, as requested from outside.
+"""Motion that was not planned: joints once per cycle, as requested by an external sensor.
 
-Between cycles accelerations are constant, so nothing is interpolated here either.
+Between cycles accelerations are constant, so no interpolation is needed here either.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import numpy as np
 from rapidsim.frames.transform import Array, Transform
 
 _STEP_S = 0.001
-"""[s]; from an instant to the two beside it, by which the speed of the TCP is found."""
+"""Half the interval [s] of the central difference for the speed of the TCP."""
 _FIRST_ROOM = 256
 
 
@@ -24,32 +24,31 @@ class GuidedSection:
     start_s: float
     cycle_s: float
     forward: Callable[[Array], Transform]
-    """base_from_flange of joints (k, n) [rad]."""
+    """Returns base_from_flange of joints (k, n) [rad]."""
     tcp_from_flange: Transform
     external: Array
-    """Where external axes (e,) stand meanwhile [m or rad]."""
+    """Values of the external axes (e,) during the motion [m or rad]."""
     start: Array
-    """Joints (n,) [rad] of an arm that stands."""
+    """Joints (n,) [rad] at the start, at rest."""
     _count: int = 0
     _dropped: int = 0
-    """How many cycles are forgotten."""
+    """Number of discarded cycles."""
     _joints: Array = field(init=False)
-    """Joints, then speeds, at the end of each cycle that is known, with room for more; the start
-    first."""
+    """Joints, then speeds, at the start and at the end of each known cycle, with spare capacity."""
 
     def __post_init__(self) -> None:
-        """Stand."""
+        """Start at rest."""
         self._joints = np.zeros((_FIRST_ROOM, 2, len(self.start)))
         self._joints[0, 0] = self.start
 
     @property
     def end_s(self) -> float:
-        """The time [s] up to which it is known."""
+        """Time [s] up to which it is known."""
         return self.start_s + self._count * self.cycle_s
 
     @property
     def end(self) -> Array:
-        """Joints (n,) [rad] at the end so far."""
+        """Joints (n,) [rad] at the current end."""
         end: Array = self._joints[self._count - self._dropped, 0].copy()
         return end
 
@@ -67,7 +66,7 @@ class GuidedSection:
         self._joints[row] = joints, speed
 
     def forget(self, before_s: float) -> None:
-        """Forget what nobody who looks at a time [s] or later can see."""
+        """Discard data that queries for a time [s] or later do not need."""
         past = int((before_s - self.start_s) / self.cycle_s) - 1
         gone = min(past, self._count) - self._dropped
         if gone > 0:
@@ -75,7 +74,7 @@ class GuidedSection:
             self._dropped += gone
 
     def joints_at(self, times: Array) -> Array:
-        """Joints (k, n) [rad] at instants (k,) [s]; at rest before and after."""
+        """Return joints (k, n) [rad] at instants (k,) [s]; at rest before and after."""
         way = np.clip((times - self.start_s) / self.cycle_s, 0.0, self._count)
         before = np.minimum(way.astype(np.int64), max(self._count - 1, 0))
         after = np.minimum(before + 1, self._count)
@@ -87,11 +86,11 @@ class GuidedSection:
         return np.where(share >= 1.0, self._joints[after, 0], moved)
 
     def tcp_at(self, joints: Array) -> Transform:
-        """base_from_tcp (k,) of joints (k, n) [rad]."""
+        """Return base_from_tcp (k,) of joints (k, n) [rad]."""
         return self.forward(joints) @ self.tcp_from_flange.inverse()[None]
 
     def tcp_speed_at(self, times: Array) -> Array:
-        """Speed (k,) [m/s] of the TCP in base."""
+        """Return the speed (k,) [m/s] of the TCP in base."""
         before, after = self.joints_at(times - _STEP_S), self.joints_at(times + _STEP_S)
         way = self.tcp_at(after).translation - self.tcp_at(before).translation
         speed: Array = np.linalg.norm(way, axis=1) / (2.0 * _STEP_S)

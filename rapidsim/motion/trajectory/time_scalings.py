@@ -1,7 +1,7 @@
 """Several timings joined end to end, evaluated at many instants at once.
 
-A run has a timing for each stretch between stop points. Evaluating them one by one takes a few
-NumPy calls each, which costs more than planning if there are many short stretches.
+A run has one timing per section between stop points. Evaluating them one by one takes a few NumPy
+calls each, which costs more than planning if there are many short sections.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.values import value_class
 
 _FEW = 4
-"""So many timings are cheaper to look through one by one."""
+"""Number of timings up to which searching one by one is cheaper."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -24,25 +24,25 @@ class TimeScalings:
     """Time scalings (t,), their nodes (k,), in sections (m,) between marks; see `TimeScaling`."""
 
     begin: Index
-    """Shape (t,): the first stretch of each timing."""
+    """Shape (t,): first section of each timing."""
     first: Index
-    """Shape (m,): the first node of each stretch."""
+    """Shape (m,): first node of each section."""
     last: Index
-    """Shape (m,): the last node of each stretch, from which the next one may go on."""
+    """Shape (m,): last node of each section, often the first of the next one."""
     s: Array
     speed: Array
     times: Array
     acceleration: Array
-    """Shape (k,): in the cell that begins at each node; the last of each timing has none."""
+    """Shape (k,): in the cell that begins at each node; 0 at the last node of each timing."""
     since: Array
     """Shape (3, k): see `TimeScaling.since_marks`."""
 
     def since_marks(self, number: Index, t: Array) -> Array:
-        """Distance [m], its integral [m s] and the integral of that [m s2] since marks, (3, k).
+        """Return distance [m], integral [m s] and double integral [m s2] since marks, (3, k).
 
         Args:
-            number: The stretch (k,) whose mark to use.
-            t: Times (k,) [s], in the time of each timing; clamped to the stretch.
+            number: Index of the section (k,) whose mark to use.
+            t: Times (k,) [s], in the time of each timing; clamped to the section.
         """
         t = np.clip(t, self.times[self.first[number]], self.times[self.last[number]])
         k = self._cell(number, t)
@@ -58,7 +58,7 @@ class TimeScalings:
         return result
 
     def _cell(self, number: Index, t: Array) -> Index:
-        """The node (k,) at which the cell begins that holds each time (k,)."""
+        """Return the first node (k,) of the cell that contains each time (k,)."""
         lowest, highest = int(number.min()), int(number.max())
         if highest - lowest < _FEW:
             cell = np.empty_like(number)
@@ -77,7 +77,7 @@ class TimeScalings:
 
 
 def timings_of(timings: Sequence[TimeScaling]) -> TimeScalings:
-    """Join timings end to end, at least one."""
+    """Join one or more timings end to end."""
     count = np.array([len(one.s) for one in timings])
     marks = np.array([len(one.marks) for one in timings])
     node, begin = np.cumsum(count) - count, np.cumsum(marks) - marks

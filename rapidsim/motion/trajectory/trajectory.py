@@ -1,16 +1,16 @@
-"""A whole run's motion as a function of time, while it grows and afterwards.
+"""Motion of a whole run as a function of time, during the run and afterwards.
 
 A controller smooths its command (`command`): the visible position is the mean of the commanded
 position over a time window (`filter_windows`), which ends now and is as wide as the filter time.
-The arm therefore stays exactly on its path and lags behind the command. If each axis is smoothed by
-itself instead, the joints are the means of those commanded (`axis_smoothing`); the visible position
-then tells how far the arm has got.
+The arm therefore stays exactly on its path and lags behind the command. If each axis is smoothed
+separately instead, the joints are the means of the commanded ones (`axis_smoothing`), and the
+visible position is only the progress of the arm along its path.
 
-Nothing is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
-a cubic, and joints come from the exact pose.
+No value is sampled or interpolated: within a cell of a timing S is a parabola of time and its mean
+a cubic, and joints are solved for the exact pose.
 
-While the robot is guided from outside there is no path: joints are those of a `GuidedSection`.
-Where a sensor corrects the path, the arm follows it with an offset: a `CorrectedSection`.
+While the robot is guided by a sensor there is no path: joints are those of a `GuidedSection`. If a
+sensor corrects the path, the arm follows it with an offset: a `CorrectedSection`.
 """
 
 from __future__ import annotations
@@ -35,27 +35,27 @@ from rapidsim.motion.trajectory.zero_crossings import first_crossing
 from rapidsim.values import value_class
 
 SAMPLE_STEP_S = 0.012
-"""As often as ABB's controllers log positions."""
+"""Interval [s] at which ABB's controllers log positions."""
 _SAMPLES_AT_ONCE = 10_000
 _PLACES_AT_ONCE = 2_000
 _ROUNDING_S = 1e-11
 _NO_WAY = 1e-9
-"""A path whose TCP gains less than this [m/m] leads nowhere: it turns the tool."""
+"""TCP travel per path length [m/m] below which a path only turns the tool."""
 _CHORD_S = 0.004
 """Length [s] of the chords along which the travel of a guided arm is measured."""
 _NEAR_S = 1e-10
-"""A place has digits enough to tell times so far apart, and not many more."""
+"""Difference [s] between times that the digits of a position can just distinguish."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Samples:
-    """The arm at some instants."""
+    """State of the arm at some instants."""
 
     times: Array
     """Shape (k,) [s]."""
     move: Index
-    """Shape (k,): index of the move under way; the last one while standing still after it, the
-    first one before it."""
+    """Shape (k,): index of the active move; at rest, that of the last move before, or of the first
+    one."""
     joints: Array
     """Shape (k, n) [rad]."""
     base_from_tcp: Transform
@@ -68,10 +68,10 @@ class Samples:
 
 @value_class(frozen=True, slots=True, eq=False)
 class JointSamples:
-    """The axes at some instants, without poses."""
+    """Axes at some instants, without poses."""
 
     move: Index
-    """Shape (k,): as in `Samples`."""
+    """Shape (k,): see `Samples`."""
     joints: Array
     """Shape (k, n) [rad]."""
     external: Array
@@ -79,7 +79,7 @@ class JointSamples:
 
 
 class Mark(NamedTuple):
-    """A place of the visible motion, from which travel is counted."""
+    """A position of the visible motion, from which travel is counted."""
 
     time_s: float
     place_m: float
@@ -90,11 +90,11 @@ class Mark(NamedTuple):
 class _Guided:
     section: GuidedSection
     until_s: float = np.inf
-    """When the next move begins; up to then the arm stands where the stretch ends."""
+    """Start [s] of the next move; until then the arm rests at the end of the section."""
 
 
 class Trajectory:
-    """The position of the arm at any time; it can only be extended."""
+    """Position of the arm at any time; it can only be extended."""
 
     def __init__(
         self,
@@ -103,13 +103,13 @@ class Trajectory:
         smoothing: Smoothing = "path",
         averages: Averages = 1,
     ) -> None:
-        """Stand still at a start.
+        """Start at rest.
 
         Args:
-            start: Where the arm stands.
+            start: Initial position of the arm.
             filter_time: Width [s] of the smoothing without ramps; 0 switches it off.
-            smoothing: What is smoothed; see `MotionModel`.
-            averages: By how many moving averages; see there.
+            smoothing: Smoothed quantity; see `MotionModel`.
+            averages: Number of moving averages; see `MotionModel`.
         """
         self._start = start
         self._smoothing = smoothing
@@ -119,17 +119,17 @@ class Trajectory:
         self._corrected: list[CorrectedSection] = []
 
     def begin_at(self, start: Waypoint) -> None:
-        """Stand still at another start; for an arm that has not moved."""
+        """Rest at another start position; for an arm that has not moved."""
         assert not self.duration
         self._start = start
 
     @property
     def guided(self) -> tuple[GuidedSection, ...]:
-        """Stretches on which the robot was guided from outside, in the order of time."""
+        """Sections in which the robot was guided by a sensor, in order of time."""
         return tuple(one.section for one in self._guided)
 
     def guide(self, section: GuidedSection) -> None:
-        """Let a robot at rest be guided; the next piece begins where the guidance ends."""
+        """Start guidance of a robot at rest; the next piece begins where the guidance ends."""
         if self._guided:
             self._guided[-1] = replace(self._guided[-1], until_s=section.start_s)
         self._guided.append(_Guided(section))
@@ -140,14 +140,14 @@ class Trajectory:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """The pieces in the order of time."""
+        """Pieces in order of time."""
         return self._command.pieces
 
     def append(self, piece: Piece) -> float:
         """Add a piece after the last one.
 
         Returns:
-            The position S [m] of the whole run where the piece starts: S - `from_s` converts
+            Position S [m] of the whole run at the start of the piece: S - `from_s` converts
             positions on its path to positions of the run.
 
         Raises:
@@ -171,15 +171,15 @@ class Trajectory:
         return place
 
     def cut(self, time_s: float) -> None:
-        """Remove what is commanded after a time [s]."""
+        """Remove the command after a time [s]."""
         self._windows.cut(time_s)
         self._command.cut(time_s)
         if self._guided and time_s <= self._guided[-1].until_s:
             self._guided[-1] = replace(self._guided[-1], until_s=np.inf)
 
     def forget(self, before_s: float) -> None:
-        """Forget what nobody who looks at a time [s] or later can see."""
-        # Whoever asks how long the arm comes to rest looks at the end of the command.
+        """Discard data that queries for a time [s] or later do not need."""
+        # Queries for the time of rest refer to the end of the command.
         seen_s = min(before_s, self.command_end) - self._windows.widest
         self._windows.forget(seen_s)
         self._command.forget(seen_s)
@@ -191,7 +191,7 @@ class Trajectory:
             corrected.forget(seen_s)
 
     def extended(self, piece: Piece) -> Trajectory:
-        """A copy with one more piece; this one stays unchanged."""
+        """Return a copy with one more piece; this trajectory is unchanged."""
         longer = Trajectory(self._start, smoothing=self._smoothing)
         longer._windows, longer._command = self._windows.copy(), self._command.copy()
         longer._guided, longer._corrected = self._guided.copy(), self._corrected
@@ -200,7 +200,7 @@ class Trajectory:
 
     @property
     def command_end(self) -> float:
-        """When the command ends [s]; 0 without pieces."""
+        """End of the command [s]; 0 without pieces."""
         return self._command.end
 
     @property
@@ -211,11 +211,11 @@ class Trajectory:
         return max(planned_s, *led_s, 0.0)
 
     def seen_s(self, command_s: float) -> float:
-        """When [s] the visible motion has completed what was commanded by a time [s]."""
+        """Return the time [s] at which the visible motion completes the command up to a time."""
         return command_s + self.lag_s(command_s)
 
     def lag_s(self, command_s: float) -> float:
-        """The delay [s] of the visible motion after that time."""
+        """Return the delay [s] of the visible motion after that time."""
         return self._windows.lag(command_s)
 
     @property
@@ -236,24 +236,24 @@ class Trajectory:
         return float(np.sum(self._travelled(row, way) - self._travelled(row, 0.0 * way)))
 
     def _travelled(self, row: Index, arc_length: Array) -> Array:
-        """TCP travel (k,) [m] on the paths of rows (k,), as far as ways (k,) [m] in them."""
+        """Return the TCP travel (k,) [m] on the paths of rows, up to distances (k,) [m] in them."""
         travel = np.empty(len(row))
         for path, s, at, _ in self._command.on_paths(row, arc_length):
             travel[at] = path.travelled(s)
         return travel
 
     def mark(self, time_s: float) -> Mark:
-        """The mark of a time [s], from which travel can be counted.
+        """Return the mark of a time [s], from which travel can be counted.
 
-        It is a place, because a move may begin a little before the time at which the program gives
-        it.
+        It is a position, because a move may begin slightly before the time at which the program
+        issues it.
         """
         if not self._command.last_row:
             return Mark(time_s, 0.0)
         return Mark(time_s, float(self.place_at(np.array([time_s]))[0]))
 
     def travelled_between(self, first: Mark, last: Mark) -> float:
-        """TCP travel [m] of the visible motion from one mark to a later one.
+        """Return the TCP travel [m] of the visible motion from one mark to a later one.
 
         Guidance and corrections by a sensor are measured along chords of `_CHORD_S`.
         """
@@ -262,7 +262,7 @@ class Trajectory:
             steps = max(1, math.ceil((last.time_s - first.time_s) / _CHORD_S))
             samples = self.at(np.linspace(first.time_s, last.time_s, steps + 1))
             chords = np.diff(samples.base_from_tcp.translation, axis=0)
-            # Another tool has another TCP, which is no travel.
+            # A change of tool changes the TCP, which is not travel.
             same = np.diff(samples.move) == 0
             return float(np.sum(np.linalg.norm(chords[same], axis=1)))
         if last.place_m <= first.place_m:
@@ -275,10 +275,10 @@ class Trajectory:
         return float(np.sum(self._travelled(row, until) - self._travelled(row, since)))
 
     def at(self, times: Array, *, coarse: bool = False) -> Samples:
-        """The arm at some instants (k,) [s], in any order.
+        """Return the arm at some instants (k,) [s], in any order.
 
-        Where it is `coarse`, axes are within 1e-6 rad or m, which is found in half of the time, or
-        a quarter where moves are short.
+        With `coarse`, axes are within 1e-6 rad or m, which takes half of the time, or a quarter if
+        moves are short.
         """
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         samples = self._planned(times, coarse) if self._command.last_row else self._standing(times)
@@ -291,7 +291,7 @@ class Trajectory:
         return samples
 
     def postures(self, times: Array) -> JointSamples:
-        """The axes at some instants (k,) [s], in any order, as a coarse `at` has them."""
+        """Return the axes at some instants (k,) [s], in any order, as accurate as a coarse `at`."""
         if not self._command.last_row or not self._by_axes or self._corrected:
             samples = self.at(times)
             return JointSamples(samples.move, samples.joints, samples.external)
@@ -310,14 +310,14 @@ class Trajectory:
         return self._smoothing == "axes" and self._windows.filter_time > 0.0
 
     def _guided_sections(self, times: Array) -> Iterator[tuple[GuidedSection, Mask]]:
-        """The stretches that decide some instants (k,) [s], and which."""
+        """Yield guided sections that determine some instants (k,) [s], with a mask of these."""
         for one in self._guided:
             held = (one.section.start_s <= times) & (times <= one.until_s)
             if held.any():
                 yield one.section, held
 
     def _planned(self, times: Array, coarse: bool) -> Samples:
-        """The arm on its path."""
+        """Return the arm on its path."""
         row, way, speed = self._visible(times)
         by_axes = self._by_axes
         joints = np.empty((len(times), self._command.piece(1).path.axis_count))
@@ -326,7 +326,7 @@ class Trajectory:
             joints, rates = mean_joints(self._command, self._windows, times, coarse=coarse)
         pose = Transform(np.empty((len(times), 3, 3)), np.empty((len(times), 3)))
         move, tcp_speed = np.empty(len(times), dtype=np.int64), np.empty(len(times))
-        # Before the first piece the arm stands where it begins, with the tool it begins with.
+        # Before the first piece the arm is at its start, with its tool.
         for path, s, at, first in self._command.on_paths(row, way):
             if by_axes:
                 tcp, segment, tcp_speed[at] = path.nearby_state(s, joints[at], rates[at], speed[at])
@@ -341,9 +341,9 @@ class Trajectory:
         return Samples(times, move, arm, pose, tcp_speed, external)
 
     def directions(self, times: Array) -> Array:
-        """Directions (k, 3) of the path at instants (k,) [s], in base; 0 if it has none.
+        """Return directions (k, 3) of the path at instants (k,) [s], in base; 0 if it has none.
 
-        For an arm at rest, the direction in which the path ended there, or begins.
+        For an arm at rest: the direction of the path that ended there, or begins there.
         """
         ways = np.zeros((len(times), 3))
         if not self._command.last_row:
@@ -356,10 +356,10 @@ class Trajectory:
         return unit
 
     def off_path(self, samples: Samples) -> Array:
-        """Distances (k,) [m] of the TCP of samples from where smoothing along the path puts it.
+        """Return distances (k,) [m] of sampled TCPs from the motion with path smoothing.
 
-        Zero if the motion is smoothed like that; else at least the distance from the commanded
-        path.
+        Zero if the motion is smoothed like that; else a lower bound of the distance from the
+        commanded path.
         """
         off = np.zeros(len(samples.times))
         if self._smoothing == "path" or not self._command.last_row:
@@ -373,7 +373,7 @@ class Trajectory:
         return off
 
     def _standing(self, times: Array) -> Samples:
-        """The arm at its start."""
+        """Return the arm at its start."""
         count = len(times)
         pose = self._start.base_from_tcp
         return Samples(
@@ -387,26 +387,26 @@ class Trajectory:
 
     @property
     def times(self) -> Array:
-        """Instants (k,) [s] every `SAMPLE_STEP_S` from 0, and the last of visible motion."""
+        """Instants (k,) [s] every `SAMPLE_STEP_S` from 0, and the end of visible motion."""
         steps: Array = np.arange(0.0, self.duration, SAMPLE_STEP_S)
         return np.append(steps, self.duration)
 
     @property
     def joints(self) -> Array:
-        """Joints (k, n) [rad] at `times`, computed anew each time; `at` gives more."""
+        """Joints (k, n) [rad] at `times`, computed at each access; `at` also returns poses."""
         times = self.times
-        # In parts, so that a long run does not need the memory for all its solutions at once.
+        # In chunks, so that a long run does not need memory for all its solutions at once.
         parts = np.array_split(times, len(times) // _SAMPLES_AT_ONCE + 1)
         return np.concatenate([self.at(part).joints for part in parts])
 
     def place_at(self, times: Array) -> Array:
-        """Visible position S (k,) [m] of the run at times (k,) [s]."""
+        """Return the visible position S (k,) [m] of the run at times (k,) [s]."""
         row, way, _ = self._visible(np.atleast_1d(np.asarray(times, dtype=np.float64)))
         place: Array = self._command.starts(row)[1] + way
         return place
 
     def speed_at(self, times: Array) -> Array:
-        """Visible speed dS/dt (k,) [m/s] along the path at times (k,) [s]."""
+        """Return the visible speed dS/dt (k,) [m/s] along the path at times (k,) [s]."""
         return self._visible(times)[2]
 
     @overload
@@ -416,22 +416,22 @@ class Trajectory:
     def time_at_place(self, place: Array) -> Array: ...
 
     def time_at_place(self, place: float | Array) -> float | Array:
-        """First time [s] at which the visible motion is at positions S [m] of the run.
+        """Return the first time [s] at which the visible motion is at positions S [m] of the run.
 
         Args:
             place: One position, or positions (k,).
         """
         places = np.atleast_1d(np.asarray(place, dtype=np.float64))
-        # In parts, so that not all of a long run is laid down at once.
+        # In chunks, so that not all paths of a long run are joined at once.
         parts = np.array_split(places, len(places) // _PLACES_AT_ONCE + 1)
         times = np.concatenate([self._times_at(part) for part in parts])
         return times if np.ndim(place) else float(times[0])
 
     def _times_at(self, places: Array) -> Array:
-        """The same of places (k,)."""
+        """Return the first times (k,) [s] of the visible motion at positions S (k,) [m]."""
         times = self._command.time_at(places)
         if self._windows.filter_time > 0.0:
-            # The mean over a window has passed what the command passed before it.
+            # The mean over a window passes a position after the command has.
             wanted = places - ROUNDING_M
             times = first_crossing(
                 lambda now, row: self.place_at(now) - wanted[row],
@@ -442,7 +442,7 @@ class Trajectory:
         return times
 
     def _visible(self, times: Array) -> tuple[Index, Array, Array]:
-        """Row (k,), way (k,) [m] since its start and speed dS/dt (k,) [m/s] of the motion."""
+        """Return row (k,), distance (k,) [m] since its start, and speed dS/dt (k,) [m/s]."""
         command, windows = self._command, self._windows
         if windows.filter_time == 0.0:
             row = command.row_at(times)
@@ -455,7 +455,7 @@ class Trajectory:
         return *self._row_of(oldest, way + mean), speed
 
     def _row_of(self, oldest: Index, arc_length: Array) -> tuple[Index, Array]:
-        """Move ways (k,) [m] counted from rows (k,) on to the rows that hold them."""
+        """Convert distances (k,) [m] counted from rows (k,) to the rows that contain them."""
         row, arc_length = oldest.copy(), np.maximum(arc_length, 0.0)
         while True:
             whole = self._command.increases(row)
@@ -469,7 +469,7 @@ class Trajectory:
 
 
 def _lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:
-    """Let samples, some of which are beside the path, be there."""
+    """Apply a correction to the samples that it determines."""
     times = samples.times[mask]
     ways = section.offsets_at(times)
     joints = section.joints(samples.joints[mask], ways)
@@ -481,7 +481,7 @@ def _lead(samples: Samples, section: CorrectedSection, mask: Mask) -> None:
 
 
 def _guide(samples: Samples, section: GuidedSection, mask: Mask) -> None:
-    """Let samples, of which a stretch decides some, say what that says."""
+    """Replace the samples that a guided section determines."""
     times = samples.times[mask]
     joints = section.joints_at(times)
     pose = section.tcp_at(joints)

@@ -1,6 +1,6 @@
 """Zeros of non-decreasing functions: many at once, each within its own bracket.
 
-Bracketed inverse quadratic interpolation, halving where that does not pay.
+Bracketed inverse quadratic interpolation, or bisection where that is not worthwhile.
 
 Source:
     Chandrupatla (1997), A new hybrid quadratic/bisection algorithm for finding the zero of a
@@ -28,10 +28,10 @@ def first_crossing(
     *,
     within: float = 0.0,
 ) -> Array:
-    """Where each function ceases to be negative.
+    """Return the arguments at which functions cease to be negative.
 
     Args:
-        function: Values (m,) at arguments (m,) of the functions given by an index (m,).
+        function: Returns values (m,) at arguments (m,) of the functions with indices (m,).
         early: Lower bounds (k,).
         late: Upper bounds (k,).
         within: Absolute tolerance.
@@ -44,7 +44,7 @@ def first_crossing(
     at_early, at_late = function(early, everything), function(late, everything)
     found = np.where(at_early >= 0.0, early, late)
     row = np.flatnonzero((at_early < 0.0) & (at_late >= 0.0))
-    # a and b enclose the zero, c is the end that b or a took the place of.
+    # a and b enclose the zero, c is the end that a or b replaced.
     a, b, fa, fb = late[row], early[row], at_late[row], at_early[row]
     share = np.full(len(row), 0.5)
     for _ in range(_MOST_STEPS):
@@ -67,8 +67,8 @@ def first_crossing(
 
 
 def _share(a: Array, b: Array, c: Array, fa: Array, fb: Array, fc: Array) -> Array:
-    """The next place as a share of the way from a to b."""
-    # Where functions stand still there is no way to interpolate.
+    """Return the next argument as a share of the distance from a to b."""
+    # Constant functions do not allow interpolation.
     pays = (fa != 0.0) & (fb != 0.0) & (fc != fa) & (fc != fb)
     xi = (a - b) / (c - b)
     phi = (fa - fb) / np.where(pays, fc - fb, 1.0)

@@ -1,4 +1,4 @@
-"""How the orientation of a trajectory changes between points, compared with a linear blend."""
+"""Rotation rates of a trajectory between points, compared with linear quaternion interpolation."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ class AttitudeRates:
     rate: Array
     """Shape (k,) [rad/s]."""
     linear_angle: Array | None
-    """The same if quaternions were interpolated linearly, and made unit; None where no straight way
-    between two attitudes is driven."""
+    """Shape (k,) [rad] for linear interpolation of quaternions, normalised; None unless the path
+    between two attitudes is a line."""
     linear_rate: Array | None
 
 
 def attitude_rates(followed: FollowedTrajectory) -> AttitudeRates:
-    """The rotations of a trajectory."""
+    """Return the rotation rates of a trajectory."""
     samples = followed.samples
     begins = np.flatnonzero(np.diff(samples.move, prepend=-1))
     first = begins[np.searchsorted(begins, np.arange(len(samples.times)), side="right") - 1]
@@ -40,12 +40,12 @@ def attitude_rates(followed: FollowedTrajectory) -> AttitudeRates:
         return AttitudeRates(angle, rate, None, None)
     blended = np.zeros_like(angle)
     blended[1:] = _between(linear[:-1], linear[1:]) / np.diff(samples.times)
-    # Where one stretch ends and the next begins both stand on the point.
+    # The end of one section and the start of the next are both at the point.
     return AttitudeRates(angle, rate, _between(linear[first], linear), blended)
 
 
 def unbroken(quaternions: Array) -> Array:
-    """The same orientations (k, 4) without sign changes: q and -q are one orientation."""
+    """Return orientations (k, 4) without sign changes: q and -q are one orientation."""
     flips = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0.0
     signs = np.concatenate([[1.0], np.where(np.cumsum(flips) % 2 == 1, -1.0, 1.0)])
     same: Array = quaternions * signs[:, None]
@@ -53,7 +53,7 @@ def unbroken(quaternions: Array) -> Array:
 
 
 def _linear(followed: FollowedTrajectory) -> Array | None:
-    """Quaternions (k, 4) on the same ways with the same profiles, blended linearly."""
+    """Return quaternions (k, 4) along the lines with their profiles, interpolated linearly."""
     attitudes = followed.attitudes
     if followed.plan.kind is not Way.LINE or attitudes.shape[1] != 4:
         return None
@@ -78,7 +78,7 @@ def _linear(followed: FollowedTrajectory) -> Array | None:
 
 
 def _between(a: Array, b: Array) -> Array:
-    """Angles (k,) [rad] between quaternions (k, 4)."""
+    """Return angles (k,) [rad] between quaternions (k, 4)."""
     sign = np.where(np.sum(a * b, axis=-1, keepdims=True) < 0.0, -1.0, 1.0)
     chord = np.linalg.norm(b * sign - a, axis=-1)
     rest = np.linalg.norm(b * sign + a, axis=-1)

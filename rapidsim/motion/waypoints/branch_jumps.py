@@ -1,4 +1,4 @@
-"""Finds where an arm that follows a path of its TCP would have to jump."""
+"""Detection of joint jumps of an arm that follows a path of its TCP."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.waypoints.plan import TcpMotion
 
 LARGEST_STEP = 0.5
-"""[rad] between two samples; no axis turns so fast."""
+"""Largest step [rad] of an axis between two samples; faster motion is a jump."""
 _SMOOTH = 0.1
-"""[rad]; less than this the joints half-way between two samples are off their mean."""
+"""Deviation [rad] of the joints midway between two samples from their mean without a jump."""
 _HALVINGS = 24
-"""Of the time between two samples, after which a change of branch is one of the path itself."""
+"""Bisections of the time between two samples, after which a branch change is on the path itself."""
 
 
 def jump_on(
     robot: Robot, motion: TcpMotion, tcp_from_flange: Transform, times: Array, joints: Array
 ) -> tuple[int, int, float] | None:
-    """Where an arm would have to jump: the sample before, the joint, by how much [rad].
+    """Return sample before, joint and size [rad] of a jump of the arm; None if there is none.
 
     A jump occurs between two samples, and may be hidden: close to a singularity joints on two
-    branches nearly meet, and only the poses in between tell whether the path goes from one to the
-    other.
+    branches nearly coincide, and only the poses in between show whether the path passes from one to
+    the other.
     """
     step = np.abs(turning(np.diff(joints, axis=0), robot.kinematics.turns))
     row, joint = (int(i) for i in np.unravel_index(np.argmax(step), step.shape))

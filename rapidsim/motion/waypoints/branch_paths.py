@@ -1,8 +1,8 @@
-"""Follows a path of the TCP in each configuration separately, over its whole length.
+"""Following of a TCP path in each configuration separately, over its whole length.
 
-An arm cannot change its configuration on a path without passing a singularity. Taken one by one,
-each configuration either works throughout, or has a joint past its limit, an unreachable pose, or a
-jump; the worst over the whole path is reported.
+An arm cannot change its configuration on a path without passing a singularity. Each configuration
+either works throughout, or has a joint past its limit, an unreachable pose, or a jump; the worst
+over the whole path is reported.
 """
 
 from __future__ import annotations
@@ -25,27 +25,27 @@ from rapidsim.motion.waypoints.branch_jumps import LARGEST_STEP
 from rapidsim.values import value_class
 
 _EXACT = 1e-9
-"""[m]; a wrist centre that is less beyond reach was rounded."""
+"""Distance [m] beyond reach of a wrist centre that is only rounding."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class BranchPath:
-    """One configuration along a path."""
+    """Joints of one configuration along a path."""
 
     confdata: tuple[int, ...]
-    """At the first pose: cf1, cf4, cf6, cfx."""
+    """Values at the first pose: cf1, cf4, cf6, cfx."""
     joints: Array
     """Shape (k, n) [rad]; 0 where it does not reach the pose."""
     message: str | None
-    """Why the arm cannot go all the way in it; None where it can."""
+    """Reason why the whole path is infeasible in it; None if it is feasible."""
     row: int
-    """The pose at which that begins; 0 where there is nothing."""
+    """First affected pose; 0 if feasible."""
     severity: tuple[int, float]
-    """By what configurations are compared: the smaller is the nearer to being possible."""
+    """Sort key of configurations: the smaller, the closer to feasible."""
 
     @property
     def travel(self) -> float:
-        """The total joint motion [rad]."""
+        """Total joint motion [rad]."""
         return float(np.abs(np.diff(self.joints, axis=0)).sum())
 
 
@@ -57,11 +57,11 @@ def branch_paths(
     Args:
         robot: An arm whose solutions confdata distinguishes.
         base_from_flange: Poses (k,), close to one another.
-        first: Joints (n,) [rad] at the first pose: that configuration takes their whole turns. The
-            others take turns within the limits, if there are any.
+        first: Joints (n,) [rad] at the first pose: their configuration uses their whole turns.
+            The other configurations use turns within the limits, if possible.
 
     Returns:
-        The closest to feasible first; none if the first pose is out of reach.
+        Paths, the closest to feasible first; empty if the first pose is out of reach.
     """
     arm = robot.kinematics
     own = None if first is None else int(arm.branch_of(first))
@@ -79,7 +79,7 @@ def branch_paths(
 
 
 def _shift(robot: Robot, joints: Array) -> Array:
-    """Whole turns (n,) [rad] that bring the middle of each joint's way nearest to its range."""
+    """Whole turns (n,) [rad] that shift the middle of each joint's travel nearest to its range."""
     middle = 0.5 * (joints.min(axis=0) + joints.max(axis=0))
     return whole_turns(turns_within_limits(robot, middle) - middle, robot.kinematics.turns)
 

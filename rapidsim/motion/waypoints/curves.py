@@ -17,13 +17,13 @@ from rapidsim.motion.waypoints.points import between, posed
 from rapidsim.values import value_class
 
 _CELLS = 16
-"""Stretches of a spline between two knots whose lengths are found apart."""
+"""Number of sections of a spline between two knots whose lengths are computed separately."""
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 _NEWTON_STEPS = 6
 
 
 class Curve(Protocol):
-    """A curve that is run from rest to rest."""
+    """A curve that is followed from rest to rest."""
 
     @property
     def length(self) -> float:
@@ -32,17 +32,17 @@ class Curve(Protocol):
 
     @property
     def travel(self) -> float:
-        """How far the TCP travels [m]; less than the length if it turns more than it travels."""
+        """Travel [m] of the TCP; less than the length if it turns more than it travels."""
         ...
 
     def at(self, place: Array) -> Transform:
-        """base_from_tcp (k,) at positions (k,) [m]."""
+        """Return base_from_tcp (k,) at positions (k,) [m]."""
         ...
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class StraightLine:
-    """The TCP on a straight line, its orientation turning evenly."""
+    """The TCP on a straight line, with uniform rotation."""
 
     start: Array
     """Shape (3,) [m]."""
@@ -97,15 +97,15 @@ class BaseArc:
 
 @value_class(frozen=True, eq=False)
 class SplineCurve:
-    """The TCP on a spline; quaternions are splined likewise and normalised."""
+    """The TCP on a spline; quaternions are interpolated by a spline and normalised."""
 
     positions: Piecewise
-    """Of the knots' parameter, [m]."""
+    """Position [m] as a function of the knots' parameter."""
     attitudes: Piecewise
 
     @cached_property
     def _cells(self) -> tuple[Array, Array]:
-        """Parameters and ways [m] at the ends of all cells, (c + 1,) each."""
+        """Parameters and arc lengths [m] at the ends of all cells, (c + 1,) each."""
         breaks = self.positions.breaks
         share = np.arange(_CELLS) / _CELLS
         inner = (breaks[:-1, None] + share * np.diff(breaks)[:, None]).reshape(-1)
@@ -123,7 +123,7 @@ class SplineCurve:
         return self.length
 
     def parameter(self, place: Array) -> Array:
-        """The spline's parameter (k,) at positions (k,) [m]."""
+        """Return the spline's parameter (k,) at positions (k,) [m]."""
         ends, ways = self._cells
         cell = np.clip(np.searchsorted(ways, place, side="right") - 1, 0, len(ends) - 2)
         low, high = ends[cell], ends[cell + 1]
@@ -142,7 +142,7 @@ class SplineCurve:
         return posed(self.positions.at(parameter), self.attitudes.at(parameter))
 
     def _length(self, start: Array, end: Array) -> Array:
-        """Length (k,) [m] between parameters (k,) of one cell."""
+        """Return the length (k,) [m] between parameters (k,) of one cell."""
         half = 0.5 * (end - start)
         nodes = (0.5 * (start + end))[:, None] + half[:, None] * _GAUSS
         speed = np.linalg.norm(self.positions.at(nodes.reshape(-1), 1), axis=1)

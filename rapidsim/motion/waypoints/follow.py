@@ -1,4 +1,4 @@
-"""Follows points: chooses branches, solves for the joints, and measures the deviations.
+"""Following of points: branch choice, inverse kinematics, and measured deviations.
 
 Deviations compare the TCP, by forward kinematics of the solved joints, with the request.
 """
@@ -38,7 +38,7 @@ MOST_SAMPLES = 200_000
 _SAME_INSTANT = 1e-9
 """[s]"""
 _CHORDS = 64
-"""Of a straight way in joint space, from which the way of its TCP is found."""
+"""Number of chords of a joint-space line, from which the travel of its TCP is computed."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -49,27 +49,27 @@ class FollowedTrajectory:
     robot: Robot
     points: Points
     attitudes: Array
-    """At each point, (k, 4) or (k, 1)."""
+    """Shape (k, 4) or (k, 1): attitude at each point."""
     flange_from_tcp: Transform
     samples: Samples
-    """`move` is the point, counted from 0, from which the arm comes."""
+    """`move` is the index of the previous point, counted from 0."""
     wanted: Transform
-    """base_from_tcp (k,) that was asked for; on ways in joint space what came of it."""
+    """Requested base_from_tcp (k,); for joint-space paths the resulting one."""
     deviation: Array
-    """Distance (k,) [m] of the TCP from what was asked: the same instant on ways of the TCP, the
-    straight line between the points on ways of the joints."""
+    """Distance (k,) [m] of the TCP from the request: at the same instant on paths of the TCP, from
+    the straight line between the points on joint-space paths."""
     turn_deviation: float
-    """Largest turn [rad] off the attitude asked for; 0 on ways of the joints."""
+    """Largest rotation [rad] from the requested attitude; 0 on joint-space paths."""
     joint_peaks: Array
     """Largest speed (n,) [rad/s]."""
     overshoot: Array
-    """How far (n,) [rad] joints go beyond the points beside them, on ways in joint space."""
+    """Distance (n,) [rad] of joints beyond the adjacent points, on joint-space paths."""
     path_length: float
     """Travel of the TCP [m]."""
     peak_speed: float
-    """Of the TCP [m/s]."""
+    """Peak speed of the TCP [m/s]."""
     poses_solved: int
-    """How often inverse kinematics was asked for a pose."""
+    """Number of poses solved by inverse kinematics."""
     dt: float
     """Time [s] between samples."""
 
@@ -90,7 +90,7 @@ class FollowedTrajectory:
 
     @property
     def from_chord(self) -> float:
-        """The maximum distance [m] of the TCP from the straight lines between the points."""
+        """Maximum distance [m] of the TCP from the straight lines between the points."""
         tcp = self.samples.base_from_tcp.translation
         return float(_off_the_chord(tcp, self.points.positions, self.samples.move).max())
 
@@ -119,16 +119,16 @@ def follow(
 
     Args:
         robot: The arm.
-        points: Two or more.
+        points: Two or more points.
         attitudes: The attitude at each, (k, 4) or (k, 1); see `reachability.reach`.
         flange_from_tcp: The tool.
         plan: The requested trajectory.
-        start: Joints (n,) [rad] near which to begin; without them, those with the least motion.
-        first: Required joints (n,) [rad] at the first point.
+        start: Joints (n,) [rad] near which to begin; None for those with the least motion.
+        first: Required joints (n,) [rad] at the first point; None if free.
         dt: Time [s] between samples.
 
     Returns:
-        The trajectory, or why there is none.
+        The trajectory, or the reason for refusing it.
     """
     if len(points) < 2:
         return Refused(f"a trajectory needs two points or more, not {len(points)}")
@@ -165,7 +165,7 @@ def follow(
 
 
 def _joint_motion_lengths(robot: Robot, knots: Array, flange_from_tcp: Transform) -> Array:
-    """How far the TCP goes (k - 1,) [m] where all joints turn evenly between knots (k, n)."""
+    """Return the TCP travel (k - 1,) [m] of linear joint motions between knots (k, n)."""
     share = np.linspace(0.0, 1.0, _CHORDS + 1)[:, None, None]
     joints = knots[:-1] + share * np.diff(knots, axis=0)
     tcp = (robot.forward(joints) @ flange_from_tcp).translation
@@ -268,7 +268,7 @@ def _of_joints(
 
 
 def _tcp_velocity(robot: Robot, joints: Array, speeds: Array, tcp: Array) -> Array:
-    """Velocity (k, 3) [m/s] of TCPs (k, 3) [m] from joint speeds (k, n) [rad/s]."""
+    """Return the velocity (k, 3) [m/s] of TCPs (k, 3) [m] for joint speeds (k, n) [rad/s]."""
     twist = np.einsum("kij,kj->ki", robot.kinematics.jacobian(joints), speeds)
     arm = tcp - robot.forward(joints).translation
     velocity: Array = twist[:, :3] + np.cross(twist[:, 3:], arm)
@@ -276,7 +276,7 @@ def _tcp_velocity(robot: Robot, joints: Array, speeds: Array, tcp: Array) -> Arr
 
 
 def _off_the_chord(tcp: Array, points: Array, segment: npt.NDArray[np.int64]) -> Array:
-    """Distances (k,) [m] of places (k, 3) from the straight lines between points (p, 3)."""
+    """Return distances (k,) [m] of positions (k, 3) from straight lines between points (p, 3)."""
     start, along = points[segment], np.diff(points, axis=0)[segment]
     square = np.maximum(np.sum(along**2, axis=1), 1e-300)
     share = np.clip(np.sum((tcp - start) * along, axis=1) / square, 0.0, 1.0)
@@ -285,7 +285,7 @@ def _off_the_chord(tcp: Array, points: Array, segment: npt.NDArray[np.int64]) ->
 
 
 def _times(breaks: Array, dt: float) -> Array | Refused:
-    """Every `dt` from 0, with all breaks among them."""
+    """Return every `dt` from 0, with all breaks among them."""
     end = float(breaks[-1])
     if end / dt > MOST_SAMPLES:
         return Refused(

@@ -1,6 +1,6 @@
-"""The sphere around the base that a trajectory keeps out of, and paths around it.
+"""Sphere around the base that a trajectory stays out of, and paths around it.
 
-Near the base an arm folds up, and a small motion of the TCP requires large ones of its axes.
+Near the base an arm is folded, and a small motion of the TCP requires large axis motions.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from rapidsim.motion.waypoints.curves import BaseArc, Curve, SplineCurve, Straig
 from rapidsim.motion.waypoints.points import between
 
 _ROUNDING = 1e-9
-"""[m]; so far inside counts as on the sphere."""
+"""Depth [m] inside the sphere that still counts as on the sphere."""
 _PLACES = 2000
-"""Of a spline, where its distance from the base is looked at."""
+"""Number of points of a spline at which its distance from the base is evaluated."""
 
 
 class ThroughBaseError(ValueError):
-    """A line goes through the centre of the sphere: all paths around it are equally long."""
+    """A line passes through the centre of the sphere: all paths around it are equally long."""
 
 
 def nearest(curve: Curve) -> float:
-    """The minimum distance [m] of a curve from the origin of the base."""
+    """Return the minimum distance [m] of a curve from the origin of the base."""
     match curve:
         case StraightLine():
             along = curve.end - curve.start
@@ -41,17 +41,17 @@ def nearest(curve: Curve) -> float:
 
 
 def around(line: StraightLine, radius: float) -> tuple[Curve, ...]:
-    """A line with the part inside a sphere [m] around the base pushed out to the sphere.
+    """Return a line with the part inside a sphere [m] around the base replaced by an arc on it.
 
     Args:
-        line: Its ends are outside the sphere, or on it.
-        radius: Of the sphere [m].
+        line: A line with ends outside the sphere, or on it.
+        radius: Radius of the sphere [m].
 
     Returns:
         The line itself, or its parts before and after an arc.
 
     Raises:
-        ThroughBaseError: If the line goes through the centre.
+        ThroughBaseError: If the line passes through the centre.
     """
     closest = nearest(line)
     if closest > radius - _ROUNDING:
@@ -64,7 +64,7 @@ def around(line: StraightLine, radius: float) -> tuple[Curve, ...]:
     half = sqrt(radius**2 - closest**2)
     first, last = (middle - half) / way, (middle + half) / way
     entry, leave = (line.start + share * along for share in (first, last))
-    # The ends to the last bit on the sphere, so that arc and lines meet.
+    # Both points are on the sphere to the last bit, so that arc and lines meet.
     entry, leave = (radius * point / np.linalg.norm(point) for point in (entry, leave))
     turned = between(line.start_attitude, line.end_attitude, np.array([first, last]))
     angle = float(np.arctan2(np.linalg.norm(np.cross(entry, leave)), entry @ leave))
@@ -79,10 +79,10 @@ def around(line: StraightLine, radius: float) -> tuple[Curve, ...]:
 
 
 def pushed_out(positions: Array, radius: float) -> Array:
-    """Positions (k, 3) [m] with those inside a sphere [m] moved radially to its surface.
+    """Return positions (k, 3) [m], those inside a sphere [m] moved radially to its surface.
 
     Raises:
-        ThroughBaseError: If one is at the centre.
+        ThroughBaseError: If a position is at the centre.
     """
     distance = np.linalg.norm(positions, axis=1, keepdims=True)
     if (distance < _ROUNDING).any():

@@ -13,32 +13,32 @@ from rapidsim.frames.transform import Array
 from rapidsim.values import value_class
 
 _NEGLIGIBLE = 1e-12
-"""Share of a polynomial's largest coefficient below which one is rounding."""
+"""Share of a polynomial's largest coefficient below which a coefficient is rounding."""
 _REAL = 1e-6
-"""Imaginary part of a root that rounding leaves of a double one."""
+"""Imaginary part of a double root that is due to rounding."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Piecewise:
-    """A function of one number with d components, a polynomial between breaks."""
+    """Function of one variable with d components, a polynomial between breaks."""
 
     breaks: Array
     """Shape (m + 1,), not falling."""
     coefficients: Array
-    """Shape (m, p, d): of each piece, lowest power first, in the distance from its first break."""
+    """Shape (m, p, d): for each piece, lowest power first, in the distance from its first break."""
 
     @property
     def end(self) -> float:
-        """The last break."""
+        """Last break."""
         return float(self.breaks[-1])
 
     def piece(self, x: Array) -> np.ndarray[tuple[int, ...], np.dtype[np.int64]]:
-        """The piece (k,) that contains each point (k,); the outer ones continue beyond the ends."""
+        """Return the piece (k,) at each point (k,); the outer ones continue beyond the ends."""
         found = np.searchsorted(self.breaks, x, side="right") - 1
         return np.clip(found, 0, len(self.coefficients) - 1).astype(np.int64)
 
     def at(self, x: Array, derivative: int = 0) -> Array:
-        """Values, or a derivative, (k, d) at points (k,)."""
+        """Return values, or a derivative, (k, d) at points (k,)."""
         piece = self.piece(x)
         local = (x - self.breaks[piece])[:, None]
         rows = self.coefficients[piece]
@@ -50,7 +50,7 @@ class Piecewise:
         return value
 
     def extremes(self, derivative: int = 0) -> tuple[Array, Array]:
-        """The minimum and maximum value, or derivative, of each piece: two arrays (m, d)."""
+        """Return minimum and maximum value, or derivative, of each piece: two arrays (m, d)."""
         count, powers, components = self.coefficients.shape
         rows = self.coefficients.transpose(0, 2, 1).reshape(-1, powers)
         for _ in range(derivative):
@@ -64,14 +64,14 @@ class Piecewise:
         return values.min(axis=1).reshape(shape), values.max(axis=1).reshape(shape)
 
     def peak(self, derivative: int) -> Array:
-        """The maximum magnitude (d,) of a derivative."""
+        """Return the maximum magnitude (d,) of a derivative."""
         low, high = self.extremes(derivative)
         largest: Array = np.maximum(np.abs(low), np.abs(high)).max(axis=0)
         return largest
 
 
 def _turning_points(rows: Array) -> Array:
-    """Places (k, c) in 0..1 where polynomials (k, p) turn, their ends always among them."""
+    """Return points (k, c) in 0..1 where polynomials (k, p) have extremes, and both ends."""
     slopes = rows[:, 1:] * np.arange(1, rows.shape[1])
     places = np.zeros((len(rows), max(rows.shape[1], 2)))
     places[:, 1] = 1.0
@@ -91,10 +91,10 @@ def _turning_points(rows: Array) -> Array:
 
 
 def integrated(widths: Array, accelerations: Array) -> Piecewise:
-    """The position, from rest at 0, with a piecewise given second derivative.
+    """Return the position, from rest at 0, for a piecewise polynomial second derivative.
 
     Args:
-        widths: Shape (m,): the length of each piece; those of zero length are left out.
+        widths: Shape (m,): length of each piece; pieces of zero length are omitted.
         accelerations: Shape (m, p): a polynomial for each piece, lowest power first.
 
     Returns:

@@ -1,6 +1,6 @@
-"""The plan of a trajectory through points: its path, profile and speeds, and what it avoids.
+"""Plan of a trajectory through points: its path, profile and speeds, and a sphere to avoid.
 
-From a `Plan` and points to curves with time laws, or a joint polynomial, before joints are solved.
+Converts a `Plan` and points to curves with time laws, or a joint polynomial, before IK.
 """
 
 from __future__ import annotations
@@ -23,24 +23,24 @@ from rapidsim.motion.waypoints.velocity_profiles import Profile, law
 from rapidsim.values import value_class
 
 _NOTHING = 1e-12
-"""[m]; a shorter stretch takes no time."""
+"""Length [m] below which a section takes no time."""
 
 
 class Way(StrEnum):
-    """How a trajectory gets from point to point."""
+    """Kind of path between points."""
 
     LINE = "line"
     """Straight, with a stop at each point."""
     SPLINE = "spline"
-    """On one smooth curve of the TCP through all points, with a stop at its ends only."""
+    """One smooth curve of the TCP through all points, with stops only at its ends."""
     JOINT = "joint"
-    """All joints evenly, with a stop at each point: what MoveJ does."""
+    """All joints linear, with a stop at each point, as with MoveJ."""
     JOINT_QUINTIC = "joint-quintic"
-    """Each joint on polynomials of degree 5 with given speeds and accelerations at the points."""
+    """Joint polynomials of degree 5 with specified speeds and accelerations at the points."""
 
     @property
     def of_tcp(self) -> bool:
-        """Whether the path is one of the TCP; otherwise it is one of the joints."""
+        """Whether the path is defined for the TCP, else for the joints."""
         return self in (Way.LINE, Way.SPLINE)
 
 
@@ -51,62 +51,62 @@ class Plan:
     kind: Way = Way.LINE
     profile: Profile = Profile.TRAPEZOID
     speed: float = 0.1
-    """Greatest speed of the TCP [m/s]; in joint space it sets the time between points."""
+    """Maximum speed of the TCP [m/s]; in joint space it determines the time between points."""
     acceleration: float = 1.0
-    """Greatest acceleration along the way [m/s2]."""
+    """Maximum acceleration along the path [m/s2]."""
     turn_speed: float = 0.5 * pi
-    """[rad/s]; where the TCP turns more than it travels, this sets the time."""
+    """Rotation speed [rad/s]; determines the time if the TCP turns more than it travels."""
     ease: float = 0.2
     """Share of the time at rest at either end of the sigmoid."""
     least_radius: float = 0.0
-    """Distance [m] from the origin of the base that the TCP keeps; 0 for none."""
+    """Minimum distance [m] of the TCP from the origin of the base; 0 for none."""
     avoid: bool = False
-    """Whether lines are led around the sphere of that radius; otherwise they are refused. Points
-    must lie outside; `sphere.pushed_out` moves them."""
+    """Whether lines are routed around the sphere of that radius, else refused. Points must be
+    outside; `keep_out_sphere.pushed_out` moves them."""
 
 
 @value_class(frozen=True, slots=True)
 class Refused:
-    """Why a trajectory cannot be made."""
+    """Refusal of a trajectory, with the reason."""
 
     message: str
     help: str | None = None
     segment: int | None = None
-    """The stretch after this point, counted from 0; None if it is no particular one."""
+    """Index of the point before the affected section, from 0; None if no section is affected."""
     other_branches: tuple[tuple[tuple[int, ...], str | None], ...] = ()
-    """The other configurations at the first point as confdata, and why each does not go all the
-    way; None where it does."""
+    """Other configurations at the first point as confdata, with the reason why each does not follow
+    the whole path; None if it does."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class TcpMotion:
-    """A sequence of curves of the TCP, each from rest to rest."""
+    """Sequence of curves of the TCP, each from rest to rest."""
 
     curves: tuple[Curve, ...]
     laws: tuple[Piecewise, ...]
     owner: npt.NDArray[np.int64]
-    """Shape (m,): the point at which the stretch of each curve begins."""
+    """Shape (m,): point at which the section of each curve begins."""
 
     @property
     def starts(self) -> Array:
-        """The start times of the curves, and the end of the last, (m + 1,) [s]."""
+        """Start times of the curves, and the end of the last, (m + 1,) [s]."""
         return np.concatenate([[0.0], np.cumsum([law.end for law in self.laws])])
 
     @property
     def travel(self) -> float:
-        """The distance travelled by the TCP [m]."""
+        """Distance travelled by the TCP [m]."""
         return float(sum(curve.travel for curve in self.curves))
 
     @property
     def peak_speed(self) -> float:
-        """The maximum speed of the TCP [m/s]."""
+        """Maximum speed of the TCP [m/s]."""
         return max(
             float(law.peak(1)[0]) * curve.travel / curve.length
             for law, curve in zip(self.laws, self.curves, strict=True)
         )
 
     def at(self, times: Array) -> tuple[Transform, npt.NDArray[np.int64]]:
-        """base_from_tcp (k,) at times (k,) [s], and the point at which the current curve begins."""
+        """Return base_from_tcp (k,) at times (k,) [s], and the point at which the curve begins."""
         starts = self.starts
         row = np.clip(np.searchsorted(starts, times, side="right") - 1, 0, len(self.curves) - 1)
         rotations = np.empty((len(times), 3, 3))
@@ -125,11 +125,11 @@ class TcpMotion:
 
 
 def tcp_motion(points: Points, attitudes: Array, plan: Plan) -> TcpMotion | Refused:
-    """The motion of the TCP for a plan with way `LINE` or `SPLINE`.
+    """Return the motion of the TCP for a plan of kind `LINE` or `SPLINE`.
 
     Args:
-        points: Two or more.
-        attitudes: At each point, (k, 4) or (k, 1).
+        points: Two or more points.
+        attitudes: Attitude at each point, (k, 4) or (k, 1).
         plan: The requested trajectory.
     """
     if plan.kind is Way.SPLINE:
@@ -159,15 +159,15 @@ class JointsOverTime:
     trajectory: Piecewise
     """n components [rad] of the time [s]."""
     passed: Array
-    """When each point is passed, (k,) [s]."""
+    """Time [s] at which each point is passed, (k,)."""
 
 
 def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime | Refused:
-    """The motion of the joints for a plan with way `JOINT_QUINTIC`.
+    """Return the motion of the joints for a plan of kind `JOINT_QUINTIC`.
 
     Args:
-        points: Two or more.
-        joints: At each point, (k, n) [rad].
+        points: Two or more points.
+        joints: Joints at each point, (k, n) [rad].
         plan: The requested trajectory.
     """
     times = points.times
@@ -194,11 +194,11 @@ def quintic_motion(points: Points, joints: Array, plan: Plan) -> JointsOverTime 
 
 
 def even_joint_motion(joints: Array, offsets: Array, plan: Plan) -> JointsOverTime | Refused:
-    """All joints in sync from point to point, with a stop at each: way `JOINT`.
+    """Return synchronised joint motion from point to point, with a stop at each: kind `JOINT`.
 
     Args:
-        joints: At each point, (k, n) [rad].
-        offsets: How far the TCP travels in between, (k - 1,) [m].
+        joints: Joints at each point, (k, n) [rad].
+        offsets: TCP travel between points, (k - 1,) [m].
         plan: Profile and speeds.
     """
     breaks, pieces, passed = [np.zeros(1)], [], [0.0]
@@ -246,7 +246,7 @@ def _spline_curve(points: Points, attitudes: Array) -> SplineCurve | Refused:
     if attitudes.shape[1] == 4:
         attitudes = attitudes.copy()
         for before, now in pairwise(attitudes):
-            # Of the two quaternions of an attitude the one nearer to that before.
+            # Of the two quaternions of an attitude, use the one nearer to the previous quaternion.
             now *= -1.0 if float(before @ now) < 0.0 else 1.0
     return SplineCurve(spline(knots, points.positions), spline(knots, attitudes))
 
@@ -254,7 +254,7 @@ def _spline_curve(points: Points, attitudes: Array) -> SplineCurve | Refused:
 def _kept_out(
     points: Points, curves: list[tuple[int, Curve]], plan: Plan
 ) -> list[tuple[int, Curve]] | Refused:
-    """The curves, led around the sphere about the base where the plan says so."""
+    """Return the curves, routed around the sphere about the base if the plan requires it."""
     if plan.least_radius <= 0.0:
         return curves
     kept: list[tuple[int, Curve]] = []

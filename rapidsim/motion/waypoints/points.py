@@ -1,7 +1,7 @@
 """Waypoints, with the attitude of the tool at each.
 
-An attitude is a unit quaternion, or a pitch alone: then the tool is in the vertical plane through
-axis 1 and the point, which is all that an arm with five axes can do and what a pen on a wall needs.
+An attitude is a unit quaternion, or only a pitch: then the tool is in the vertical plane through
+axis 1 and the point, which is all that a five-axis arm can reach and what a pen on a wall needs.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from rapidsim.frames.transform import Array, Transform, matrix_from_quaternion, 
 from rapidsim.values import value_class
 
 _ON_AXIS_1 = 1e-9
-"""[m]; nearer to axis 1 a pitch has no direction, and forward is taken."""
+"""Distance [m] from axis 1 below which a pitch has no direction, and forward is used."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -23,24 +23,24 @@ class Points:
     positions: Array
     """Shape (k, 3) [m]."""
     attitudes: Array | None
-    """Quaternions (k, 4), scalar first, pitches (k, 1) [rad], or None: any pitch will do."""
+    """Quaternions (k, 4), scalar first, pitches (k, 1) [rad], or None if any pitch is allowed."""
     knots: Array | None = None
-    """Shape (k,): parameter of a spline at each point; without it, the length of the chords."""
+    """Shape (k,): parameter of a spline at each point; None for the length of the chords."""
     times: Array | None = None
-    """Shape (k,) [s]: when each is passed; without it, by the speed along the chords."""
+    """Shape (k,) [s]: time at each point; None for times by the speed along the chords."""
     speeds: Array | None = None
-    """Shape (k, n) [rad/s]: joint speeds at each; without it, 0."""
+    """Shape (k, n) [rad/s]: joint speeds at each; None for 0."""
     accelerations: Array | None = None
-    """Shape (k, n) [rad/s2]: joint accelerations at each; without it, 0."""
+    """Shape (k, n) [rad/s2]: joint accelerations at each; None for 0."""
     numbers: npt.NDArray[np.int64] | None = None
-    """Shape (k,): what messages call each; without it, they count from 1."""
+    """Shape (k,): number of each in messages; None to count from 1."""
 
     def __len__(self) -> int:
-        """How many points there are."""
+        """Return the number of points."""
         return len(self.positions)
 
     def some(self, rows: npt.NDArray[np.int64]) -> Points:
-        """A subset of the points, keeping their numbers."""
+        """Return a subset of the points, with their numbers."""
         return Points(
             positions=self.positions[rows],
             attitudes=_rows(self.attitudes, rows),
@@ -52,16 +52,16 @@ class Points:
         )
 
     def number(self, row: int) -> int:
-        """The number of a point in messages."""
+        """Return the number of a point in messages."""
         return row + 1 if self.numbers is None else int(self.numbers[row])
 
     def pair(self, row: int) -> str:
-        """The name in messages of a point and the next."""
+        """Return the name in messages of a point and the next."""
         return f"points {self.number(row)} and {self.number(row + 1)}"
 
 
 def posed(positions: Array, attitudes: Array) -> Transform:
-    """base_from_tcp at positions (k, 3) [m] in attitudes (k, 4) or (k, 1)."""
+    """Return base_from_tcp at positions (k, 3) [m] in attitudes (k, 4) or (k, 1)."""
     if attitudes.shape[-1] == 4:
         return Transform(matrix_from_quaternion(attitudes), positions)
     x, y = positions[..., 0], positions[..., 1]
@@ -75,7 +75,7 @@ def posed(positions: Array, attitudes: Array) -> Transform:
 
 
 def between(start: Array, end: Array, fraction: Array) -> Array:
-    """Attitudes (k, 4) or (k, 1), interpolated at shares (k,) from one to the other."""
+    """Return attitudes (k, 4) or (k, 1), interpolated at shares (k,) between two."""
     if len(start) == 4:
         return slerp(start, end, fraction)
     pitch: Array = start + np.asarray(fraction)[:, None] * (end - start)
@@ -83,7 +83,7 @@ def between(start: Array, end: Array, fraction: Array) -> Array:
 
 
 def turn(start: Array, end: Array) -> float:
-    """The angle [rad] between two attitudes of the same kind."""
+    """Return the angle [rad] between two attitudes of the same kind."""
     if len(start) == 4:
         near = -end if float(start @ end) < 0.0 else end
         chord, rest = np.linalg.norm(near - start), np.linalg.norm(near + start)
@@ -92,10 +92,10 @@ def turn(start: Array, end: Array) -> float:
 
 
 def linear_turn_rates(angle: float) -> tuple[float, float]:
-    """The rates of a rotation if quaternions are interpolated linearly, at its ends and middle.
+    """Return the rates of linear quaternion interpolation, at the ends and middle of a rotation.
 
     Args:
-        angle: Of the whole rotation [rad], below a half turn.
+        angle: Angle of the whole rotation [rad], below a half turn.
 
     Returns:
         Rates [rad] per unit of the interpolation; `slerp` turns at `angle` throughout.

@@ -1,4 +1,4 @@
-"""Reads points from a table: a header that names columns, one line per point, mm and degrees.
+"""Reader of points in a table: a header that names columns, one line per point, mm and degrees.
 
 The result is `Points` in m and rad. Every error is reported with file, line and column.
 """
@@ -37,10 +37,10 @@ def points_from_text(
     """Read the text of a table.
 
     Args:
-        text: Lines; empty ones and those that begin with `#` are ignored.
-        file: Its name in messages.
-        joint_count: How many joints the arm has, for speeds and accelerations at the points.
-        convention: Of the Euler angles e1, e2, e3.
+        text: Lines; empty ones and comments that begin with `#` are ignored.
+        file: File name in messages.
+        joint_count: Number of joints of the arm, for speeds and accelerations at the points.
+        convention: Convention of the Euler angles e1, e2, e3.
 
     Raises:
         InputError: If something is missing, unknown, or not a number.
@@ -98,7 +98,7 @@ def points_from_text(
 
 
 def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) -> tuple[str, ...]:
-    """The columns without units."""
+    """Return the columns without units."""
     where = f"{file}:{line}"
     fields = [field.strip().strip('"').lower() for field in header.split(delimiter)]
     if all(_is_number(field) for field in fields):

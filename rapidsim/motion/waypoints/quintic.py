@@ -2,7 +2,7 @@
 
 Between two points six conditions determine a polynomial of degree 5. It passes through the points
 at the requested times and speeds, and is not restricted in between: it overshoots if a speed at a
-point is too high for the time to the next. `overshoot` gives the amount.
+point is too high for the time to the next. `overshoot` computes the amount.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def quintics(times: Array, joints: Array, speeds: Array, accelerations: Array) -
 
 
 def overshoot(trajectory: Piecewise, joints: Array) -> Array:
-    """How far (n,) [rad] a trajectory leaves the range between adjacent points.
+    """Return the distance (n,) [rad] of a trajectory outside the range between adjacent points.
 
     Args:
         trajectory: One polynomial between each two points.

@@ -1,4 +1,4 @@
-"""Random points in a shell around the base, or where an arm can get: practice material."""
+"""Random points in a shell around the base, or within reach of an arm: practice material."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from rapidsim.motion.configurations.reachability import limit_excess, turns_with
 from rapidsim.motion.robot.robot import Robot
 
 DOWN = (0.0, 1.0, 0.0, 0.0)
-"""The tool straight down, its x axis forward."""
+"""Tool orientation straight down, with its x axis forward."""
 _TRIES = 400
-"""For each point wanted, before there is given up."""
+"""Number of tries per requested point."""
 _BATCH = 512
 
 
 def shell_points(inner: float, outer: float, count: int, seed: int) -> Array:
-    """Points (count, 3) [m] between two spheres around the origin, evenly in the volume.
+    """Return points (count, 3) [m] between two spheres, uniformly distributed in the volume.
 
     Args:
         inner: Radius [m] of the inner sphere.
-        outer: Radius [m] of the outer one.
-        count: How many points.
-        seed: The same seed gives the same points.
+        outer: Radius [m] of the outer sphere.
+        count: Number of points.
+        seed: Equal seeds produce equal points.
     """
     return _in_shell(np.random.default_rng(seed), inner, outer, count)
 
@@ -36,18 +36,18 @@ def reached_points(
     *,
     any_attitude: bool,
 ) -> tuple[Array, Array, int]:
-    """Points in a shell that the arm reaches within its limits, each considered by itself.
+    """Return points in a shell that the arm reaches within its limits, each tested separately.
 
     Args:
         robot: The arm.
         flange_from_tcp: The tool.
         shell: Radii [m] around the base.
-        count: How many to find.
-        seed: The same seed gives the same points.
+        count: Number of points to find.
+        seed: Equal seeds produce equal points.
         any_attitude: Uniformly distributed attitudes; otherwise straight down.
 
     Returns:
-        Positions (k, 3) [m] and quaternions (k, 4), k at most `count`, and how many were tried.
+        Positions (k, 3) [m] and quaternions (k, 4), k at most `count`, and the number of tries.
     """
     rng = np.random.default_rng(seed)
     positions, quaternions, drawn, kept = [np.empty((0, 3))], [np.empty((0, 4))], 0, 0
@@ -77,7 +77,7 @@ def posture_points(
 
 
 def _attitudes(rng: np.random.Generator, count: int) -> Array:
-    """Quaternions (count, 4) of turns evenly from all there are."""
+    """Return uniformly distributed rotations as quaternions (count, 4)."""
     drawn = rng.normal(size=(count, 4))
     drawn *= np.where(drawn[:, :1] < 0.0, -1.0, 1.0)
     unit: Array = drawn / np.linalg.norm(drawn, axis=1, keepdims=True)
@@ -86,7 +86,7 @@ def _attitudes(rng: np.random.Generator, count: int) -> Array:
 
 def _in_shell(rng: np.random.Generator, inner: float, outer: float, count: int) -> Array:
     share, height, turn = rng.random((3, count))
-    # The volume inside grows with the cube of the radius, the area of a cap with its height.
+    # The enclosed volume grows with the cube of the radius, the area of a cap with its height.
     radius = np.cbrt(inner**3 + share * (outer**3 - inner**3))
     z = 2.0 * height - 1.0
     aside = np.sqrt(1.0 - z**2)

@@ -1,6 +1,6 @@
-"""Which points an arm reaches, how far off the others are, and the pitch of a free tool.
+"""Reachability of points, the distance of unreachable ones, and the pitch of a free tool.
 
-A tool with free pitch is kept in the middle of what the joints allow, point by point.
+A free pitch is chosen in the middle of the range that the joints allow, point by point.
 """
 
 from __future__ import annotations
@@ -29,23 +29,23 @@ _PITCHES: Array = _PITCH_STEP * np.arange(-360.0, 360.0)
 
 @value_class(frozen=True, slots=True)
 class PointReach:
-    """The reach of an arm at one point."""
+    """Reachability of one point for an arm."""
 
     reason: Unreachable | None
-    """What keeps it from it; None if it is reached."""
+    """Reason why the point is unreachable; None if it is reached."""
     pitch: float | None = None
-    """The pitch [rad] that was chosen where it is free, or where least is missing."""
+    """Pitch [rad] that was chosen if free, or with the smallest deviation."""
     pitches: tuple[float, float] | None = None
-    """From which pitch to which [rad] the point is reached, where it is free."""
+    """Range of pitches [rad] in which the point is reached, if the pitch is free."""
 
     @property
     def reachable(self) -> bool:
-        """Whether the arm can be there, within its limits."""
+        """Whether the arm reaches the point within its limits."""
         return self.reason is None
 
     @property
     def message(self) -> str | None:
-        """By how much the point is missed, in mm and degrees."""
+        """Description of the deviation in mm and degrees; None if the point is reached."""
         if self.reason is None:
             return None
         if self.pitch is None:
@@ -56,10 +56,10 @@ class PointReach:
 def reach(
     robot: Robot, points: Points, flange_from_tcp: Transform
 ) -> tuple[tuple[PointReach, ...], Array]:
-    """Examine every point by itself.
+    """Return the reachability of every point separately.
 
     Returns:
-        The reach at each, and the attitudes (k, 4) or (k, 1), chosen where they are free.
+        Reachability of each point, and the attitudes (k, 4) or (k, 1), chosen if free.
     """
     if points.attitudes is not None:
         base_from_flange = posed(points.positions, points.attitudes) @ flange_from_tcp.inverse()
@@ -93,7 +93,7 @@ def _in_any_pitch(robot: Robot, position: Array, flange_from_tcp: Transform) -> 
 
 
 def _widest_run(possible: Mask) -> tuple[int, int]:
-    """First and last of the longest run of True in a circle; the last may be beyond its end."""
+    """Return ends of the longest cyclic run of True; the last may be past the end of the array."""
     count = len(possible)
     if possible.all():
         return 0, count - 1

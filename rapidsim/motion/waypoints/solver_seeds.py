@@ -1,4 +1,4 @@
-"""Numerical solvers at poses of a trajectory: the benefit of a start near the solution."""
+"""Numerical solvers at poses of a trajectory: the benefit of a seed near the solution."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ SOLVERS = ("lm", "trf", "bfgs")
 
 @value_class(frozen=True, slots=True)
 class SeededSolve:
-    """A solver at a sequence of poses."""
+    """Result of a solver at a sequence of poses."""
 
     solver: str
     warm: bool
-    """Each begins with the joints of the pose before; else with joints at 0."""
+    """Whether each search is seeded with the joints of the previous pose, else with joints at 0."""
     poses: int
     solved_count: int
     starts: int
-    """In all: one a pose where the first start found it."""
+    """Total number of starts: one per pose if the first start succeeds."""
     iterations: int
     seconds: float
-    """By the clock on the wall; nothing depends on it."""
+    """Wall time [s]; nothing depends on it."""
 
 
 def compared_starts(followed: FollowedTrajectory) -> tuple[SeededSolve, ...]:
-    """Each of SciPy's solvers, cold and warm, at poses spaced evenly along a trajectory."""
+    """Return results of SciPy's solvers, cold and warm, at poses spaced evenly on a trajectory."""
     from rapidsim.motion.configurations.scipy_solvers import search  # noqa: PLC0415
 
     robot, samples = followed.robot, followed.samples

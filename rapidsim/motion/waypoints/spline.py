@@ -1,6 +1,6 @@
 """Cubic not-a-knot splines: the third derivative is continuous at the second point.
 
-Collinear points give a straight line, three points a parabola, two a line.
+The spline of collinear points is a straight line, of three points a parabola, of two a line.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise
 
 
 def spline(knots: Array, values: Array) -> Piecewise:
-    """The cubic spline through values (k, d) at ascending knots (k,)."""
+    """Return the cubic spline through values (k, d) at ascending knots (k,)."""
     width = np.diff(knots)[:, None]
     slope = np.diff(values, axis=0) / width
     bend = _second_derivatives(width, slope)
@@ -26,7 +26,7 @@ def spline(knots: Array, values: Array) -> Piecewise:
 
 
 def _second_derivatives(width: Array, slope: Array) -> Array:
-    """Shape (k, d), from the widths (k - 1, 1) and slopes (k - 1, d) between knots."""
+    """Return second derivatives (k, d), from widths (k - 1, 1) and slopes (k - 1, d) of knots."""
     count = len(width) + 1
     bend: Array = np.zeros((count, slope.shape[1]))
     if count == 2:

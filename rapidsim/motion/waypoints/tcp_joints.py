@@ -1,4 +1,4 @@
-"""Joints along a path of the TCP: in the configuration with the least motion, or why none works."""
+"""Joints along a TCP path: in the configuration with the least motion, or a refusal."""
 
 from __future__ import annotations
 
@@ -31,17 +31,18 @@ def joints_of_tcp(
     start: Array | None,
     first: Array | None,
 ) -> Array | Refused:
-    """Joints (k, n) [rad] at times (k,) [s] of a motion of the TCP.
+    """Return joints (k, n) [rad] at times (k,) [s] of a motion of the TCP.
 
     Args:
         robot: The arm.
         points: The points of the motion, for messages.
         motion: The motion of the TCP.
-        times: Close to one another.
-        tcp_from_flange: The inverse of the tool.
+        times: Times close to one another.
+        tcp_from_flange: Inverse of the tool.
         start: Joints (n,) [rad] near which to begin.
-        first: Joints (n,) [rad] at the first point; without them, if the solution with the least
-            motion would have to change configurations, one that works throughout is taken.
+        first: Joints (n,) [rad] at the first point; if None and the solution with the least
+            motion would have to change configurations, a configuration that works throughout is
+            used.
     """
     wanted, segment = motion.at(times)
     base_from_flange = wanted @ tcp_from_flange
@@ -53,7 +54,7 @@ def joints_of_tcp(
             return joints
     if not has_branches(robot.kinematics):
         return _not_searched(robot, points, base_from_flange, segment, times, joints, jump)
-    # Where no first joints are given, it is told of the configuration that turns least.
+    # Without first joints, the message is about the configuration with the least motion.
     begin = first if first is not None or isinstance(joints, int) else joints[0]
     ways = branch_paths(robot, base_from_flange, begin)
     if first is None:
@@ -72,7 +73,7 @@ def _path_failure(
     candidates: Sequence[BranchPath],
     begin: Array | None,
 ) -> Refused:
-    """Why no configuration goes all the way, or not the one in which the arm begins (n,) [rad]."""
+    """Return the refusal of a path that no configuration follows, or not the initial one."""
     if not candidates:
         return Refused(f"point {points.number(0)} is out of reach", None, 0)
     conf = None if begin is None else tuple(confdata_of(robot.kinematics, begin).tolist())
@@ -100,7 +101,7 @@ def _not_searched(
     joints: Array | int,
     jump: tuple[int, int, float] | None,
 ) -> Refused:
-    """Why an arm whose joints are searched for does not get there, at the place where it fails."""
+    """Return the refusal of a path for an arm solved by search, at the point of failure."""
     if isinstance(joints, int):
         why = unreachable_reason(robot, base_from_flange[joints])
         said, row = why.message if why else NOT_FROM_THERE, joints
@@ -123,7 +124,7 @@ def _brackets(conf: Sequence[int]) -> str:
 def solved(
     robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
 ) -> Array | int:
-    """Joints (k, n) of poses (k,), or the first that cannot be reached."""
+    """Return joints (k, n) of poses (k,), or the index of the first unreachable pose."""
     if not has_branches(robot.kinematics):
         return _searched(robot, base_from_flange, start, first)
     if first is None:
@@ -138,10 +139,10 @@ def solved(
 def _searched(
     robot: Robot, base_from_flange: Transform, start: Array | None, first: Array | None
 ) -> Array | int:
-    """The same for an arm whose joints are searched for: each pose from the one before it.
+    """Return joints for an arm solved by search: each pose seeded with the previous one.
 
-    Looking for all solutions of every pose, to choose among them, would take a hundred times longer
-    and find other ones each time.
+    Searching all solutions of every pose, to choose among them, would take a hundred times longer
+    and find different ones each time.
     """
     if first is None:
         chosen = least_motion(robot, base_from_flange[:1], start)
@@ -149,7 +150,7 @@ def _searched(
             return 0
         first = chosen.joints[0]
     rows, before = [], first
-    # Not all at once: behind the first pose out of reach every search is long and in vain.
+    # Not all at once: after the first unreachable pose every search is long and without effect.
     for begin in range(0, len(base_from_flange), _SEARCHED_AT_ONCE):
         some = base_from_flange[begin : begin + _SEARCHED_AT_ONCE]
         found = robot.kinematics.inverse_on_branch(some, 0, before)
@@ -162,5 +163,5 @@ def _searched(
 
 
 def when(points: Points, segment: npt.NDArray[np.int64], times: Array, row: int) -> str:
-    """The points between which, and the time [s] at which, a sample is, for messages."""
+    """Return the points before and after a sample, and its time [s], for messages."""
     return f"between {points.pair(int(segment[row]))} at {times[row]:.3f} s"

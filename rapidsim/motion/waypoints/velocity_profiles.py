@@ -1,6 +1,6 @@
 """Time laws from rest to rest: four profiles, each within a speed and acceleration.
 
-Every profile reaches the given speed and no more, unless the curve is too short for that.
+Every profile reaches exactly the requested speed, unless the curve is too short for it.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ import numpy as np
 from rapidsim.motion.waypoints.piecewise_polynomials import Piecewise, integrated
 
 QUINTIC_PEAK_SPEED = 1.875
-"""Of 10 u^3 - 15 u^4 + 6 u^5 on 0..1, in the middle."""
+"""Maximum first derivative of 10 u^3 - 15 u^4 + 6 u^5 on 0..1, at u = 1/2."""
 QUINTIC_PEAK_ACCELERATION = 10.0 / sqrt(3.0)
-"""Of the same, at u = 1/2 -+ sqrt(3)/6; 5.7735."""
+"""Maximum second derivative of that polynomial, at u = 1/2 -+ sqrt(3)/6; 5.7735."""
 LONGEST_EASE = 0.3
-"""Share of the time that the sigmoid may rest at either end."""
+"""Largest share of the time that the sigmoid may rest at either end."""
 
 
 class Profile(StrEnum):
-    """The shape of the speed over time."""
+    """Shape of the speed over time."""
 
     TRAPEZOID = "trapezoid"
-    """Constant acceleration, constant speed, constant deceleration: the fastest; jerks."""
+    """Constant acceleration, constant speed, constant deceleration: fastest, with infinite jerk."""
     SCURVE = "scurve"
-    """The same with accelerations that rise and fall evenly: bounded jerk."""
+    """A trapezoid whose accelerations rise and fall linearly: bounded jerk."""
     SIGMOID = "sigmoid"
     """Two parabolas joined in the middle, with a rest at either end."""
     QUINTIC = "quintic"
@@ -36,11 +36,11 @@ class Profile(StrEnum):
 def law(
     profile: Profile, length: float, speed: float, acceleration: float, ease: float = 0.0
 ) -> Piecewise:
-    """The position [m] on a curve as a function of time [s].
+    """Return the position [m] on a curve as a function of time [s].
 
     Args:
         profile: The shape.
-        length: Of the curve [m]; greater than 0.
+        length: Length of the curve [m]; greater than 0.
         speed: Maximum speed [m/s].
         acceleration: Maximum acceleration [m/s2].
         ease: For the sigmoid, the share of the time at rest at either end, 0 to `LONGEST_EASE`.

@@ -1,8 +1,8 @@
-"""The workspace of an arm: the volume reached by its flange, and a section through it.
+"""Workspace of an arm: the volume reached by its flange, and a section through it.
 
-For any attitude: a position counts if the flange gets there in some posture within the joint
-limits. It is sampled from postures and stored as cells; positions between two postures may be
-missed, so the volume is underestimated rather than overestimated.
+For any attitude: a position counts if the flange reaches it in some posture within the joint
+limits. The volume is sampled from postures and stored as cells; positions between two postures may
+be missed, so the volume is underestimated rather than overestimated.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
 
 _CELLS = 120
-"""From the axis to the furthest place, and half as many again upwards and downwards."""
+"""Number of cells from the axis to the farthest point; half as many up and down."""
 _POSTURES = 400_000
 _BATCH = 50_000
 _AT_END = 0.1
-"""How often a joint is tried at one of its ends."""
+"""Probability with which a joint is sampled at one of its ends."""
 _UPRIGHT = 1e-6
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Workspace:
-    """The positions that the flange of an arm reaches."""
+    """Positions that the flange of an arm reaches."""
 
     robot: Robot
     cell: float
@@ -34,9 +34,9 @@ class Workspace:
     lowest: float
     """Height [m] of the lowest row of cells in base."""
     section: npt.NDArray[np.bool_]
-    """Shape (rows, columns): heights and distances from axis 1 that are reached."""
+    """Shape (rows, columns): mask of the heights and distances from axis 1 that are reached."""
     turn: tuple[float, float]
-    """How far axis 1 turns [rad]."""
+    """Range of axis 1 [rad]."""
 
     @property
     def radii(self) -> Array:
@@ -51,7 +51,7 @@ class Workspace:
 
     @property
     def swept(self) -> float:
-        """The angle [rad] around axis 1 in which the arm reaches, at most a whole turn."""
+        """Angle [rad] around axis 1 within reach of the arm, at most a whole turn."""
         return min(self.turn[1] - self.turn[0], 2.0 * np.pi)
 
     @property
@@ -81,7 +81,7 @@ def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Wo
         flange_from_point: The point on the flange to consider; by default the flange itself.
 
     Returns:
-        The workspace, or why there is none.
+        The workspace, or the reason why it cannot be computed.
     """
     screws = screws_of(robot.kinematics)
     if screws is not None and (
@@ -96,7 +96,7 @@ def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Wo
     rng = np.random.default_rng(0)
     for _ in range(_POSTURES // _BATCH):
         joints = rng.uniform(lower, upper, (_BATCH, len(lower)))
-        # Every joint also at its ends: edges of the workspace are made there.
+        # Also sample every joint at its ends, which produce the edges of the workspace.
         at_end = rng.random(joints.shape) < _AT_END
         joints = np.where(at_end, np.where(rng.random(joints.shape) < 0.5, lower, upper), joints)
         joints[:, 0] = 0.0 if lower[0] <= 0.0 <= upper[0] else lower[0]
@@ -115,7 +115,7 @@ def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Wo
 
 
 def _closed(section: npt.NDArray[np.bool_]) -> npt.NDArray[np.bool_]:
-    """The same with lone cells filled that most of their neighbours surround."""
+    """Return the section with isolated cells filled if most of their neighbours are set."""
     padded = np.pad(section.astype(np.int64), 1)
     rows, columns = section.shape
     around = sum(

@@ -1,1 +1,1 @@
-"""How the viewer lays it out, and writing it all."""
+"""Layouts of the viewer, and the writers of whole recordings."""

@@ -1,6 +1,6 @@
-"""How the viewer lays a run out when it is opened.
+"""Layout of the viewer for the recording of a run.
 
-With several robots they share one cell; each has its tab of program, joints and speed.
+Several robots share one cell; each has its tab of program, joints and speed.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ from rapidsim.recording.transforms import WORLD
 
 _ALL = "+ /**"
 _WIDE = 1.7
-"""Width of a picture through its height where the cell has all the room."""
+"""Aspect ratio of a picture for which the cell has the whole width."""
 _OPEN_AXIS = 130.0
-"""[%]; an axis of shares ends here unless something goes beyond, so that the limits are in sight
-with air for the legend."""
+"""End [%] of an axis of shares unless values exceed it: the limits are visible, with room for the
+legend."""
 
 
 def blueprint(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Blueprint:
-    """The layout: cell and program above, plots and lanes below.
+    """Return the layout: cell and program above, plots and lanes below.
 
     Args:
-        runs: What each robot did.
+        runs: Recorded run of each robot.
         shown: The targets of the first robot.
     """
     return laid_out(
@@ -51,7 +51,7 @@ def blueprint(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Blu
 
 
 def laid_out(views: rrb.Container) -> rrb.Blueprint:
-    """Views with the panels of the viewer out of the way and time at rest."""
+    """Return views with collapsed viewer panels and the time paused."""
     return rrb.Blueprint(
         views,
         rrb.BlueprintPanel(state="collapsed"),
@@ -71,7 +71,7 @@ def laid_out(views: rrb.Container) -> rrb.Blueprint:
 def _each(
     runs: Sequence[RecordedRobot], views: Callable[[RecordedRobot], list[rrb.View]]
 ) -> rrb.View | rrb.Container:
-    """The views of all robots, one of them in sight; the first of each robot come first."""
+    """Return the views of all robots as tabs; the first views of each robot are first."""
     found = [view for alike in zip_longest(*map(views, runs)) for view in alike if view]
     return found[0] if len(found) == 1 else rrb.Tabs(*found, active_tab=0)
 
@@ -81,13 +81,13 @@ def _titled(run: RecordedRobot, title: str) -> str:
 
 
 def _spaces(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Container:
-    """The whole cell; and, from near, the targets of a robot that works alone."""
+    """Return views of the whole cell and, for a single robot, of its targets from near."""
     by_speed = [f"- /{run.entity(speed_path.ENTITY)}/**" for run in runs]
     near = targets.near_targets(shown)
     if len(runs) > 1 or targets.extent(near) == 0.0:
         return rrb.Horizontal(space("Cell", cell_camera(runs, wide=_WIDE), 0.1, [_ALL, *by_speed]))
     (run,) = runs
-    # From afar the names of neighbours cover each other.
+    # From a distance the names of neighbours overlap.
     names = f"- /{run.entity(targets.NAMES_NEAR)}"
     codes = f"- /{run.entity(failed_moves.CODES)}"
     pins = [f"- /{run.entity(entity)}" for entity in (failed_moves.REASONS, failed_moves.PINS)]
@@ -106,7 +106,7 @@ def _spaces(runs: Sequence[RecordedRobot], shown: Sequence[Target]) -> rrb.Conta
 
 
 def space(name: str, camera: Viewpoint, grid_m: float, contents: list[str]) -> rrb.Spatial3DView:
-    """A view of the world, looked at by a camera."""
+    """Return a view of the world from a camera."""
     return rrb.Spatial3DView(
         origin="/",
         name=name,
@@ -162,7 +162,7 @@ def _joints(run: RecordedRobot) -> list[rrb.View]:
 
 def _shares(run: RecordedRobot, entity: str, time: rrb.TimeAxis) -> rrb.View:
     share = plots.shares(run, entity)
-    # The limits are in sight, and what goes beyond them too.
+    # Keep the limits and any values beyond them visible.
     end = max(_OPEN_AXIS, 1.1 * float(abs(share).max()))
     return rrb.TimeSeriesView(
         origin=f"/{run.entity('joints')}",
@@ -191,10 +191,10 @@ def _speed(run: RecordedRobot) -> list[rrb.View]:
 
 
 def _speed_axis_end(run: RecordedRobot) -> float:
-    """Upper end [mm/s] of the speed axis, with air for the legend.
+    """Return the upper end [mm/s] of the speed axis, with room for the legend.
 
-    A speed that is programmed far beyond what the arm reaches, as with `vmax`, would squash what it
-    does; it is left to run out of the plot.
+    A programmed speed far above the speed of the arm, as with `vmax`, would compress the curve; it
+    may exceed the plot.
     """
     reached = 1000.0 * speed_path.top_speed(run)
     programmed = max((move.move.speed.v_tcp for move in run.robot_run.moves), default=0.0)

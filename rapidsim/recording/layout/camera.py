@@ -1,4 +1,4 @@
-"""Where to look from: far enough to see it all, from the side the work is on."""
+"""Viewpoints that show all points, from the side of the work."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from rapidsim.recording.scene.work_objects import object_origins
 from rapidsim.values import value_class
 
 _HALF_VIEW_RAD = np.radians(22.0)
-"""Half of what the viewer's camera sees from top to bottom, less a margin."""
+"""Half of the viewer camera's vertical field of view, less a margin."""
 _SIDE_RAD = np.radians(48.0)
-"""How far the camera stands beside the line from base to work, so that the arm hides nothing."""
+"""Angle of the camera from the line base to work, so that the arm hides nothing."""
 _BESIDE_ROW_RAD = np.radians(75.0)
 _HEIGHT_RAD = np.radians(24.0)
 _CLOSE_HEIGHT_RAD = np.radians(38.0)
 _SMALLEST_M = 0.05
 _POSES = 60
-"""Poses of the arm that stand for its sweep."""
+"""Number of poses that represent the sweep of the arm."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -34,11 +34,11 @@ class Viewpoint:
 
 
 def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Viewpoint:
-    """See the arms in all their poses, their paths and their work objects.
+    """Return a view of the arms in all their poses, their paths and their work objects.
 
     Args:
-        runs: What each robot did.
-        wide: Width of the picture through its height.
+        runs: Recorded run of each robot.
+        wide: Aspect ratio (width / height) of the picture.
     """
     points = np.concatenate([run.robot_run.world_from_base.apply(cell_points(run)) for run in runs])
     air = 1.08 if len(runs) == 1 else 1.25
@@ -46,19 +46,19 @@ def cell_camera(runs: Sequence[RecordedRobot], wide: float = 1.0) -> Viewpoint:
 
 
 def near_camera(run: RecordedRobot, near: Sequence[Target]) -> Viewpoint:
-    """See some targets from near, and where the run failed beside them."""
+    """Return a view of some targets from near, with the points at which moves failed."""
     points = np.concatenate([points_of(near), in_sight(run, run.robot_run.failed_moves)])
     world_points = run.robot_run.world_from_base.apply(points)
     return looking_at(world_points, _azimuth([run]), _CLOSE_HEIGHT_RAD, air=1.15)
 
 
 def cell_size(run: RecordedRobot) -> float:
-    """The largest extent [m] of what belongs to a robot, along an axis."""
+    """Return the largest extent [m] of a robot with its work, along an axis."""
     return float(np.ptp(cell_points(run), axis=0).max())
 
 
 def cell_points(run: RecordedRobot) -> Array:
-    """Points (k, 3) [m] in base that a picture of the robot and its work must hold."""
+    """Return points (k, 3) [m] in base that a picture of the robot and its work must contain."""
     rows = np.linspace(0, len(run.samples.times) - 1, _POSES).astype(np.int64)
     links = run.robot.kinematics.link_frames(run.samples.joints[rows])
     base = Transform(np.tile(np.eye(3), (len(rows), 1, 1)), np.zeros((len(rows), 3)))
@@ -77,10 +77,10 @@ def cell_points(run: RecordedRobot) -> Array:
 
 
 def _azimuth(runs: Sequence[RecordedRobot]) -> float:
-    """Direction [rad] from the work to the camera, seen from above."""
+    """Return the direction [rad] from the work to the camera, seen from above."""
     feet = np.array([run.robot_run.world_from_base.translation for run in runs])
     if len(runs) > 1:
-        # Beside the row of robots, so that none hides another.
+        # To the side of the row of robots, so that none hides another.
         x, y, _ = feet[-1] - feet[0]
         return float(np.arctan2(y, x) - _BESIDE_ROW_RAD)
     work = [run.robot_run.world_from_base.apply(np.mean(run.places, axis=0)) for run in runs]
@@ -91,7 +91,7 @@ def _azimuth(runs: Sequence[RecordedRobot]) -> float:
 def looking_at(
     points: Array, azimuth: float, height: float, air: float = 1.0, wide: float = 1.0
 ) -> Viewpoint:
-    """From a direction, as near as all points (k, 3) [m] stay in the picture."""
+    """Return the closest viewpoint in a direction with all points (k, 3) [m] in the picture."""
     back = np.array(
         [
             np.cos(height) * np.cos(azimuth),
@@ -101,7 +101,7 @@ def looking_at(
     )
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
     picture = np.stack([right, np.cross(back, right), back])
-    # Axes of the picture: to the right, upwards, towards the eye.
+    # Axes of the picture: right, up, towards the eye.
     placed = points @ picture.T
     low, high = placed.min(axis=0), placed.max(axis=0)
     middle = 0.5 * (low + high)

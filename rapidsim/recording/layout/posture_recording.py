@@ -29,23 +29,23 @@ FRAMES = "frames"
 NAMES = "names"
 WEAKEST = "weakest"
 _APART = 1.35
-"""From arm to arm through the size of one."""
+"""Distance between arms, relative to the size of one."""
 _AXES = 0.13
 _ARROW = 0.35
 _OVER = 0.3
-"""Height of names over arms through the size of one."""
+"""Height of names above arms, relative to the size of one."""
 _ACROSS = 4
-"""Arms in a row."""
+"""Number of arms in a row."""
 _AZIMUTH = np.radians(-52.0)
 _HEIGHT = np.radians(22.0)
 _ROWS_AZIMUTH = np.radians(-12.0)
-"""From before several arms, a little beside."""
+"""Azimuth of the camera for several arms: from the front, slightly to the side."""
 _ROWS_HEIGHT = np.radians(34.0)
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class StaticArm:
-    """An arm that stands still, as an arm is drawn."""
+    """An arm at rest; implements `scene.arm.MovingArm`."""
 
     robot: Robot
     samples: Samples
@@ -53,11 +53,11 @@ class StaticArm:
     name: str
 
     def entity(self, path: str) -> str:
-        """Where in the recording something of it is logged."""
+        """Return the entity path of something of this arm in the recording."""
         return f"{self.name}/{path}" if self.name else path
 
     def frame(self, name: str) -> str:
-        """The name of a frame of it."""
+        """Return the full name of a frame of this arm."""
         return f"{self.name}/{name}" if self.name else name
 
 
@@ -65,15 +65,15 @@ def record_postures(postures: Postures, figures: str, path: Path) -> Path:
     """Write a recording of postures.
 
     Args:
-        postures: What there is to see.
-        figures: Words beside it, Markdown.
-        path: Where to write; the file appears only when it is complete.
+        postures: Postures to show.
+        figures: Markdown text of the document next to the view.
+        path: Target file, which appears only when it is complete.
 
     Returns:
         The path written.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the file cannot be written.
     """
     places = [_place(postures, row) for row in range(len(postures.rows))]
     with recording_file(path, _content_id(postures), _blueprint(postures, places)) as stream:
@@ -95,9 +95,9 @@ def record_postures(postures: Postures, figures: str, path: Path) -> Path:
 
 
 def _place(postures: Postures, row: int) -> Transform:
-    """How far [m] a posture is shown from where it is, so that several stand side by side."""
+    """Return the displacement [m] of a posture, so that several are side by side."""
     apart = _APART * postures.size if len(postures.rows) > 1 else 0.0
-    # Beside one another as the camera sees them, from left to right and from the front.
+    # Side by side as the camera sees them, from left to right and from the front.
     aside = np.array([-1.3 * (row // _ACROSS), row % _ACROSS, 0.0]) * apart
     return Transform(np.eye(3), aside)
 
@@ -126,7 +126,7 @@ def _log_posture(
 
 
 def _log_frames(stream: rr.RecordingStream, postures: Postures, row: int, place: Transform) -> None:
-    """The axes of all links, the flange and the TCP; over the shapes, as links hide them."""
+    """Log the axes of all links, the flange and the TCP; over the shapes, as links hide them."""
     frames = place @ postures.frames(row)
     axis = _AXES * postures.size
     vectors = np.swapaxes(frames.rotation, -1, -2).reshape(-1, 3) * axis
@@ -146,7 +146,7 @@ def _log_frames(stream: rr.RecordingStream, postures: Postures, row: int, place:
 
 
 def _log_names(stream: rr.RecordingStream, postures: Postures, places: list[Transform]) -> None:
-    """What each of several postures is called, above it."""
+    """Log the name of each of several postures, above it."""
     if len(postures.rows) == 1:
         return
     feet = np.array([place.translation for place in places]) + postures.world_from_base.translation
@@ -167,7 +167,7 @@ def _log_names(stream: rr.RecordingStream, postures: Postures, places: list[Tran
 
 
 def _log_weakest(stream: rr.RecordingStream, postures: Postures) -> None:
-    """The way that the TCP is moved least, both ways."""
+    """Log the direction in which the TCP is moved least, and its opposite."""
     weakest = postures.weakest
     if weakest is None:
         return
@@ -198,7 +198,7 @@ def _blueprint(postures: Postures, places: list[Transform]) -> rrb.Blueprint:
 
 
 def _seen(postures: Postures, places: list[Transform]) -> Array:
-    """Points (k, 3) [m] that the picture must hold."""
+    """Return points (k, 3) [m] that the picture must contain."""
     foot = postures.world_from_base.translation
     parts = [
         place.apply(np.concatenate([foot[None], postures.frames(row).translation]))
@@ -210,7 +210,7 @@ def _seen(postures: Postures, places: list[Transform]) -> Array:
 
 
 def _content_id(postures: Postures) -> uuid.UUID:
-    """An id that only the content decides."""
+    """Return an id that depends only on the content."""
     digest = hashlib.sha256(f"{postures.robot.name} {postures.title}".encode())
     for posture in postures.rows:
         digest.update(np.ascontiguousarray(posture.joints).tobytes())

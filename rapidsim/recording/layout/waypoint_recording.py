@@ -1,4 +1,4 @@
-"""A trajectory through points as one `.rrd` file: the arm, the points, the path, its figures."""
+"""Trajectory through points as one `.rrd` file: the arm, the points, the path, its figures."""
 
 from __future__ import annotations
 
@@ -42,20 +42,20 @@ TURN_RATE = "tcp/turn_rate"
 FIGURES = "figures"
 
 _SIDE_RAD = np.radians(48.0)
-"""How far the camera stands beside the line from base to work, so that the arm hides nothing."""
+"""Angle of the camera from the line base to work, so that the arm hides nothing."""
 _HEIGHT_RAD = np.radians(24.0)
 _NEAR_HEIGHT_RAD = np.radians(18.0)
 _POSES = 60
-"""Poses of the arm that stand for its sweep."""
+"""Number of poses that represent the sweep of the arm."""
 _LEAST_DEVIATION_MM = 0.01
-"""The axis of deviations goes so far at least: rounding is not to look like a motion."""
+"""Minimum range [mm] of the axis of deviations, so that rounding does not look like a motion."""
 _MOST_NAMES = 40
-"""More points than this are shown without their numbers."""
+"""Number of points above which they are shown without numbers."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class FollowedArm:
-    """The arm of a trajectory, as an arm is drawn."""
+    """Arm of a trajectory; implements `scene.arm.MovingArm`."""
 
     robot: Robot
     samples: Samples
@@ -63,11 +63,11 @@ class FollowedArm:
     name: str = ""
 
     def entity(self, path: str) -> str:
-        """There is one robot: its entities carry no name."""
+        """Return the path unchanged: with one robot, entities contain no name."""
         return path
 
     def frame(self, name: str) -> str:
-        """There is one robot: its frames carry no name."""
+        """Return the name unchanged: with one robot, frames contain no robot name."""
         return name
 
 
@@ -78,15 +78,15 @@ def record_followed(
 
     Args:
         followed: The trajectory.
-        title: What the viewer calls it.
-        path: Where to write; the file appears only when it is complete.
-        world_from_base: Where the robot stands; without it, upright in the origin.
+        title: Title in the viewer.
+        path: Target file, which appears only when it is complete.
+        world_from_base: Base frame of the robot; None for upright in the origin.
 
     Returns:
         The path written.
 
     Raises:
-        InputError: When nothing can be written there.
+        InputError: If the file cannot be written.
     """
     samples, stands = followed.samples, world_from_base or BASE_FROM_WORLD.inverse()
     _, first = np.unique(samples.move, return_index=True)
@@ -115,7 +115,7 @@ def _log_tool(stream: rr.RecordingStream, followed: FollowedTrajectory) -> None:
 
 
 def _log_path(stream: rr.RecordingStream, followed: FollowedTrajectory) -> None:
-    """The points with their numbers, the lines between them, and where the TCP went."""
+    """Log the points with their numbers, the lines between them, and the path of the TCP."""
     points = followed.points.positions
     names = [str(followed.points.number(row)) for row in range(len(points))]
     frame = rr.CoordinateFrame(BASE)
@@ -189,7 +189,7 @@ def _log_plots(stream: rr.RecordingStream, followed: FollowedTrajectory, clock: 
 
 
 def _rates(samples: Samples) -> Array:
-    """Joint speeds (k, n) [rad/s]: the mean since the sample before."""
+    """Return joint speeds (k, n) [rad/s]: the mean since the previous sample."""
     speeds: Array = np.zeros_like(samples.joints)
     speeds[1:] = np.diff(samples.joints, axis=0) / np.diff(samples.times)[:, None]
     return speeds
@@ -225,7 +225,8 @@ def _blueprint(followed: FollowedTrajectory, world_from_base: Transform) -> rrb.
     azimuth = float(np.arctan2(y, x))
     seen = world_from_base.apply(_cell_points(followed))
     cell = looking_at(seen, azimuth - _SIDE_RAD, _HEIGHT_RAD, air=1.25)
-    # Towards the robot, a little aside: the arm is not in this view, and y goes to the right.
+    # Towards the robot, slightly to the side: the arm is not in this view, and y points to the
+    # right.
     near = looking_at(
         np.concatenate([tcp, world_from_base.apply(followed.points.positions)]),
         azimuth - 0.3 * _SIDE_RAD,
@@ -278,7 +279,7 @@ def _blueprint(followed: FollowedTrajectory, world_from_base: Transform) -> rrb.
 
 
 def _cell_points(followed: FollowedTrajectory) -> Array:
-    """Points (k, 3) [m] that a picture of arm and work must hold."""
+    """Return points (k, 3) [m] that a picture of arm and work must contain."""
     samples = followed.samples
     rows = np.linspace(0, len(samples.times) - 1, _POSES).astype(np.int64)
     links = followed.robot.kinematics.link_frames(samples.joints[rows])
@@ -287,7 +288,7 @@ def _cell_points(followed: FollowedTrajectory) -> Array:
 
 
 def _content_id(followed: FollowedTrajectory) -> uuid.UUID:
-    """An id that only the content decides: equal trajectories are one recording to the viewer."""
+    """Return an id that depends only on the content: the viewer merges equal recordings."""
     digest = hashlib.sha256(followed.robot.name.encode())
     for array in (followed.samples.times, followed.samples.joints, followed.points.positions):
         digest.update(np.ascontiguousarray(array).tobytes())

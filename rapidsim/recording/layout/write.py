@@ -1,7 +1,7 @@
-"""Write a run as one `.rrd` file that the rerun viewer opens, layout included.
+"""Writer of a run as one `.rrd` file for the rerun viewer, layout included.
 
-The same run gives the same recording: its id comes from its content, and nothing in it comes from a
-wall clock. (Row ids and the layout's ids are the viewer's own and differ; compare recordings with
+Equal runs produce equal recordings: the id depends on the content, and the data contain no wall
+time. (Row ids and the layout's ids are created by the viewer and differ; compare recordings with
 `rerun rrd compare --unordered`.)
 """
 
@@ -48,15 +48,15 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
 
     Args:
         simulation: The run.
-        path: Where to write; the file appears only when it is complete.
-        dt: Time [s] between samples of the motion; None takes 12 ms, or more for a run of more
-            than half an hour under way.
+        path: Target file, which appears only when it is complete.
+        dt: Time [s] between samples of the motion; None for 12 ms, or more if the motion lasts
+            more than half an hour.
 
     Returns:
         The path written.
 
     Raises:
-        InputError: When nothing can be written there, or `dt` makes no sense.
+        InputError: If the file cannot be written, or `dt` is invalid.
     """
     path = Path(path)
     runs = sample(simulation, dt)
@@ -68,7 +68,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
         for run, of_robot in zip(runs, targets, strict=True):
             remarks += _log_robot(stream, run, of_robot)
         if simulation.collisions is not None:
-            # What measures bodies is imported for cells that have some.
+            # The body code is imported only for cells with bodies.
             from rapidsim.recording.scene.bodies import log_bodies  # noqa: PLC0415
 
             log_bodies(stream, runs)
@@ -78,7 +78,7 @@ def record(simulation: Simulation, path: str | Path, *, dt: float | None = None)
 
 
 def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: RecordedRobot) -> None:
-    """Log what there is once, however many robots there are."""
+    """Log data that exist once, for any number of robots."""
     stream.send_recording_name(simulation.title)
     stream.send_property("run", _properties(simulation, run.dt))
     stream.log("/", rr.ViewCoordinates.RIGHT_HAND_Z_UP, rr.CoordinateFrame(WORLD), static=True)
@@ -89,11 +89,11 @@ def _log_whole(stream: rr.RecordingStream, simulation: Simulation, run: Recorded
 def _log_robot(
     stream: rr.RecordingStream, run: RecordedRobot, targets: tuple[Target, ...]
 ) -> tuple[str, ...]:
-    """Log one robot; returns what the viewer will not show as it should."""
+    """Log one robot; return remarks on content that the viewer cannot show correctly."""
     remarks = _log_base(stream, run)
     size_m = cell_size(run)
     near_m = extent(near_targets(targets)) or size_m
-    # Long enough to see in the cell, short enough not to cover a small figure seen from near.
+    # Long enough to see in the cell, short enough not to cover a small figure in the near view.
     axis_m = float(np.clip(0.35 * near_m, 0.03 * size_m, 0.1 * size_m))
     remarks += log_arm(stream, run).remarks
     log_tool(stream, run, 0.7 * axis_m)
@@ -112,7 +112,7 @@ def _log_robot(
 
 
 def _log_base(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ...]:
-    """Log where the robot stands; returns what the viewer will not show as it should."""
+    """Log the base of a robot; return remarks on content that the viewer cannot show correctly."""
     where = static_frame(WORLD, run.still_frame, run.robot_run.world_from_base)
     if not run.on_track:
         stream.log(run.entity("base"), where, static=True)
@@ -156,7 +156,7 @@ def _properties(simulation: Simulation, dt: float) -> rr.AnyValues:
 
 
 def _content_id(simulation: Simulation, runs: Sequence[RecordedRobot]) -> uuid.UUID:
-    """An id that only the content decides: equal runs are one recording to the viewer."""
+    """Return an id that depends only on the content: the viewer merges equal recordings."""
     digest = hashlib.sha256()
     robots = (one.robot.name for one in simulation.robots)
     for text in (*simulation.program, *robots, simulation.end.value):

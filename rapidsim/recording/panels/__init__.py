@@ -1,1 +1,1 @@
-"""What stands beside the cell: plots, lanes, program, log."""
+"""Panels next to the cell: plots, lanes, program, log."""

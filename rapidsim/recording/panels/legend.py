@@ -1,4 +1,4 @@
-"""Where a plot's legend hides least."""
+"""Placement of a plot's legend where it hides the fewest samples."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ _CORNERS = (
     (rrb.Corner2D.RightBottom, 1, 0),
     (rrb.Corner2D.LeftBottom, 0, 0),
 )
-"""Corners with the side, 0 low and 1 high, of time and value they are at; the first wins a draw."""
+"""Corners with their side, 0 low and 1 high, in time and value; the first one wins ties."""
 
 
 def emptiest_corner(times: Array, values: Array, width: float, height: float) -> rrb.Corner2D:
-    """The corner of a plot with the fewest samples under a legend.
+    """Return the corner of a plot with the fewest samples under a legend.
 
     Args:
         times: Shape (k,).
         values: Shape (k, n): n lines, drawn on one axis that fits them all.
         width: Share of the plot's width that the legend takes.
-        height: Share of its height.
+        height: Share of the plot's height that the legend takes.
     """
     x = _unit(times)[:, None]
     y = _unit(values)
@@ -35,6 +35,6 @@ def emptiest_corner(times: Array, values: Array, width: float, height: float) ->
 
 
 def _unit(values: Array) -> Array:
-    """Values moved and scaled to 0..1."""
+    """Return values shifted and scaled to 0..1."""
     low, high = float(values.min()), float(values.max())
     return (values - low) / (high - low) if high > low else np.full_like(values, 0.5)

@@ -1,4 +1,4 @@
-"""What was written, reported and found, as one log: FlexPendant, events, findings."""
+"""Log of FlexPendant texts, events and findings."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from rapidsim.values import value_class
 ENTITY = "log"
 
 SHOWN_LEVELS = ("ERROR", "WARN", "INFO", "DEBUG")
-"""What the log shows when it is opened; `TRACE` is there to be switched on."""
+"""Levels shown initially; `TRACE` can be switched on."""
 _EVENT_LEVELS = {
     EventKind.TEXT: "INFO",
     EventKind.SIGNAL: "DEBUG",
@@ -42,9 +42,9 @@ class _Row:
 
 
 def log_messages(stream: rr.RecordingStream, run: RecordedRobot, remarks: Sequence[str]) -> None:
-    """Log everything there is to read; `remarks` are about the recording itself."""
+    """Log all texts; `remarks` are about the recording itself."""
     simulation = run.sampled.simulation
-    # Whose it is, where there is a choice.
+    # With several tasks, rows contain the name of the task.
     several = len({event.task for event in simulation.events if event.place}) > 1
     sources = {
         "recording": [_Row(0.0, "WARN", remark) for remark in remarks],
@@ -54,7 +54,7 @@ def log_messages(stream: rr.RecordingStream, run: RecordedRobot, remarks: Sequen
     for name, rows in sources.items():
         if not rows:
             continue
-        # Milliseconds, which is what the log's column shows; the event file has every digit.
+        # Milliseconds, as in the log's column; the event file has all digits.
         stream.send_columns(
             f"{ENTITY}/{name}",
             indexes=run.clock.columns([round(row.time_s, 3) for row in rows]),
@@ -75,12 +75,12 @@ def _event_row(event: Event, several: bool) -> _Row:
 
 
 def _place_text(place: Place) -> str:
-    """The place first, as in a listing: at the end of a long line nobody would see it."""
+    """Return the place as a prefix, as in a listing, because the end of a long line is hidden."""
     return f"{place.routine}:{place.span.line}  "
 
 
 def _finding_rows(run: RecordedRobot) -> Iterator[_Row]:
-    """A finding is logged when the program first got to its line; else at the end."""
+    """Yield findings at the time when the program first reached their line, else at the end."""
     first: dict[tuple[str, int], float] = {}
     for line in sorted(_lines(run.sampled.simulation), key=lambda line: line.time_s):
         span = line.place.span

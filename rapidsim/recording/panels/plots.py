@@ -1,7 +1,7 @@
-"""What the plots draw: joint angles, speeds and accelerations with their limits, TCP speed.
+"""Plots of joint angles, speeds and accelerations with their limits, and of TCP speed.
 
-Joints have different limits. To show them all against one pair of lines, each joint is also drawn
-as the share of what it may do: 0 in the middle of its range or at rest, 100 % at a limit.
+Joints have different limits. To show them against one pair of lines, each joint is also plotted as
+a share of its limit: 0 in the middle of its range or at rest, 100 % at a limit.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ SHARES: Mapping[str, str] = MappingProxyType(
         JOINT_ACCELERATION: "accel. [%]",
     }
 )
-"""What is drawn as a share of its limit, with the titles of the plots."""
+"""Entities plotted as shares of their limits, with the titles of the plots."""
 
 _MOST_DRAWN = 20_000
-"""So many samples are drawn each; of more, those that share a pixel are drawn as their extremes."""
+"""Number of samples that are plotted individually; with more, pixels show their extremes."""
 
 
 def log_plots(stream: rr.RecordingStream, run: RecordedRobot) -> None:
-    """Log what the plots draw."""
+    """Log the data of all plots."""
     _log_joints(stream, run)
     if run.robot.external:
         _log_external(stream, run)
@@ -48,7 +48,7 @@ def log_plots(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def shares(run: RecordedRobot, entity: str) -> Array:
-    """What `SHARES` names, of each joint (k, n) [%]."""
+    """Return the values of an entity in `SHARES`, of each joint (k, n) [%]."""
     match entity:
         case "joints/range":
             return run.sampled.range_shares
@@ -96,7 +96,7 @@ def _log_joints(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def _log_external(stream: rr.RecordingStream, run: RecordedRobot) -> None:
-    """The external axes in mm or degrees, as targets have them."""
+    """Log the external axes in mm or degrees, as in targets."""
     axes = run.robot.external
     colours = [palette.rgba(palette.JOINTS[k % len(palette.JOINTS)]) for k in range(len(axes))]
     stream.log(
@@ -125,7 +125,7 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
             names="programmed",
             colors=palette.rgba(palette.PROGRAMMED),
             widths=1.2,
-            # The mean of a standstill of some microseconds and the move after it is no speed.
+            # The mean over a microsecond of rest and the next move would not be a speed.
             aggregation_policy=rr.components.AggregationPolicy.Max,
             interpolation_mode=rr.components.InterpolationMode.StepAfter,
         ),
@@ -157,9 +157,9 @@ def _log_speed(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Array, Array]:
-    """Instants [s] and the speed [mm/s] programmed from there on; 0 where nothing moves.
+    """Return instants [s] and the programmed speed [mm/s] from each on; 0 without motion.
 
-    Recordings count nanoseconds: of two speeds within the same one the viewer would draw the mean.
+    Recordings count nanoseconds: for two speeds within one of them the viewer would draw the mean.
     """
     steps: dict[float, float] = {0.0: 0.0}
     for move in moves:
@@ -173,7 +173,7 @@ def _programmed_steps(moves: tuple[ExecutedMove, ...], end_s: float) -> tuple[Ar
 
 
 def _aggregation(run: RecordedRobot) -> rr.components.AggregationPolicy:
-    """How the viewer thins a plot out; its own choice, the mean, would cut peaks and stops off."""
+    """Return the viewer's aggregation; its default, the mean, would hide peaks and stops."""
     if len(run.samples.times) <= _MOST_DRAWN:
         return rr.components.AggregationPolicy.Off
     return rr.components.AggregationPolicy.MinMax

@@ -1,7 +1,7 @@
-"""The program text as it runs: a window of lines with the two pointers of the controller.
+"""Program text during a run: a window of lines with the two pointers of the controller.
 
-The program pointer runs ahead of the robot; the motion pointer is at the move that the robot makes.
-The window moves only when a pointer would leave it, so that the text does not jump at every line.
+The program pointer runs ahead of the robot; the motion pointer is at the active move. The window
+scrolls only when a pointer would leave it, so that the text does not jump at every line.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from rapidsim.values import value_class
 ENTITY = "program/text"
 
 WINDOW = 18
-"""Lines shown at once."""
+"""Number of lines in the window."""
 _MARGIN = 3
-"""Lines kept above and below the pointer."""
+"""Number of lines kept above and below the pointer."""
 MOST_TEXTS = 5000
-"""Times the text is logged; a long run shows it at so many instants, evenly spread."""
+"""Maximum number of logged texts; in a long run their instants are evenly spread."""
 _WIDTH = 78
-"""Characters of a line; the rest would wrap and push the pointer out of sight."""
+"""Characters per line; longer ones would wrap and push the pointer out of sight."""
 
 PROGRAM_POINTER = "▶"
 MOTION_POINTER = "●"
@@ -34,7 +34,7 @@ MOTION_POINTER = "●"
 
 @value_class(frozen=True, slots=True, eq=False)
 class _Pointers:
-    """Where the pointers are from an instant on; a line is counted from 1."""
+    """Positions of the pointers from an instant on; lines are counted from 1."""
 
     time_s: float
     source: Source
@@ -46,7 +46,7 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
     """Log the program text, once for each time a pointer moves.
 
     Returns:
-        What the viewer will not show as it should, a line each.
+        Remarks on content that the viewer cannot show correctly, one per line.
     """
     lines, moves = run.robot_run.lines, run.robot_run.moves
     instants = sorted({0.0, *(line.time_s for line in lines), *(move.start_s for move in moves)})
@@ -69,7 +69,7 @@ def log_listing(stream: rr.RecordingStream, run: RecordedRobot) -> tuple[str, ..
 
 
 def _thin_out(instants: Sequence[float], spacing_s: float) -> Iterator[float]:
-    """The instants that are some time apart."""
+    """Yield instants that are some time apart."""
     next_s = 0.0
     for time_s in instants:
         if time_s >= next_s:
@@ -80,7 +80,7 @@ def _thin_out(instants: Sequence[float], spacing_s: float) -> Iterator[float]:
 def _pointers(
     instants: Sequence[float], lines: Sequence[ExecutedLine], moves: Sequence[ExecutedMove]
 ) -> Iterator[_Pointers]:
-    """Both pointers at instants [s], in order."""
+    """Yield both pointers at instants [s], in order."""
     line_times = [line.time_s for line in lines]
     move_times = [move.start_s for move in moves]
     for time_s in instants:
@@ -88,7 +88,7 @@ def _pointers(
         line = lines[max(bisect.bisect_right(line_times, time_s) - 1, 0)] if lines else None
         begun = bisect.bisect_right(move_times, time_s) - 1
         move = moves[begun] if begun >= 0 else None
-        # The text follows the robot where it moves, else the program.
+        # The text follows the robot during motion, else the program.
         under_way = move if move is not None and time_s < move.end_s else None
         place = under_way.place if under_way else line.place if line else None
         if place is None:
@@ -104,7 +104,7 @@ def _pointers(
 
 
 def _texts(states: Iterable[_Pointers]) -> Iterator[tuple[float, str]]:
-    """The window at each change of what it shows."""
+    """Yield the text of the window at each change."""
     shown: str | None = None
     source: Source | None = None
     top = 1
@@ -120,14 +120,14 @@ def _texts(states: Iterable[_Pointers]) -> Iterator[tuple[float, str]]:
 
 
 def _scrolled(top: int, line: int, count: int) -> int:
-    """The first line of the window once `line` is well inside it."""
+    """Return the first line of the window that has `line` well inside it."""
     if not top + _MARGIN <= line < top + WINDOW - _MARGIN:
         top = line - WINDOW // 3
     return max(1, min(top, count - WINDOW + 1))
 
 
 def _window(state: _Pointers, top: int) -> str:
-    """Markdown: the name of the file, then the lines with their pointers."""
+    """Return Markdown with the lines and their pointers."""
     source = state.source
     last = min(top + WINDOW - 1, len(source.line_starts))
     rows = []

@@ -1,4 +1,4 @@
-"""States over time as coloured lanes: the move under way, and each signal."""
+"""States over time as coloured lanes: the active move, and each signal."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CLEARANCE_LANE = "clearance"
 ERRORS = "errors"
 
 _MOST_STATES = 200
-"""With more different moves than this a lane names the instruction only."""
+"""Number of different moves above which a lane contains only instruction names."""
 _STANDSTILL = "at rest"
 _CLEAR = "clear"
 _NO_ERROR = "no error"
@@ -32,7 +32,7 @@ _States = list[tuple[float, str]]
 
 
 def log_moves(stream: rr.RecordingStream, run: RecordedRobot) -> None:
-    """Log what a robot does."""
+    """Log the moves of a robot."""
     if run.robot_run.moves:
         states, colours = _move_states(run.robot_run.moves)
         _log_lane(stream, run.entity(MOVE_LANE), states, colours, run.clock)
@@ -46,14 +46,14 @@ def log_signals(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def log_errors(stream: rr.RecordingStream, run: RecordedRobot) -> None:
-    """Log the latest error of each task: a lane a task that has had one."""
+    """Log the latest error of each task: one lane per task with an error."""
     by_task: dict[str, list[ErrorTally]] = {}
     for tally in run.sampled.simulation.errors:
         by_task.setdefault(tally.task, []).append(tally)
     for task, tallies in by_task.items():
         states: _States = [(0.0, _NO_ERROR)]
         colours = {_NO_ERROR: palette.STANDSTILL}
-        # The first and the last of those that were raised often.
+        # For repeated errors, the first and the last occurrence.
         times = sorted(
             (time_s, number)
             for number, tally in enumerate(tallies)
@@ -70,7 +70,7 @@ def log_errors(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def log_clearance(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> None:
-    """Log how near bodies come in each move: a lane a robot."""
+    """Log the clearance of bodies in each move: one lane per robot."""
     collisions = runs[0].sampled.simulation.collisions
     if collisions is None:
         return
@@ -123,7 +123,7 @@ def _log_lane(
 def _move_states(
     moves: Sequence[ExecutedMove],
 ) -> tuple[_States, dict[str, palette.Colour]]:
-    """The move lane: what moves, and standstill between."""
+    """Return the move lane: moves, and rest in between."""
     names = [f"{move.move.instruction} {target_name(move)}".rstrip() for move in moves]
     if len(set(names)) > _MOST_STATES:
         names = [move.move.instruction for move in moves]
@@ -132,7 +132,7 @@ def _move_states(
     now_s = 0.0
     for name, move in zip(names, moves, strict=True):
         if name not in colours:
-            # Every other move is a shade darker: neighbours of one kind would run together.
+            # Every other move is a shade darker: neighbours of one kind would merge.
             colour = palette.of_move(move)
             colours[name] = colour if len(colours) % 2 else palette.darker(colour)
         if move.start_s > now_s + _SHORTEST_STANDSTILL_S:
@@ -147,7 +147,7 @@ def _move_states(
 def _signal_states(
     changes: Sequence[tuple[float, float]],
 ) -> tuple[_States, dict[str, palette.Colour]]:
-    """A lane of a signal: on and off where it knows only these, else its numbers."""
+    """Return the lane of a signal: on and off if it has only these values, else numbers."""
     if all(value in (0.0, 1.0) for _, value in changes):
         states = [(time_s, "on" if value else "off") for time_s, value in changes]
         colours = {"off": palette.SIGNAL_OFF, "on": palette.SIGNAL_ON}

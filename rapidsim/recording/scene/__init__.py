@@ -1,1 +1,1 @@
-"""What stands and moves in the cell."""
+"""Contents of the cell view: arms, tools, targets, paths and bodies."""

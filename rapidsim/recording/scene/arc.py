@@ -11,9 +11,9 @@ _STRAIGHT = 1e-9
 
 
 def arc_through(start: Array, via: Array, end: Array, count: int) -> Array:
-    """Points (count, 3) on the arc from `start` over `via` to `end`, each (3,) [m].
+    """Return points (count, 3) on the arc from `start` through `via` to `end`, each (3,) [m].
 
-    Three points on a line have no circle; they give the polyline through them.
+    For three points on a line, which have no circle, return the polyline through them.
     """
     a, b = via - start, end - start
     normal = np.cross(a, b)

@@ -1,9 +1,9 @@
 """The arm: link shapes in named frames, moved by the joints.
 
-The link frames hang on one another, base to flange, under names that carry the robot's so that
-RAPID's own names (`tool0`, `wobj1`) stay free. Edges come from the robot's own kinematics, not from
-the description's joints: a coupled axis moves as it does in the run, and a joint beyond its limit
-is shown beyond its limit.
+The link frames form a chain, base to flange, under names with the robot's prefix, so that RAPID's
+names (`tool0`, `wobj1`) remain free. Edges result from the robot's own kinematics, not from the
+description's joints: a coupled axis moves as in the run, and a joint beyond its limit is shown
+beyond its limit.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ FLANGE = "tool0"
 
 
 class MovingArm(Protocol):
-    """What an arm is drawn from: a run, or a trajectory without a program."""
+    """Data for drawing an arm: of a run, or of a trajectory without a program."""
 
     @property
     def name(self) -> str:
-        """Goes before the names of its entities and frames; empty where there is one robot."""
+        """Prefix of its entities and frames; empty if there is only one robot."""
         ...
 
     @property
@@ -51,40 +51,40 @@ class MovingArm(Protocol):
 
     @property
     def samples(self) -> Samples:
-        """Its motion."""
+        """Motion of the arm."""
         ...
 
     @property
     def clock(self) -> Clock:
-        """The clock of the recording."""
+        """Clock of the recording."""
         ...
 
     def entity(self, path: str) -> str:
-        """Where in the recording something of this robot is logged."""
+        """Return the entity path of something of this robot in the recording."""
         ...
 
     def frame(self, name: str) -> str:
-        """The name of a frame of this robot, which every robot has: `tool0`, `base`."""
+        """Return the full name of a frame that every robot has, such as `tool0` or `base`."""
         ...
 
 
 @value_class(frozen=True, slots=True)
 class Chain:
-    """The frames of an arm from base to flange."""
+    """Frames of an arm from base to flange."""
 
     joint_names: tuple[str, ...]
     link_frames: tuple[str, ...]
-    """The frame that each joint moves."""
+    """Frame that each joint moves."""
 
 
 @value_class(frozen=True, slots=True)
 class LoggedArm:
-    """An arm that a recording shows."""
+    """An arm in a recording."""
 
     chain: Chain
-    """For whoever goes on with its motion."""
+    """Frames for logging further motion."""
     remarks: tuple[str, ...] = ()
-    """What the viewer will not show as it should, a line each."""
+    """Remarks on content that the viewer cannot show correctly, one per line."""
 
 
 def log_arm(stream: rr.RecordingStream, run: MovingArm) -> LoggedArm:
@@ -117,7 +117,7 @@ def log_arm(stream: rr.RecordingStream, run: MovingArm) -> LoggedArm:
 
 
 def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> Chain:
-    """The arm with the user's own shapes; the frames of its links."""
+    """Log the arm with the user's shapes; return the frames of its links."""
     chain = _chain(run.robot, None, prefix)
     log_motion(stream, run, chain)
     frames = (run.frame(BASE), *chain.link_frames)
@@ -129,7 +129,7 @@ def _log_meshes(stream: rr.RecordingStream, run: MovingArm, prefix: str) -> Chai
 
 
 def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:
-    """The description as rerun reads it, without what has no place in a URDF; None if it cannot."""
+    """Return the description as read by rerun, without non-URDF content; None if unreadable."""
     try:
         return UrdfTree.from_file_path(file, entity_path_prefix=entity, frame_prefix=prefix)
     except RuntimeError:
@@ -144,7 +144,7 @@ def _description(file: Path, entity: str, prefix: str) -> UrdfTree | None:
 
 
 def _with_whole_paths(text: str, folder: Path) -> str:
-    """A description whose shapes are found from anywhere."""
+    """Return a description with absolute paths of shapes."""
 
     def whole(match: re.Match[str]) -> str:
         return match[0] if "://" in match[1] else f'filename="{folder / match[1]}"'
@@ -158,12 +158,12 @@ def _entity(run: MovingArm, *parts: str) -> str:
 
 
 def _shapes(run: MovingArm) -> str:
-    """Where the link shapes are logged: rerun's reader takes one word, never a path."""
+    """Return the entity of the link shapes: one word, as rerun's reader accepts no path."""
     return f"{run.name}_{ENTITY}" if run.name else ENTITY
 
 
 def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
-    """Names of the moved frames: the description's links, or link_1, link_2, ... without one."""
+    """Return the moved frames: of the description's links, else link_1, link_2, ..."""
     names = tuple(joint.name for joint in robot.joints)
     links = {joint.name: joint.child_link for joint in tree.joints()} if tree else {}
     frames = tuple(
@@ -173,7 +173,7 @@ def _chain(robot: Robot, tree: UrdfTree | None, prefix: str) -> Chain:
 
 
 def log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None:
-    """One edge a joint, from the link before it."""
+    """Log one edge per joint, from the previous link."""
     samples = run.samples
     base_from_link = run.robot.kinematics.link_frames(samples.joints)
     index = run.clock.columns(samples.times)
@@ -194,7 +194,7 @@ def log_motion(stream: rr.RecordingStream, run: MovingArm, chain: Chain) -> None
 
 
 def last_link_from_flange(robot: Robot) -> Transform:
-    """Where the flange sits on the last link; the same in every pose."""
+    """Return the pose of the flange on the last link, which is constant."""
     zero = np.zeros(len(robot.joints))
     base_from_links = robot.kinematics.link_frames(zero)
     return base_from_links[-1].inverse() @ robot.kinematics.forward(zero)
@@ -203,9 +203,9 @@ def last_link_from_flange(robot: Robot) -> Transform:
 def _log_other_frames(
     stream: rr.RecordingStream, run: MovingArm, tree: UrdfTree, prefix: str, chain: Chain
 ) -> None:
-    """The frames of the description that no joint of the run moves.
+    """Log the frames of the description that no joint of the run moves.
 
-    Joints that mimic one of the run follow it; a gripper's joints stay at 0.
+    Joints that mimic a joint of the run follow it; a gripper's joints stay at 0.
     """
     stream.log(
         _entity(run, "base"),
@@ -235,7 +235,7 @@ def _log_other_frames(
 def _log_skeleton(
     stream: rr.RecordingStream, run: MovingArm, chain: Chain, frames: frozenset[str]
 ) -> None:
-    """Bars from joint to joint, for the links that have no shape of their own."""
+    """Log bars from joint to joint, for links without a shape."""
     robot = run.robot
     zero = np.zeros(len(robot.joints))
     origins = robot.kinematics.link_frames(zero)

@@ -1,7 +1,7 @@
-"""What stands in the cell and what robots carry, as the station file tells; red where bodies touch.
+"""Bodies of the station file in the cell and on robots; red when they touch.
 
-An object is red from a contact to the end of the move in which it happened. The links of an arm
-keep their own paint, and a red skin lies over them.
+An object is red from a contact to the end of its move. The links of an arm keep their colour under
+a red skin.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ from rapidsim.simulation.results.collisions import Collisions
 
 ENTITY = "cell"
 _SKIN = 1.01
-"""A skin is larger than the link by this, so that it covers it."""
+"""Scale of a skin relative to the link, so that it covers it."""
 _SHOWN_M = 3.0
-"""Half the side of what is drawn of a floor."""
+"""Half the side of the visible part of a floor."""
 
 
 def log_bodies(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> None:
-    """Log the objects of the station, how they are carried, and what touches."""
+    """Log the objects of the station, their motion, and their contacts."""
     collisions = runs[0].sampled.simulation.collisions
     if collisions is None:
         return
@@ -54,7 +54,7 @@ def log_bodies(stream: rr.RecordingStream, runs: Sequence[RecordedRobot]) -> Non
 
 
 def _by_body(collisions: Collisions) -> Iterator[tuple[int, list[Contact]]]:
-    """The bodies that touch something, with their contacts."""
+    """Yield the bodies that touch something, with their contacts."""
     for number, body in enumerate(collisions.scene.bodies):
         own = [one for one in collisions.hits if body.label in (one.first, one.second)]
         if own:
@@ -68,7 +68,7 @@ def _log_red(
     number: int,
     contacts: Sequence[Contact],
 ) -> None:
-    """A red skin over a body, from each contact to the end of its move."""
+    """Log a red skin over a body, from each contact to the end of its move."""
     body = collisions.scene.bodies[number]
     entity = rr.new_entity_path([ENTITY, "contact", str(number)]).removeprefix("/")
     shape, clock = _within_sight(body.shape), runs[0].clock
@@ -101,7 +101,7 @@ def _course(poses: Poses, number: int) -> Transform:
 
 
 def _within_sight(shape: Shape) -> Shape:
-    """A floor as a plate: one of 200 m would push the arm out of the picture."""
+    """Return a floor as a plate: one of 200 m would push the arm out of the picture."""
     if np.abs(shape.vertices).max() <= 10.0 * _SHOWN_M:
         return shape
     vertices = np.clip(shape.vertices, [-_SHOWN_M, -_SHOWN_M, -0.01], [_SHOWN_M, _SHOWN_M, 0.0])

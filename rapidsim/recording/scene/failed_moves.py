@@ -1,7 +1,7 @@
-"""What the arm cannot do, in red: targets out of reach, and where on a way a move fails, and why.
+"""Infeasible moves, in red: unreachable targets, points of failure on paths, and reasons.
 
-It is there from the start of the recording, so that it is seen before the robot gets there. The
-reasons stand on pins above the cell, where they hide nothing.
+They are visible from the start of the recording, before the robot arrives there. The reasons are on
+pins above the cell, where they hide nothing.
 """
 
 from __future__ import annotations
@@ -25,25 +25,25 @@ REASONS = "failed/reasons"
 PINS = "failed/pins"
 
 MOST_REASONS = 12
-"""With more than this the reasons cover one another; the log has them all."""
+"""Number of reasons above which they overlap; the log has all of them."""
 _LETTERS = 36
-"""Width of a reason, in letters."""
+"""Width of a reason, in characters."""
 _LINES = 4
-"""Of a reason; the log has all of it."""
+"""Maximum number of lines of a reason; the log has the full text."""
 _LOWEST_PIN = 0.24
 _PIN_STEP = 0.22
-"""Shares of the height of the cell, above it and above one another."""
+"""Heights relative to the reach: of the lowest pin above the cell, and between pins."""
 _FARTHEST = 2.5
-"""Shares of the reach; a target farther away does not draw the camera back."""
+"""Distance relative to the reach above which a target does not move the camera back."""
 _APART = 1e-3
-"""[m]; a place on the way this near to the target is the target."""
+"""Distance [m] from the target below which a point on the path is the target."""
 
 
 def log_failed(stream: rr.RecordingStream, run: RecordedRobot, mark_m: float) -> tuple[str, ...]:
-    """Log the moves that could not be made, with crosses of some size [m] on their ways.
+    """Log the infeasible moves, with crosses of some size [m] on their paths.
 
     Returns:
-        What the viewer will not show as it should, a line each.
+        Remarks on content that the viewer cannot show correctly, one per line.
     """
     failed = run.robot_run.failed_moves
     if not failed:
@@ -115,7 +115,7 @@ def fails_before_end(move: FailedMove) -> bool:
 
 
 def pin_heads(run: RecordedRobot) -> Array:
-    """Where the reasons stand (k, 3) [m] in base: above the cell, one above the other."""
+    """Return the positions of the reasons (k, 3) [m] in base: above the cell, stacked."""
     feet = in_sight(run, run.robot_run.failed_moves[:MOST_REASONS])
     sweep = run.places
     top = max(float(sweep[:, 2].max()), 0.8 * _reach(run), *feet[:, 2])
@@ -125,14 +125,14 @@ def pin_heads(run: RecordedRobot) -> Array:
 
 
 def reason_room(run: RecordedRobot) -> Array:
-    """Points (4 k, 3) [m] in base around the reasons, so that their texts are in the picture."""
+    """Return points (4 k, 3) [m] around the reasons, so that their texts are in the picture."""
     aside = 0.3 * _reach(run) * np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0]])
     room: Array = (pin_heads(run)[:, None] + aside[None]).reshape(-1, 3)
     return room
 
 
 def in_sight(run: RecordedRobot, failed: Sequence[FailedMove]) -> Array:
-    """Where moves fail (k, 3) [m] in base, drawn nearer where it is too far away to be shown."""
+    """Return points of failure (k, 3) [m] in base, moved nearer if too far away to be shown."""
     places = np.array([move.fails_at for move in failed]).reshape(-1, 3)
     distance = np.linalg.norm(places, axis=1, keepdims=True)
     shown: Array = places * np.minimum(1.0, _FARTHEST * _reach(run) / np.maximum(distance, 1e-9))
@@ -140,7 +140,7 @@ def in_sight(run: RecordedRobot, failed: Sequence[FailedMove]) -> Array:
 
 
 def _reach(run: RecordedRobot) -> float:
-    """About how far the arm reaches [m]."""
+    """Return the approximate reach of the arm [m]."""
     farthest = float(np.linalg.norm(run.places, axis=1).max())
     return run.robot.reach_m or farthest
 
@@ -153,5 +153,5 @@ def _reason(move: FailedMove) -> str:
 
 
 def _cross(place: Array, size_m: float) -> list[Array]:
-    """Three bars through a place (3,)."""
+    """Return three bars through a point (3,)."""
     return [np.stack([place - bar, place + bar]) for bar in size_m * np.eye(3)]

@@ -1,4 +1,4 @@
-"""The link shapes of a robot description, as solid bodies."""
+"""Link shapes of a robot description, as solid bodies."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ _SOLID = MappingProxyType(
         "Ellipsoids3D": rr.Ellipsoids3D.from_fields(fill_mode=_FILLED),
     }
 )
-"""Shapes that rerun draws as wires over a veil unless told to fill them."""
+"""Archetypes with fill modes: rerun draws these as wireframes by default."""
 _DRAWN = frozenset({"Asset3D", "Mesh3D", *_SOLID})
 _COLLISION = "/collision_geometries/"
 
 
 @value_class(frozen=True, slots=True)
 class LoggedShapes:
-    """Which link frames got a shape, and which have one that could not be read."""
+    """Link frames with a logged shape, and those whose shape could not be read."""
 
     logged: frozenset[str]
     missing: frozenset[str]
 
 
 def log_shapes(stream: rr.RecordingStream, tree: UrdfTree) -> LoggedShapes:
-    """Log what a description shows of its links.
+    """Log the visible shapes of a description's links.
 
-    Collision shapes are left out: drawn over the visible ones they flicker.
+    Collision shapes are omitted: drawn over the visible ones they flicker.
     """
     chunks = [
         chunk
@@ -68,7 +68,7 @@ def _archetypes(chunk: Chunk) -> set[str]:
 
 
 def _frame(chunk: Chunk) -> dict[str, str]:
-    """The frame that a chunk puts its entity in, by entity."""
+    """Return the frame of a chunk's entity, by entity."""
     batch = chunk.to_record_batch()
     if "CoordinateFrame:frame" not in batch.schema.names:
         return {}

@@ -1,6 +1,6 @@
-"""The path in the cell: as programmed, thin, and as travelled, in the colour of the move.
+"""Paths in the cell: programmed, thin, and travelled, in the colour of the move.
 
-Where a corner was cut the travelled path has the corner's colour.
+In corners the travelled path has the corner's colour.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ PROGRAMMED = "path/programmed"
 TRAVELLED = "path/travelled"
 
 _CURVE_POINTS = 48
-"""Points that make a joint move or an arc look round."""
+"""Number of points with which a joint move or an arc looks round."""
 _NO_STEP = 1e-6
-"""[m]; a step that does not show."""
+"""Length [m] of an invisible step."""
 _JUMP = 5e-3
-"""[m]; less than this between two samples is speed that the two samples do not show."""
+"""Step [m] between two samples below which it is due to speed between them."""
 _CORNER = "corner"
 
 
@@ -58,13 +58,13 @@ def log_paths(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def programmed(run: RecordedRobot) -> Iterator[Array]:
-    """The curve (k, 3) [m] of each move in the base, corners not cut.
+    """Yield the curve (k, 3) [m] of each move in the base, without corners.
 
-    Moves in frames that move have no such curve.
+    Moves in moving frames have no such curve.
     """
     kinematics = run.robot.kinematics
     joints = run.samples.joints[0]
-    # A place of the arm: where a TCP is, and the flange as seen from it.
+    # A pose of the arm: the TCP, and the flange relative to it.
     tcp, tcp_from_flange = kinematics.forward(joints), Transform.identity()
     for move in run.robot_run.moves:
         if not _has_static_frames(run, move):
@@ -72,7 +72,7 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
             continue
         start = tcp.translation
         if move.tcp_from_flange is not tcp_from_flange:
-            # Another tool, whose TCP is elsewhere on the same flange.
+            # Another tool has another TCP on the same flange.
             start = (tcp @ tcp_from_flange @ move.tcp_from_flange.inverse()).translation
         end = move.base_from_tcp.translation
         match move.move.interpolation:
@@ -89,7 +89,7 @@ def programmed(run: RecordedRobot) -> Iterator[Array]:
 
 
 def _has_static_frames(run: RecordedRobot, move: ExecutedMove) -> bool:
-    """Whether a move is in a frame that stands still: tool in hand, work and robot in place."""
+    """Whether a move is in a static frame: tool held, work object and robot base static."""
     tool, wobj = move.move.tool, move.move.wobj
     return tool.robhold and not wobj.robhold and wobj.ufprog and not run.on_track
 
@@ -102,7 +102,7 @@ def _circle_point(run: RecordedRobot, move: ExecutedMove) -> Array:
 
 
 def _joined(curves: Iterator[Array]) -> list[Array]:
-    """The same curves as few strips: one goes on where the next begins."""
+    """Return the curves as few strips: successive curves that meet are joined."""
     strips: list[list[Array]] = []
     for curve in curves:
         if strips and np.linalg.norm(strips[-1][-1][-1] - curve[0]) < _NO_STEP:
@@ -113,7 +113,7 @@ def _joined(curves: Iterator[Array]) -> list[Array]:
 
 
 def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array]]]:
-    """Pieces of the travelled path by what they are, in the order they first occur."""
+    """Return pieces of the travelled path by kind, in the order of first occurrence."""
     moves = run.robot_run.moves
     kinds = dict.fromkeys(move.move.instruction for move in moves)
     number_of = {name: number for number, name in enumerate((_CORNER, *kinds))}
@@ -128,7 +128,7 @@ def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array
     jumped = jumps(run)
     bounds = np.flatnonzero((of_sample[1:] != of_sample[:-1]) | jumped) + 1
     for begin, end in pairwise([0, *bounds.tolist(), len(of_sample)]):
-        # A piece ends where the next one begins, so that the path has no gaps but real ones.
+        # A piece ends at the start of the next one, so that the path has only real gaps.
         goes_on = end < len(of_sample) and not jumped[end - 1]
         piece = points[begin : end + 1] if goes_on else points[begin:end]
         if np.ptp(piece, axis=0).max() >= _NO_STEP:
@@ -138,7 +138,7 @@ def _travelled(run: RecordedRobot) -> dict[str, tuple[palette.Colour, list[Array
 
 
 def jumps(run: RecordedRobot) -> npt.NDArray[np.bool_]:
-    """Between which samples (k - 1,) the TCP is elsewhere without a way: the tool was changed."""
+    """Mask (k - 1,) of steps between samples without a path: the tool was changed."""
     samples = run.samples
     step = np.linalg.norm(np.diff(run.places, axis=0), axis=1)
     faster = np.maximum(samples.tcp_speed[1:], samples.tcp_speed[:-1])
@@ -147,5 +147,5 @@ def jumps(run: RecordedRobot) -> npt.NDArray[np.bool_]:
 
 
 def _move_index(run: RecordedRobot) -> npt.NDArray[np.int64]:
-    """Index of the move under way (k,); the first before any."""
+    """Return the index of the active move (k,); the first before any."""
     return np.clip(run.samples.move, 0, len(run.robot_run.moves) - 1)

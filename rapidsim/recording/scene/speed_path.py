@@ -1,4 +1,4 @@
-"""The travelled path once more, in the colour of the speed there."""
+"""The travelled path in the colours of the speed."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from rapidsim.recording.scene.paths import jumps
 ENTITY = "path/speed"
 
 _NO_STEP = 1e-6
-"""[m]; a piece that does not show."""
+"""Length [m] of an invisible piece."""
 
 
 def log_speed_path(stream: rr.RecordingStream, run: RecordedRobot) -> None:
-    """Log the path in the colours of `palette.SPEEDS`, from standstill to `top_speed`."""
+    """Log the path in the colours of `palette.SPEEDS`, from rest to `top_speed`."""
     if not run.robot_run.moves or top_speed(run) == 0.0:
         return
     speed = run.samples.tcp_speed
-    # The colour of a step is that of its faster end: a stop is a point, not a stretch.
+    # The colour of a step is that of its faster end: a stop is a point, not a section.
     share = np.maximum(speed[1:], speed[:-1]) / top_speed(run)
     bins = np.minimum((share * len(palette.SPEEDS)).astype(np.int64), len(palette.SPEEDS) - 1)
     strips: list[Array] = []
@@ -48,5 +48,5 @@ def log_speed_path(stream: rr.RecordingStream, run: RecordedRobot) -> None:
 
 
 def top_speed(run: RecordedRobot) -> float:
-    """The highest speed of the TCP [m/s]."""
+    """Return the highest speed of the TCP [m/s]."""
     return float(run.samples.tcp_speed.max())

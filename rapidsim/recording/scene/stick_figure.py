@@ -1,4 +1,4 @@
-"""A bar with a ball at its foot: what an arm looks like when nobody drew its links."""
+"""A bar with a ball at its foot: the drawing of links without shapes."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rapidsim.frames.transform import Array
 from rapidsim.recording import palette
 
 _SHORTEST = 1e-3
-"""[m]; joints that coincide have no bar between them."""
+"""Length [m] below which joints coincide and have no bar between them."""
 
 
 def log_bar(stream: rr.RecordingStream, entity: str, frame: str, end: Array, radius: float) -> None:
@@ -42,7 +42,7 @@ def log_bar(stream: rr.RecordingStream, entity: str, frame: str, end: Array, rad
 
 
 def z_to(direction: Array) -> list[float]:
-    """A rotation, scalar last, that turns the z axis to a unit vector (3,)."""
+    """Return a rotation, scalar last, that maps the z axis to a unit vector (3,)."""
     x, y, z = (float(component) for component in direction)
     if z < -1.0 + 1e-9:
         return [1.0, 0.0, 0.0, 0.0]

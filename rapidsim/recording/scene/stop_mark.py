@@ -1,4 +1,4 @@
-"""A mark in the cell where a run came to a stop that was not programmed."""
+"""Mark in the cell at the point of a stop that was not programmed."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ NAME = "stopped/name"
 
 
 def log_stopped(stream: rr.RecordingStream, run: RecordedRobot, above_m: float) -> None:
-    """Log where the TCP stood when an error ended the run; of several robots, whose it was.
+    """Log the TCP position at which an error ended the run; with several robots, of the failed one.
 
     Args:
         stream: The recording.
         run: The run.
-        above_m: How far [m] above the mark the error's code and name stand, clear of other names.
+        above_m: Height [m] of the error's code and name above the mark, clear of other names.
     """
     if run.sampled.simulation.end is not End.ERROR or (run.name and not run.robot_run.failed_moves):
         return
@@ -38,7 +38,7 @@ def log_stopped(stream: rr.RecordingStream, run: RecordedRobot, above_m: float) 
     stream.log(
         run.entity(MARK), rr.Points3D([place], radii=rr.Radius.ui_points(8.0), colors=colour)
     )
-    # A move that could not be made says why at its own place.
+    # An infeasible move shows its reason at its own point of failure.
     if not any(failed.violation in errors for failed in run.robot_run.failed_moves):
         stream.log(
             run.entity(NAME),

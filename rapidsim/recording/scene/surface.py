@@ -1,4 +1,4 @@
-"""Bodies as the viewer draws them."""
+"""Surfaces of bodies in the viewer."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.recording import palette
 
 
 def surface(shape: Shape, colour: palette.Colour) -> rr.Mesh3D:
-    """A surface with flat faces."""
+    """Return a surface with flat faces."""
     corners = shape.vertices[shape.faces]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     length = np.linalg.norm(normals, axis=1, keepdims=True)

@@ -1,4 +1,4 @@
-"""The programmed targets: points, names and axes, each target once."""
+"""Programmed targets: points, names and axes, each target once."""
 
 from __future__ import annotations
 
@@ -21,32 +21,32 @@ NAMES_NEAR = f"{ENTITY}/names/near"
 NAMES_FAR = f"{ENTITY}/names/far"
 
 MOST_NAMES = 60
-"""With more targets than this the names cover each other and everything else."""
+"""Number of targets above which names would overlap and are omitted."""
 MOST_AXES = 2000
 _APART = 0.02
-"""Share of the work's extent within which targets share one label."""
+"""Distance, relative to the extent of the work, within which targets share one label."""
 _MOST_AT_A_PLACE = 3
-"""Names that a label has; more would cover what it stands at."""
+"""Maximum number of names in a label; more would cover its target."""
 _SAME = 1e-6
-"""[m]; targets nearer than this with one name are one target."""
+"""Distance [m] below which targets of one name are one target."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class Target:
-    """A place the program sends the TCP to."""
+    """An end point of programmed moves."""
 
     name: str
     still_from_tcp: Transform
     on_line: bool
-    """Whether a line or an arc leads there."""
+    """Whether a line or an arc ends there."""
     warned: bool
-    """Whether there is a finding on a move that leads there."""
+    """Whether there is a finding on a move that ends there."""
     visits: int = 1
-    """How many moves lead there."""
+    """Number of moves that end there."""
 
 
 def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
-    """The targets of a run in the order of their first use."""
+    """Return the targets of a run in the order of their first use."""
     warned = {
         (finding.span.file, finding.span.line)
         for finding in run.sampled.simulation.diagnostics
@@ -74,25 +74,25 @@ def targets_of(run: RecordedRobot) -> tuple[Target, ...]:
 
 
 def near_targets(targets: Sequence[Target]) -> tuple[Target, ...]:
-    """The targets where the work is done: on lines and arcs, if there are some apart, else all."""
+    """Return the targets of the work: those on lines and arcs if they have an extent, else all."""
     on_lines = tuple(target for target in targets if target.on_line)
     return on_lines if extent(on_lines) > 0.0 else tuple(targets)
 
 
 def extent(targets: Sequence[Target]) -> float:
-    """The largest extent [m] of some targets along an axis; 0 for none."""
+    """Return the largest extent [m] of some targets along an axis; 0 for no targets."""
     if not targets:
         return 0.0
     return float(np.ptp(points_of(targets), axis=0).max())
 
 
 def points_of(targets: Sequence[Target]) -> Array:
-    """Where some targets are (k, 3) [m]."""
+    """Return the positions of targets (k, 3) [m]."""
     return np.array([target.still_from_tcp.translation for target in targets])
 
 
 def target_name(move: ExecutedMove) -> str:
-    """The end of a move in few letters."""
+    """Return the end of a move as a short text."""
     text = end_point(move)
     return text if len(text) <= 24 else text[:23] + "…"
 
@@ -109,13 +109,13 @@ def log_targets(
 
     Args:
         stream: The recording.
-        run: The run they belong to.
-        targets: What is logged.
+        run: Run of the targets.
+        targets: Targets to log.
         axis_m: Length [m] of their axes.
-        spacing_m: Names of targets far from the work that are nearer to each other [m] become one.
+        spacing_m: Distance [m] below which names of targets far from the work are merged.
 
     Returns:
-        What the viewer will not show as it should, a line each.
+        Remarks on content that the viewer cannot show correctly, one per line.
     """
     if not targets:
         return ()
@@ -194,7 +194,7 @@ def _log_axes(
 
 
 def _gathered(targets: Sequence[Target], spacing_m: float) -> tuple[Array, list[str]]:
-    """Places that are some way [m] apart, with the names of all targets near each."""
+    """Return places that are some distance [m] apart, with the names of all targets near each."""
     names: list[dict[str, int]] = []
     places: list[Array] = []
     for target in targets:
@@ -210,7 +210,7 @@ def _gathered(targets: Sequence[Target], spacing_m: float) -> tuple[Array, list[
 
 
 def _label(visits: Mapping[str, int]) -> str:
-    """The names at a place, each with how often the robot goes there; of many, the first."""
+    """Return the names at a place with their numbers of visits; of many, only the first."""
     said = [name if times == 1 else f"{name} ({times}x)" for name, times in visits.items()]
     more = f" and {len(said) - _MOST_AT_A_PLACE} more" if len(said) > _MOST_AT_A_PLACE else ""
     return ", ".join(said[:_MOST_AT_A_PLACE]) + more

@@ -1,6 +1,6 @@
-"""The tool: the TCP's frame on the flange, and a slim body from the flange to the TCP.
+"""Tool: the TCP's frame on the flange, and a slim body from the flange to the TCP.
 
-A program may change tools, or a tool's frame; the recording follows. A tool whose TCP lies in the
+A program may change tools, or a tool's frame; the recording follows. A tool with its TCP in the
 flange (`tool0`) has no body, nor has a stationary tool.
 """
 
@@ -22,7 +22,7 @@ FRAME_ENTITY = "robot/tcp"
 BODY_ENTITY = "robot/tool"
 
 _SHORTEST = 1e-3
-"""[m]; a TCP nearer to the flange than this has no body."""
+"""Distance [m] of a TCP from the flange below which it has no body."""
 _SIDES = 24
 
 
@@ -32,7 +32,7 @@ def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> N
     tools = changes(
         run.robot_run.moves,
         lambda move: move.move.tool.tframe,
-        # A stationary tool stands in the world, and the arm carries the work to it.
+        # A stationary tool is fixed in the world, and the arm moves the work to it.
         lambda move: flange if move.move.tool.robhold else WORLD,
     ) or (FrameChange(0.0, Transform.identity(), flange),)
     stream.send_columns(
@@ -52,7 +52,7 @@ def log_tool(stream: rr.RecordingStream, run: RecordedRobot, axis_m: float) -> N
 
 
 def tool_body(tcp_in_flange: Array) -> rr.Mesh3D | rr.Clear:
-    """A tapered rod from the flange to the TCP (3,) [m], round and closed at the flange."""
+    """Return a tapered rod from the flange to the TCP (3,) [m], round and closed at the flange."""
     length = float(np.linalg.norm(tcp_in_flange))
     if length < _SHORTEST:
         return rr.Clear(recursive=False)
@@ -62,7 +62,7 @@ def tool_body(tcp_in_flange: Array) -> rr.Mesh3D | rr.Clear:
     angle = np.linspace(0.0, 2.0 * np.pi, _SIDES, endpoint=False)
     around = np.stack([np.cos(angle), np.sin(angle), np.zeros(_SIDES)], axis=1)
     rings, normals = [], []
-    # Full for most of the way, then a point: a pen, a torch, a gripper's finger.
+    # Full for most of its length, then a point: a pen, a torch, a gripper's finger.
     for share, radius in ((0.0, thick), (0.7, 0.8 * thick), (1.0, 0.12 * thick)):
         rings.append(around * radius + [0.0, 0.0, share * length])
         normals.append(around)

@@ -1,6 +1,6 @@
-"""The work objects: user frame, object frame, and a faint plate in the object's plane.
+"""Work objects: user frame, object frame, and a faint plate in the object's plane.
 
-The world is no work object of its own here: `wobj0` has no frames to show beside it.
+The world is not a work object here: `wobj0` has no frames to show.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ ENTITY = "work_objects"
 
 _THICKNESS = 0.002
 _SMALLEST = 0.05
-"""[m]; half the side of the smallest plate."""
+"""Half the side [m] of the smallest plate."""
 
 
 def log_work_objects(
@@ -34,7 +34,7 @@ def log_work_objects(
     """Log the frames of the work objects with axes of a length [m].
 
     Returns:
-        What the viewer will not show as it should, a line each.
+        Remarks on content that the viewer cannot show correctly, one per line.
     """
     for name, moves in _by_name(run.robot_run.moves).items():
         _log_frames(stream, run, name, moves, axis_m)
@@ -52,7 +52,7 @@ def _log_frames(
     moves: Sequence[ExecutedMove],
     axis_m: float,
 ) -> None:
-    """User frame and object frame; that of a work object in the robot's hand is on the flange."""
+    """Log user frame and object frame; on the flange for a work object that the robot holds."""
     object_frame, flange = run.frame(name), run.frame(FLANGE)
     user_frame = f"{object_frame}.uframe"
     users = changes(
@@ -78,7 +78,7 @@ def _log_frames(
 
 
 def object_origins(run: RecordedRobot) -> Array:
-    """Where the object frames are (k, 3) [m] in the base."""
+    """Return the origins of the object frames (k, 3) [m] in the base."""
     used = dict.fromkeys(
         move.move.wobj
         for group in _by_name(run.robot_run.moves).values()
@@ -91,12 +91,12 @@ def object_origins(run: RecordedRobot) -> Array:
 
 
 def _entity(run: RecordedRobot, name: str, part: str) -> str:
-    """Where a part of a work object is logged; the name may be any expression, `wobjs{1}` too."""
+    """Return the entity of part of a work object; the name may be an expression (`wobjs{1}`)."""
     return run.entity(rr.new_entity_path([ENTITY, name, part]).removeprefix("/"))
 
 
 def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
-    """The moves that use a work object of their own, by its name."""
+    """Return the moves that use a work object other than the world, by its name."""
     found: dict[str, list[ExecutedMove]] = {}
     for move in moves:
         wobj = move.move.wobj
@@ -112,7 +112,7 @@ def _by_name(moves: Sequence[ExecutedMove]) -> dict[str, list[ExecutedMove]]:
 def _log_plate(
     stream: rr.RecordingStream, run: RecordedRobot, name: str, moves: Sequence[ExecutedMove]
 ) -> None:
-    """A plate under the targets and the origin, in the plane of the object frame, and a name."""
+    """Log a named plate under the targets and the origin, in the plane of the object frame."""
     places: dict[WobjData, list[Array]] = {}
     for move in moves:
         if not move.move.wobj.robhold and move.move.wobj.ufprog and move.move.tool.robhold:
@@ -152,10 +152,10 @@ def _log_plate(
 
 
 def _emptiest_corner(centre: Array, half: Array, targets: Array) -> Array:
-    """The corner (2,) of a plate farthest from all targets (k, 2), where a name covers nothing."""
+    """Return the corner (2,) of a plate farthest from all targets (k, 2), for its name."""
     signs = np.array([[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]])
     corners = centre + half * signs
     distances = np.linalg.norm(corners[:, None] - targets[None], axis=2).min(axis=1)
-    # Rounded, so that corners equally far give the first of them on every machine.
+    # Rounded, so that for equally far corners all machines select the first one.
     corner: Array = corners[int(np.argmax(np.round(distances, 6)))]
     return corner

@@ -27,8 +27,8 @@ from rapidsim.values import value_class
 
 JOINT_COUNT = 5
 ALIGNED = 1e-4
-"""Angle [rad] by which the roll axis may leave the plane of the arm: printed targets are no more
-exact than that."""
+"""Largest angle [rad] between the roll axis and the plane of the arm: printed targets are no more
+exact."""
 ON_WAIST = 1e-9
 """Share of the reach within which a point counts as lying on axis 1."""
 _LEFT_UP_OUT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -37,7 +37,7 @@ _LEFT_UP_OUT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 
 @value_class(frozen=True, slots=True)
 class FiveAxisGeometry:
-    """The lengths [m]; the names are those of the DH table."""
+    """Lengths [m]; the names are those in the DH table."""
 
     d1: float
     """Base to shoulder, upward."""
@@ -66,7 +66,7 @@ class FiveAxis(Kinematics):
 
     @property
     def joint_count(self) -> int:
-        """Five."""
+        """Five joints."""
         return JOINT_COUNT
 
     @property
@@ -101,7 +101,7 @@ class FiveAxis(Kinematics):
         return self.chain.jacobian(joints)
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """All four branches; axis 1 is 0 where a pose leaves it undetermined."""
+        """Return all four branches; axis 1 is 0 if the pose does not determine it."""
         angles, shortfall, tilt = self._angles(base_from_flange, np.array(0.0))
         exists = self._exists(shortfall, tilt)
         joints = np.where(exists[..., None], principal(angles), 0.0)
@@ -118,9 +118,9 @@ class FiveAxis(Kinematics):
         return BranchJoints(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 5); on a border it is the front, the negative elbow.
+        """Return the branch of joint vectors (..., 5); on a border the front, the negative elbow.
 
-        With the wrist above or below the waist, front is where the flange is.
+        With the wrist above or below the waist, the flange position determines the front.
         """
         joints = np.asarray(joints, dtype=np.float64)
         nothing = ON_WAIST * self.geometry.reach
@@ -132,10 +132,10 @@ class FiveAxis(Kinematics):
         return branch
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
-        """The Jacobian loses rank with the elbow stretched, or the roll axis on the waist axis.
+        """Return the singularities: elbow stretched, or roll axis on the waist axis.
 
-        Its first three rows, the velocity, lose rank already if the flange is on the waist axis,
-        whatever the roll axis does: then no joint moves the flange sideways.
+        The first three rows of the Jacobian, the velocity, lose rank already if the flange is on
+        the waist axis, for any roll axis: then no joint moves the flange sideways.
         """
         elbow = abs(float(np.sin(joints[2])))
         aside = abs(float(self.flange_forward(joints))) / self.geometry.reach
@@ -145,13 +145,13 @@ class FiveAxis(Kinematics):
         )
 
     def wrist_forward(self, joints: Array) -> Array:
-        """How far (...) [m] the wrist is in front of the waist."""
+        """Distance (...) [m] of the wrist in front of the waist."""
         q2, q23 = joints[..., 1], joints[..., 1] + joints[..., 2]
         forward: Array = self.geometry.a2 * np.cos(q2) + self.geometry.a3 * np.cos(q23)
         return forward
 
     def flange_forward(self, joints: Array) -> Array:
-        """How far (...) [m] the flange is in front of the waist."""
+        """Distance (...) [m] of the flange in front of the waist."""
         pitch = joints[..., 1] + joints[..., 2] + joints[..., 3]
         forward: Array = self.wrist_forward(joints) + self.geometry.d5 * np.cos(pitch)
         return forward
@@ -163,14 +163,14 @@ class FiveAxis(Kinematics):
     def _angles(self, pose: Transform, near_1: Array) -> tuple[Array, Array, Array]:
         """Angles (..., 4, 5) [rad] of all branches, shortfall (...) [m] and tilt (...) [rad].
 
-        The flange point lies in the plane of the arm whatever the orientation, so it tells axis 1;
-        the roll axis is projected into the plane, and tilt is what that takes away.
+        The flange point lies in the plane of the arm for any orientation, so it determines axis 1;
+        the roll axis is projected into the plane, and tilt is the angle of the projection.
         """
         g = self.geometry
         x, y = pose.translation[..., 0], pose.translation[..., 1]
         out = pose.rotation[..., :, 2]
         level = np.hypot(out[..., 0], out[..., 1])
-        # A flange above the waist leaves axis 1 to the roll axis; if that is vertical, to `near`.
+        # For a flange above the waist the roll axis determines axis 1; if that is vertical, `near`.
         above_waist = np.hypot(x, y) < ON_WAIST * g.reach
         ahead = np.where(level < ON_WAIST, near_1, np.arctan2(out[..., 1], out[..., 0]))
         ahead = np.where(above_waist, ahead, np.arctan2(y, x))
@@ -200,12 +200,12 @@ class FiveAxis(Kinematics):
 
 
 def _roll(rotation: Array, q1: Array, pitch: Array) -> Array:
-    """Roll (...) [rad] that is left of rotations (..., 3, 3) after waist and pitch."""
+    """Return the roll (...) [rad] that remains of rotations (..., 3, 3) after waist and pitch."""
     c1, s1, cp, sp = np.cos(q1), np.sin(q1), np.cos(pitch), np.sin(pitch)
     left = np.stack([-s1, c1, np.zeros_like(c1)], axis=-1)
     up = np.stack([-c1 * sp, -s1 * sp, cp], axis=-1)
     x, y = rotation[..., :, 0], rotation[..., :, 1]
-    # x of the flange is left and y is up at roll 0; both tell the roll, so that a tilt is shared.
+    # x of the flange points left and y up at roll 0; both determine the roll, to share a tilt.
     sine = np.sum(x * up - y * left, axis=-1)
     cosine = np.sum(x * left + y * up, axis=-1)
     roll: Array = np.arctan2(sine, cosine)

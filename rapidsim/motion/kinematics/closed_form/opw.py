@@ -1,4 +1,4 @@
-"""The usual industrial arm: three axes that position the wrist centre, three that intersect in it.
+"""Common industrial arm: three axes position the wrist centre, three intersect in it.
 
 An ortho-parallel basis (axis 2 perpendicular to axis 1, axis 3 parallel to axis 2) with a spherical
 wrist, described by seven lengths. The angles theta of the formulas are zero with the arm straight
@@ -31,30 +31,30 @@ from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
 
 _JOINT = np.arange(JOINT_COUNT)
 _AXIS = np.array([2, 1, 1, 2, 1, 2])
-"""Which column of its frame each axis is: z, or y for axes 2, 3 and 5."""
+"""Column of its frame that each axis is: z, or y for axes 2, 3 and 5."""
 _BENT_WRIST = np.radians(30.0)
-"""Axis 5 where work begins [rad]: at 0 the arm would be singular."""
+"""Axis 5 of the initial posture [rad]: at 0 the arm would be singular."""
 
 
 @dataclass(frozen=True, eq=False)
 class OrthoParallel(Kinematics):
     """Kinematics of an ortho-parallel arm with a spherical wrist.
 
-    The branch is ABB's cfx for arms whose signs are ABB's, all +1: 4 where the wrist centre is
-    behind axis 1, plus 2 where it is behind the lower arm, plus 1 where axis 5 is negative.
+    The branch is ABB's cfx for arms whose signs are ABB's, all +1: 4 if the wrist centre is behind
+    axis 1, plus 2 if it is behind the lower arm, plus 1 if axis 5 is negative.
     """
 
     geometry: OpwGeometry
     base_from_opw: Transform
-    """Where the frame of the formulas stands: z is axis 1, x points forward."""
+    """Frame of the formulas: z is axis 1, x points forward."""
     opw_from_link: Transform
     """From link frames to the frames of the formulas, shape (6,): naming, no motion."""
     opw6_from_flange: Transform
-    """The flange seen from the wrist centre, z along axis 6."""
+    """Flange relative to the wrist centre, z along axis 6."""
 
     @property
     def joint_count(self) -> int:
-        """Six."""
+        """Six joints."""
         return JOINT_COUNT
 
     @property
@@ -64,12 +64,12 @@ class OrthoParallel(Kinematics):
 
     @property
     def spherical_wrist(self) -> bool:
-        """True."""
+        """True: axes 4 to 6 intersect in one point."""
         return True
 
     @property
     def posture(self) -> Array:
-        """Lower arm upright, forearm level, axis 5 bent, wherever the manufacturer puts zero."""
+        """Lower arm upright, forearm level, axis 5 bent, for any zero position of the maker."""
         return self.joints_from_theta(np.array([0.0, 0.0, np.pi / 2.0, 0.0, _BENT_WRIST, 0.0]))
 
     @cached_property
@@ -90,7 +90,7 @@ class OrthoParallel(Kinematics):
 
     @cached_property
     def single(self) -> SinglePose:
-        """The same queries for one pose, in plain floats."""
+        """Implementation for one pose, in plain floats."""
         frames = map(
             rigid.from_transform,
             (
@@ -103,13 +103,13 @@ class OrthoParallel(Kinematics):
         return SinglePose(self.geometry, *frames)
 
     def theta_from_joints(self, joints: Array) -> Array:
-        """Angles of the formulas (..., 6) [rad] from joint vectors (..., 6) [rad]."""
+        """Return angles of the formulas (..., 6) [rad] for joint vectors (..., 6) [rad]."""
         serial = np.array(joints, dtype=np.float64)
         serial[..., 2] += self.geometry.coupling * serial[..., 1]
         return self._signs * serial - self._offsets
 
     def joints_from_theta(self, theta: Array) -> Array:
-        """Joint vectors (..., 6) [rad], each joint in its principal turn -180..180 deg."""
+        """Return joint vectors (..., 6) [rad], each joint in its principal turn -180..180 deg."""
         joints = (theta + self._offsets) * self._signs
         joints[..., 2] -= self.geometry.coupling * joints[..., 1]
         return principal(joints)
@@ -143,10 +143,10 @@ class OrthoParallel(Kinematics):
         return np.swapaxes(columns, -1, -2)
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """All eight branches of a batch of poses (...,).
+        """Return all eight branches of a batch of poses (...,).
 
-        Joints that a pose leaves undetermined are 0: axis 1 where the wrist centre is on it, axis 4
-        where axis 5 is 0.
+        Joints that a pose does not determine are 0: axis 1 if the wrist centre is on it, axis 4 if
+        axis 5 is 0.
         """
         theta, exists, shortfall = opw_inverse.all_branches(
             self.geometry, self._opw6(base_from_flange)
@@ -171,7 +171,7 @@ class OrthoParallel(Kinematics):
         return BranchJoints(joints, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 6); on a border, the front or positive one."""
+        """Return the branch of joint vectors (..., 6); on a border, the front or positive one."""
         if joints.ndim == 1:
             return np.array(self.single.branch_of(joints.tolist()))
         shoulder, elbow, wrist = (factor < -ROUNDING for factor in self._factors(joints))
@@ -179,7 +179,7 @@ class OrthoParallel(Kinematics):
         return branch
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
-        """The determinant of the Jacobian is the product of these three and of lengths."""
+        """Return the singularities; the Jacobian determinant is their product times lengths."""
         shoulder, elbow, wrist = (abs(float(factor)) for factor in self._factors(joints))
         return (
             Singularity("wrist", wrist, "axes 4 and 6 are in line"),
@@ -188,14 +188,14 @@ class OrthoParallel(Kinematics):
         )
 
     def limiting_length(self, base_from_flange: Transform) -> str | None:
-        """Which part of the arm keeps its wrist centre from one pose; None if none does."""
+        """Describe the length that makes the wrist centre unreachable; None if none does."""
         return self.geometry.limiting_length(*self._opw6(base_from_flange).translation.tolist())
 
     def _factors(self, joints: Array) -> tuple[Array, Array, Array]:
-        """What tells branches and singularities: where one is 0 the arm is singular, signs differ.
+        """Return the factors of branches and singularities: singular at 0, branch by sign.
 
-        How far (...) the wrist centre is in front of axis 1, as a share of the reach; the sine
-        (...) of the elbow from stretched; the sine (...) of axis 5.
+        Distance (...) of the wrist centre in front of axis 1, as a share of the reach; sine (...)
+        of the elbow from stretched; sine (...) of axis 5.
         """
         g = self.geometry
         theta = self.theta_from_joints(joints)
@@ -204,11 +204,11 @@ class OrthoParallel(Kinematics):
         return forward / g.reach, np.sin(t3 + g.fore_lean), np.sin(theta[..., 4])
 
     def _opw6(self, base_from_flange: Transform) -> Transform:
-        """The last frame of the formulas: its origin is the wrist centre."""
+        """Return the last frame of the formulas: its origin is the wrist centre."""
         return self._opw_from_base @ base_from_flange @ self._flange_from_opw6
 
     def _last_opw_frame(self, joints: Array) -> Transform:
-        """The last of `_opw_frames`, several times as fast as all of them."""
+        """Return the last of `_opw_frames`, several times as fast as all of them."""
         g = self.geometry
         theta = self.theta_from_joints(joints)
         c, s = np.cos(theta), np.sin(theta)
@@ -231,10 +231,10 @@ class OrthoParallel(Kinematics):
         return Transform(elbow @ wrist, centre)
 
     def _opw_frames(self, joints: Array) -> Transform:
-        """The frames (..., 6) of the formulas in their base.
+        """Return the frames (..., 6) of the formulas in their base.
 
-        Frame 1 stands at the foot of axis 1, 2 and 3 on their axes, 4 on axis 4 beside the elbow,
-        5 and 6 in the wrist centre. z is the axis, but y for 2, 3 and 5.
+        Frame 1 is at the foot of axis 1, 2 and 3 are on their axes, 4 is on axis 4 next to the
+        elbow, 5 and 6 are in the wrist centre. z is the axis, but y for 2, 3 and 5.
         """
         g = self.geometry
         theta = self.theta_from_joints(joints)
@@ -257,14 +257,14 @@ class OrthoParallel(Kinematics):
 
 
 def _about_z(angle: Array) -> Array:
-    """Rotation matrices (..., 3, 3) about z."""
+    """Return rotation matrices (..., 3, 3) about z."""
     c, s, zero = np.cos(angle), np.sin(angle), np.zeros_like(angle)
     rows = [c, -s, zero, s, c, zero, zero, zero, np.ones_like(angle)]
     return np.stack(rows, axis=-1).reshape(*angle.shape, 3, 3)
 
 
 def _about_y(angle: Array) -> Array:
-    """Rotation matrices (..., 3, 3) about y."""
+    """Return rotation matrices (..., 3, 3) about y."""
     c, s, zero = np.cos(angle), np.sin(angle), np.zeros_like(angle)
     rows = [c, zero, s, zero, np.ones_like(angle), zero, -s, zero, c]
     return np.stack(rows, axis=-1).reshape(*angle.shape, 3, 3)

@@ -1,4 +1,4 @@
-"""The seven lengths and the zero positions of an ortho-parallel arm with a spherical wrist.
+"""Seven lengths and zero positions of an ortho-parallel arm with a spherical wrist.
 
 The angles theta of the formulas are zero with the arm straight up. The joint values differ from
 them by a sign, an offset and, for arms that move axis 3 through a rod, by the angle of axis 2.
@@ -14,17 +14,17 @@ from rapidsim.frames.vectors import Number
 
 JOINT_COUNT = 6
 ROUNDING = 1e-12
-"""Angles [rad] and shares of the arm's length up to this are zero spoiled by rounding."""
+"""Angles [rad] and shares of the arm's length up to this are zero with rounding errors."""
 
 
 @dataclass(frozen=True)
 class OpwGeometry:
-    """The lengths [m] and the zero positions of an ortho-parallel arm."""
+    """Lengths [m] and zero positions of an ortho-parallel arm."""
 
     a1: float
     """Axis 1 to axis 2, forward."""
     a2: float
-    """Axis 3 to axis 4; negative where the forearm lies above the elbow with the arm forward."""
+    """Axis 3 to axis 4; negative if the forearm lies above the elbow with the arm forward."""
     b: float
     """Sideways offset of the wrist centre from axis 1."""
     c1: float
@@ -53,25 +53,25 @@ class OpwGeometry:
 
     @cached_property
     def fore_lean(self) -> float:
-        """By what angle [rad] that line leans forward of axis 4."""
+        """Angle [rad] by which that line leans forward of axis 4."""
         return atan2(self.a2, self.c3)
 
     def wrist_forward(self, s2: Number, c23: Number, s23: Number) -> Number:
-        """How far [m] in front of axis 1 the wrist centre is.
+        """Distance [m] of the wrist centre in front of axis 1.
 
         Args:
             s2: Sine of theta 2.
             c23: Cosine of theta 2 + theta 3.
-            s23: Its sine.
+            s23: Sine of theta 2 + theta 3.
         """
         return self.a1 + self.c2 * s2 + self.a2 * c23 + self.c3 * s23
 
     def wrist_up(self, c2: Number, c23: Number, s23: Number) -> Number:
-        """How far [m] above the base it is; see `wrist_forward`."""
+        """Height [m] of the wrist centre above the base; see `wrist_forward`."""
         return self.c1 + self.c2 * c2 - self.a2 * s23 + self.c3 * c23
 
     def limiting_length(self, x: float, y: float, z: float) -> str | None:
-        """Which length keeps the wrist centre from a point [m]; None if none does."""
+        """Describe the length that keeps the wrist centre from a point [m]; None if none does."""
         radius = hypot(x, y)
         if radius < abs(self.b):
             nearest = 1e3 * abs(self.b)

@@ -18,9 +18,9 @@ from rapidsim.values import value_class
 ON_AXIS = 1e-10
 """Share of the reach within which a wrist centre counts as lying on axis 1."""
 ROUNDED_WRIST = 1e-12
-"""sin of axis 5 that is zero spoiled by rounding: the direction of axis 4 is noise."""
+"""sin of axis 5 below which it is zero with rounding: the direction of axis 4 is noise."""
 HELD_WRIST = 1e-7
-"""sin of axis 5 up to which a given axis 4 is held: printed targets are no more exact than that."""
+"""sin of axis 5 up to which axis 4 keeps its value: printed targets are no more exact."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -31,14 +31,14 @@ class _Arm:
     t2: Array
     t3: Array
     shortfall: Array
-    """How far [m] the wrist centre lies outside; 0 inside."""
+    """Distance [m] of the wrist centre outside the reach; 0 inside."""
 
 
 def all_branches(geometry: OpwGeometry, opw6: Transform) -> tuple[Array, Mask, Array]:
-    """Every branch of poses (...,).
+    """Return every branch of poses (...,).
 
     Returns:
-        theta (..., 8, 6) [rad], where they exist (..., 8), and the shortfall (...,) [m].
+        theta (..., 8, 6) [rad], a mask of existing ones (..., 8), and the shortfall (...,) [m].
     """
     pose = opw6[..., None]
     side = np.array([1.0, 1.0, -1.0, -1.0])
@@ -59,18 +59,17 @@ def all_branches(geometry: OpwGeometry, opw6: Transform) -> tuple[Array, Mask, A
 def one_branch(
     geometry: OpwGeometry, opw6: Transform, branch: int, near: Array
 ) -> tuple[Array, Mask]:
-    """One branch of a sequence of poses (k,).
+    """Return one branch for a sequence of poses (k,).
 
     Args:
         geometry: The arm.
         opw6: Poses (k,) of the last frame.
         branch: 0 to 7.
-        near: theta (k, 6) or (6,) [rad]; axes 1 and 4 keep it where the pose leaves them
-            undetermined. A single one precedes the first row: there the last determined value
-            holds.
+        near: theta (k, 6) or (6,) [rad], kept by axes 1 and 4 if the pose does not determine
+            them. A single vector precedes the first row: then the last determined value is kept.
 
     Returns:
-        theta (k, 6) [rad] and where they exist (k,).
+        theta (k, 6) [rad] and a mask of existing rows (k,).
     """
     side, bend = np.array(-1.0 if branch & 4 else 1.0), np.array(-1.0 if branch & 2 else 1.0)
     flip = np.pi if branch & 1 else 0.0
@@ -88,7 +87,7 @@ def one_branch(
 
 
 def elbow_rotation(c1: Array, s1: Array, c23: Array, s23: Array) -> Array:
-    """Rz(t1) Ry(t2 + t3) as matrices (..., 3, 3), from cosines and sines (...)."""
+    """Return Rz(t1) Ry(t2 + t3) as matrices (..., 3, 3), from cosines and sines (...)."""
     rotation = np.empty((*c1.shape, 3, 3))
     rotation[..., 0, 0] = c1 * c23
     rotation[..., 0, 1] = -s1
@@ -103,7 +102,7 @@ def elbow_rotation(c1: Array, s1: Array, c23: Array, s23: Array) -> Array:
 
 
 def _axis_1(geometry: OpwGeometry, wrist_centre: Array, side: Array) -> tuple[Array, Mask]:
-    """Axis 1 and where it is undetermined, because the wrist centre lies on it.
+    """Return axis 1 and a mask of poses that do not determine it: wrist centre on axis 1.
 
     Args:
         geometry: The arm.
@@ -118,13 +117,13 @@ def _axis_1(geometry: OpwGeometry, wrist_centre: Array, side: Array) -> tuple[Ar
 
 
 def _arm(geometry: OpwGeometry, wrist_centre: Array, side: Array, bend: Array, t1: Array) -> _Arm:
-    """Axes 2 and 3 of a wrist centre, as far as the triangle of the two arms closes.
+    """Return axes 2 and 3 for a wrist centre, as far as the triangle of the two arms closes.
 
     Args:
         geometry: The arm.
         wrist_centre: Points (..., 3) [m].
         side: 1 where the wrist centre is in front of axis 1, -1 where behind.
-        bend: 1 where it is in front of the lower arm, -1 where behind.
+        bend: 1 where the wrist centre is in front of the lower arm, -1 where behind.
         t1: Axis 1 (...) [rad].
     """
     radius = np.hypot(wrist_centre[..., 0], wrist_centre[..., 1])
@@ -137,22 +136,22 @@ def _arm(geometry: OpwGeometry, wrist_centre: Array, side: Array, bend: Array, t
 
 
 def _wrist_matrix(arm: _Arm, rotation: Array) -> Array:
-    """What is left for axes 4 to 6: Rz(t4) Ry(t5) Rz(t6), shape (..., 3, 3)."""
+    """Return the rotation that remains for axes 4 to 6: Rz(t4) Ry(t5) Rz(t6), shape (..., 3, 3)."""
     t23 = arm.t2 + arm.t3
     elbow = elbow_rotation(np.cos(arm.t1), np.sin(arm.t1), np.cos(t23), np.sin(t23))
     return np.swapaxes(elbow, -1, -2) @ rotation
 
 
 def _sine(wrist: Array) -> Array:
-    """|sin t5|."""
+    """Return |sin t5|."""
     return np.hypot(wrist[..., 0, 2], wrist[..., 1, 2])
 
 
 def _axes_5_6(wrist: Array, t4: Array) -> tuple[Array, Array]:
-    """Axes 5 and 6 that go with axis 4.
+    """Return axes 5 and 6 for a value of axis 4.
 
-    Axis 6 takes what axis 4 leaves of the orientation, so that their sum stays exact however
-    little the direction of axis 4 is worth.
+    Axis 6 takes the rest of the orientation, so that the sum of both is exact even if the direction
+    of axis 4 is inexact.
     """
     c4, s4 = np.cos(t4), np.sin(t4)
     t5 = np.arctan2(c4 * wrist[..., 0, 2] + s4 * wrist[..., 1, 2], wrist[..., 2, 2])
@@ -164,7 +163,7 @@ def _axes_5_6(wrist: Array, t4: Array) -> tuple[Array, Array]:
 
 
 def _hold(angles: Array, undetermined: Mask, near: Array) -> Array:
-    """Replace undetermined angles (k,) by `near` (k,), or by the last determined one after it."""
+    """Replace undetermined angles (k,) by `near` (k,); by the last determined with one `near`."""
     if near.ndim:
         return np.where(undetermined, near, angles)
     last = np.maximum.accumulate(np.where(undetermined, -1, np.arange(len(angles))))

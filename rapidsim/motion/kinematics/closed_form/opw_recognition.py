@@ -1,7 +1,7 @@
-"""Recognises an ortho-parallel arm with a spherical wrist from six axes in space.
+"""Recognition of an ortho-parallel arm with a spherical wrist from six axes in space.
 
 Input is a robot description at joint values 0: a line for each axis and the frames of links and
-flange. Output is the arm with its closed-form solver, or the reason why it is not one.
+flange. Output is the arm with its closed-form solver, or the reason why the arm does not qualify.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from rapidsim.motion.kinematics.closed_form.opw_geometry import JOINT_COUNT, Opw
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
 
 ANGLE_TOLERANCE = 1e-9
-"""Axes count as square or parallel up to this [rad]; descriptions with 1.571 for 90 deg do not."""
+"""Angle [rad] for square or parallel axes; descriptions with 1.571 for 90 deg exceed it."""
 LENGTH_TOLERANCE = 1e-9
-"""Axes count as meeting up to this [m]."""
+"""Distance [m] up to which axes count as intersecting."""
 
 
 def ortho_parallel_arm(axes: AxesAtZero) -> OrthoParallel | str:
-    """The closed-form arm that moves like six axes, or the property that they lack."""
+    """Return the closed-form arm that moves like six axes, or the property that they lack."""
     directions, points = axes.directions, axes.points
     lacking = _lacking(directions)
     if lacking:
@@ -78,7 +78,7 @@ def ortho_parallel_arm(axes: AxesAtZero) -> OrthoParallel | str:
 def _with_frames(
     geometry: OpwGeometry, base_from_opw: Transform, axes: AxesAtZero
 ) -> OrthoParallel:
-    """The arm of a geometry whose links and flange are the described ones."""
+    """Return the arm of a geometry with the described links and flange."""
     unnamed = Transform(np.broadcast_to(np.eye(3), (JOINT_COUNT, 3, 3)), np.zeros((JOINT_COUNT, 3)))
     formulas = OrthoParallel(geometry, base_from_opw, unnamed, Transform.identity())
     opw_from_base = formulas.link_frames(np.zeros(JOINT_COUNT)).inverse()
@@ -91,7 +91,7 @@ def _with_frames(
 
 
 def _lacking(directions: Array) -> str | None:
-    """The first angle between axes that an ortho-parallel arm would not have."""
+    """Describe the first angle between axes that an ortho-parallel arm would not have, or None."""
     for first, second in ((0, 1), (2, 3), (3, 4), (4, 5)):
         if abs(float(directions[first] @ directions[second])) > ANGLE_TOLERANCE:
             return f"axis {second + 1} is not perpendicular to axis {first + 1}"
@@ -101,7 +101,7 @@ def _lacking(directions: Array) -> str | None:
 
 
 def _intersection(directions: Array, points: Array) -> Array | None:
-    """Where lines (k, 3) meet [m], by least squares; None if they do not."""
+    """Return the intersection (3,) [m] of lines (k, 3) by least squares; None if there is none."""
     across = np.eye(3) - directions[:, :, None] * directions[:, None, :]  # (k, 3, 3)
     meeting: Array = np.linalg.solve(across.sum(axis=0), np.einsum("kij,kj->i", across, points))
     distances = np.linalg.norm(np.einsum("kij,kj->ki", across, meeting - points), axis=-1)

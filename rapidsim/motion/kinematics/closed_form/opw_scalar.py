@@ -1,4 +1,4 @@
-"""One pose of an ortho-parallel arm in plain floats, ten times as fast as a batch of one.
+"""Kinematics of an ortho-parallel arm for one pose, ten times as fast as a batch of one.
 
 The formulas are those of `opw` and `opw_inverse` for single numbers: programs produce moves one at
 a time. Poses are `Rigid`, joint vectors sequences of six floats [rad].
@@ -19,7 +19,7 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True, eq=False)
 class SinglePose:
-    """What `OrthoParallel` computes, for one pose; its frames and their inverses."""
+    """Computations of `OrthoParallel` for one pose; its frames and their inverses."""
 
     geometry: OpwGeometry
     base_from_opw: Rigid
@@ -63,14 +63,14 @@ class SinglePose:
     def inverse_on_branch(
         self, base_from_flange: Rigid, branch: int, near: Sequence[float] | None
     ) -> list[float] | None:
-        """Joints on a branch; None if it does not reach the pose.
+        """Return joints on a branch; None if it does not reach the pose.
 
         Args:
             base_from_flange: The pose.
             branch: 0 to 7.
-            near: Joints take the turns closest to these, and keep these values where the pose
-                leaves an axis undetermined. Without them joints are in their principal turns, and
-                there are none where an axis is undetermined.
+            near: Joints take the turns closest to these, and keep these values if the pose does
+                not determine an axis. Without them joints are in their principal turns, and the
+                result is None if an axis is undetermined.
         """
         g = self.geometry
         opw6 = composed(composed(self.opw_from_base, base_from_flange), self.flange_from_opw6)
@@ -101,7 +101,8 @@ class SinglePose:
         t2 = atan2(ahead, height) - atan2(fore * sin(elbow), upper + fore * cos(elbow))
         t3 = elbow - g.fore_lean
 
-        # What is left for axes 4 to 6, Rz(t4) Ry(t5) Rz(t6), but for the two entries not needed.
+        # Remaining rotation of axes 4 to 6, Rz(t4) Ry(t5) Rz(t6), without the two entries not
+        # needed.
         c1, s1, c23, s23 = cos(t1), sin(t1), cos(t2 + t3), sin(t2 + t3)
         ox, oy, oz = c1 * xx + s1 * yx, c1 * xy + s1 * yy, c1 * xz + s1 * yz
         yx, yy, yz = c1 * yx - s1 * xx, c1 * yy - s1 * xy, c1 * yz - s1 * xz
@@ -128,7 +129,7 @@ class SinglePose:
         return [turned_towards(before, joint) for before, joint in zip(near, joints, strict=True)]
 
     def branch_of(self, joints: Sequence[float]) -> int:
-        """The branch of a joint vector; on a border, the front or positive one."""
+        """Return the branch of a joint vector; on a border, the front or positive one."""
         g = self.geometry
         _, t2, t3, _, t5, _ = self._theta(joints)
         out = g.wrist_forward(sin(t2), cos(t2 + t3), sin(t2 + t3))
@@ -138,7 +139,7 @@ class SinglePose:
         return branch + 1 if sin(t5) < -ROUNDING else branch
 
     def _theta(self, joints: Sequence[float]) -> tuple[float, float, float, float, float, float]:
-        """Angles of the formulas."""
+        """Return the angles of the formulas."""
         g = self.geometry
         j1, j2, j3, j4, j5, j6 = joints
         s1, s2, s3, s4, s5, s6 = g.signs
@@ -155,7 +156,7 @@ class SinglePose:
     def _joints(
         self, t1: float, t2: float, t3: float, t4: float, t5: float, t6: float
     ) -> list[float]:
-        """Joint vector of angles of the formulas, each joint in its principal turn."""
+        """Return the joint vector for angles of the formulas, each joint in its principal turn."""
         g = self.geometry
         s1, s2, s3, s4, s5, s6 = g.signs
         o1, o2, o3, o4, o5, o6 = g.offsets

@@ -24,11 +24,11 @@ from rapidsim.values import value_class
 
 JOINT_COUNT = 4
 LEVEL = 1e-4
-"""Angle [rad] by which a pose may be off level: printed targets are no more exact than that."""
+"""Largest angle [rad] of a pose off level: printed targets are no more exact."""
 ON_AXIS_1 = 1e-10
 """Share of the reach within which the flange counts as lying on axis 1."""
 ROUNDING = 1e-12
-"""Angles [rad] and shares of the reach up to this are zero spoiled by rounding."""
+"""Angles [rad] and shares of the reach up to this are zero with rounding errors."""
 _AXIS_FROM_JOINT = np.array(
     [
         [1.0, 0.0, 0.0, 0.0],
@@ -38,15 +38,15 @@ _AXIS_FROM_JOINT = np.array(
         [0.0, 0.0, 0.0, 1.0],
     ]
 )
-"""Waist, shoulder, elbow, the axis that keeps the flange level, and the flange itself."""
+"""Shape (5, 4): angles of waist, shoulder, elbow, levelling axis and flange per joint value."""
 _LINKS = (0, 1, 2, 4)
 _DOWN = np.diag([1.0, -1.0, -1.0])
-"""The flange with all joints at 0: x forward, z down."""
+"""Flange with all joints at 0: x forward, z down."""
 
 
 @value_class(frozen=True, slots=True)
 class PalletizerGeometry:
-    """The lengths [m] of a palletizer."""
+    """Lengths [m] of a palletizer."""
 
     a1: float
     """Axis 1 to axis 2, forward."""
@@ -71,15 +71,15 @@ class PalletizerGeometry:
 class Palletizer(Kinematics):
     """Kinematics of a palletizer.
 
-    Four branches: plus 2 where the flange is behind axis 1, plus 1 where the forearm turns backward
-    from the upper arm. The rods of real arms leave little but branch 0 within the limits.
+    Four branches: plus 2 if the flange is behind axis 1, plus 1 if the forearm turns backward from
+    the upper arm. The rods of real arms allow hardly more than branch 0 within the limits.
     """
 
     geometry: PalletizerGeometry
 
     @property
     def joint_count(self) -> int:
-        """Four."""
+        """Four joints."""
         return JOINT_COUNT
 
     @property
@@ -115,7 +115,7 @@ class Palletizer(Kinematics):
         return self.chain.jacobian(joints)
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """All four branches; axis 1 is 0 where the flange is on it."""
+        """Return all four branches; axis 1 is 0 where the flange is on it."""
         angles, shortfall, tilt = self._angles(base_from_flange, np.array(0.0))
         exists = self._exists(shortfall, tilt)
         joints = np.where(exists[..., None], principal(angles), 0.0)
@@ -132,7 +132,7 @@ class Palletizer(Kinematics):
         return BranchJoints(in_turn_of(principal(angles[..., branch, :]), exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 4); on a border, the front or the forward elbow."""
+        """Return the branch of joints (..., 4); on a border, the front or the forward elbow."""
         joints = np.asarray(joints, dtype=np.float64)
         behind = self.flange_forward(joints) < -ROUNDING * self.geometry.reach
         backward = np.cos(joints[..., 2] - joints[..., 1]) < -ROUNDING
@@ -140,7 +140,7 @@ class Palletizer(Kinematics):
         return branch
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
-        """Those of its two arms and its waist."""
+        """Return the singularities of elbow and waist."""
         elbow = abs(float(np.cos(joints[2] - joints[1])))
         aside = abs(float(self.flange_forward(joints))) / self.geometry.reach
         return (
@@ -149,7 +149,7 @@ class Palletizer(Kinematics):
         )
 
     def flange_forward(self, joints: Array) -> Array:
-        """How far (...) [m] the flange is in front of axis 1."""
+        """Distance (...) [m] of the flange in front of axis 1."""
         g = self.geometry
         arm = g.c2 * np.sin(joints[..., 1]) + g.c3 * np.cos(joints[..., 2])
         forward: Array = g.a1 + arm + g.wrist_forward
@@ -160,7 +160,7 @@ class Palletizer(Kinematics):
         return reached & (tilt <= LEVEL)[..., None]
 
     def _angles(self, pose: Transform, near_1: Array) -> tuple[Array, Array, Array]:
-        """Angles (..., 4, 4) [rad] and shortfall (..., 4) [m] of all branches, tilt (...) [rad]."""
+        """Angles (..., 4, 4) [rad], shortfall (..., 4) [m] of all branches, tilt (...) [rad]."""
         g = self.geometry
         x, y, z = (pose.translation[..., i] for i in range(3))
         radius = np.hypot(x, y)

@@ -4,10 +4,10 @@ Joints are 0 with both arms stretched forward, the spline up. Axes 1 and 2 turn 
 seen from above, axis 4 clockwise: about z of the flange, which points down. Axis 3 goes down from
 0, so within its stroke it is negative.
 
-RAPID gives axis 3 in millimetres where it gives the others in degrees; see `Kinematics.slides`.
+RAPID's unit of axis 3 is mm and that of the others degrees; see `Kinematics.slides`.
 
-Source: x = a1 cos q1 + a2 cos(q1 + q2), y likewise with sines, z = flange_up + q3,
-    yaw = q1 + q2 - q4. The sign of axis 4 and the branches are those of targets that a controller
+Source: x = a1 cos q1 + a2 cos(q1 + q2), y = a1 sin q1 + a2 sin(q1 + q2), z = flange_up + q3,
+    yaw = q1 + q2 - q4. The sign of axis 4 and the branches agree with targets that a controller
     of an IRB 910SC stored.
 """
 
@@ -31,26 +31,26 @@ from rapidsim.values import value_class
 
 JOINT_COUNT = 4
 SLIDING = 2
-"""The joint that slides, counted from 0."""
+"""Index of the joint that slides, counted from 0."""
 UPRIGHT = 1e-4
-"""Angle [rad] by which a pose may be off upright: printed targets are no more exact than that."""
+"""Largest angle [rad] of a pose off upright: printed targets are no more exact."""
 ON_AXIS_1 = 1e-10
 """Share of the reach within which the flange counts as lying on axis 1."""
 ROUNDING = 1e-12
-"""Sines up to this are zero spoiled by rounding."""
+"""Sines up to this are zero with rounding errors."""
 AXIS_2_NEGATIVE = 1
-"""The branch, RAPID's cfx, of arms whose axis 2 is negative; 0 of the others."""
+"""Branch, RAPID's cfx, of arms with a negative axis 2; 0 for the others."""
 _RAPID_AXES = (0, 1, 2, 3)
 _SLIDES: Mask = np.arange(JOINT_COUNT) == SLIDING
 _TURNS_UP = np.array([1.0, 1.0, 0.0, -1.0])
-"""How fast each joint turns the flange about the upright."""
+"""Rotation of the flange about the vertical per joint value."""
 _DOWN = np.diag([1.0, -1.0, -1.0])
-"""The flange with all joints at 0: x forward, z down."""
+"""Flange with all joints at 0: x forward, z down."""
 
 
 @value_class(frozen=True, slots=True)
 class ScaraGeometry:
-    """The lengths [m] of a SCARA."""
+    """Lengths [m] of a SCARA."""
 
     a1: float
     """Axis 1 to axis 2."""
@@ -80,7 +80,7 @@ class Scara(Kinematics):
 
     @property
     def joint_count(self) -> int:
-        """Four."""
+        """Four joints."""
         return JOINT_COUNT
 
     @property
@@ -90,17 +90,17 @@ class Scara(Kinematics):
 
     @property
     def slides(self) -> Mask:
-        """Joint 3."""
+        """Mask of joint 3."""
         return _SLIDES
 
     @property
     def rapid_axes(self) -> tuple[int, ...]:
-        """The first four; axes 5 and 6 do not exist."""
+        """First four axes; axes 5 and 6 do not exist."""
         return _RAPID_AXES
 
     @property
     def posture(self) -> Array:
-        """The elbow at a right angle, the flange forward and 50 mm below its highest."""
+        """Elbow at a right angle, flange forward and 50 mm below its highest position."""
         return np.radians([-45.0, 90.0, -50.0, 45.0])
 
     def forward(self, joints: Array) -> Transform:
@@ -136,7 +136,7 @@ class Scara(Kinematics):
         return twist
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """Both branches; axis 1 is 0 where the flange is on it."""
+        """Return both branches; axis 1 is 0 where the flange is on it."""
         joints, shortfall, tilt = self._joints(base_from_flange, np.array(0.0))
         exists = self._exists(shortfall, tilt)
         joints = np.where(exists[..., None], principal(joints, self.turns), 0.0)
@@ -154,18 +154,18 @@ class Scara(Kinematics):
         return BranchJoints(found, exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """The branch of joint vectors (..., 4); stretched or folded, that of a positive axis 2."""
+        """Return the branch of joints (..., 4); stretched or folded, that of a positive axis 2."""
         negative = np.sin(np.asarray(joints, dtype=np.float64)[..., 1]) < -ROUNDING
         branch: npt.NDArray[np.int64] = AXIS_2_NEGATIVE * negative.astype(np.int64)
         return branch
 
     def singularities(self, joints: Array) -> tuple[Singularity, ...]:
-        """The determinant of the Jacobian is a1 a2 sin q2."""
+        """Return the elbow singularity; the determinant of the Jacobian is a1 a2 sin q2."""
         elbow = abs(float(np.sin(joints[1])))
         return (Singularity("elbow", elbow, "both arms are in line"),)
 
     def limiting_length(self, base_from_flange: Transform) -> str | None:
-        """Whether the arms are too short for a pose, or too long to fold back to it."""
+        """Describe whether the arms are too short for a pose or too long; None if neither."""
         g = self.geometry
         x, y = base_from_flange.translation[:2].tolist()
         distance = float(np.hypot(x, y))
@@ -182,7 +182,7 @@ class Scara(Kinematics):
         return None
 
     def _elbow_and_end(self, joints: Array) -> tuple[Array, Array]:
-        """Where (..., 2) [m] axis 2 and axis 4 are, seen from above."""
+        """Return the positions (..., 2) [m] of axis 2 and axis 4, seen from above."""
         q1, q12 = joints[..., 0], joints[..., 0] + joints[..., 1]
         elbow = self.geometry.a1 * np.stack([np.cos(q1), np.sin(q1)], axis=-1)
         return elbow, elbow + self.geometry.a2 * np.stack([np.cos(q12), np.sin(q12)], axis=-1)
@@ -192,12 +192,12 @@ class Scara(Kinematics):
         return np.broadcast_to(reached[..., None], (*reached.shape, 2))
 
     def _joints(self, pose: Transform, near_1: Array) -> tuple[Array, Array, Array]:
-        """Joints (..., 2, 4) of both branches, shortfall (...) [m] and tilt (...) [rad]."""
+        """Return joints (..., 2, 4) of both branches, shortfall (...) [m] and tilt (...) [rad]."""
         g = self.geometry
         x, y, z = (pose.translation[..., i] for i in range(3))
         bend = np.array([1.0, 1.0])
         bend[AXIS_2_NEGATIVE] = -1.0
-        # Seen from above, x is what the triangle calls up, and y its forward.
+        # Seen from above, x is the `up` of the triangle, and y its `forward`.
         q1, q2, shortfall = close_triangle(y[..., None], x[..., None], g.a1, g.a2, bend)
         on_axis_1 = np.hypot(x, y) < ON_AXIS_1 * g.reach
         q1 = np.where(on_axis_1[..., None], near_1[..., None], q1)
@@ -214,7 +214,7 @@ def _raised(place: Array, height: Array) -> Array:
 
 
 def _about_z(angle: Array) -> Array:
-    """Rotations (..., 3, 3) about the upright by angles (...) [rad]."""
+    """Return rotations (..., 3, 3) about the vertical by angles (...) [rad]."""
     rotation = np.zeros((*angle.shape, 3, 3))
     rotation[..., 0, 0] = rotation[..., 1, 1] = np.cos(angle)
     rotation[..., 1, 0] = np.sin(angle)

@@ -1,4 +1,4 @@
-"""Recognises a SCARA from the positions of its axes with all joints at 0."""
+"""Recognition of a SCARA from the positions of its axes with all joints at 0."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from rapidsim.motion.kinematics.closed_form.scara import JOINT_COUNT, SLIDING, S
 from rapidsim.motion.kinematics.serial_chain import AxesAtZero
 
 _EXACT = 1e-9
-"""[m] and sines; descriptions that were rounded or measured from drawings are further off."""
+"""Tolerance [m], and of sines; descriptions with rounded or measured values exceed it."""
 _DIRECTIONS = np.array([[0.0, 0.0, 1.0]] * 3 + [[0.0, 0.0, -1.0]])
 
 
 def scara_arm(axes: AxesAtZero, slides: Mask) -> Scara | str:
-    """The arm with its closed form, or why it does not have this structure.
+    """Return the arm with its closed form, or the reason why it lacks this structure.
 
     Args:
-        axes: The axes; only the direction of a sliding one counts.
-        slides: Which of them (m,) slide.
+        axes: The axes; only the direction of a sliding axis is used.
+        slides: Mask (m,) of the sliding axes.
     """
     if len(slides) != JOINT_COUNT or np.flatnonzero(slides).tolist() != [SLIDING]:
         return "only joint 3 of an arm with four joints may slide"

@@ -1,4 +1,4 @@
-"""Damped least squares: moves joints towards a pose, many searches in parallel.
+"""Damped least squares: joints approach a pose, in many searches in parallel.
 
 The error is the remaining displacement of the flange [m] and rotation vector [rad], the step that
 of Levenberg and Marquardt with the exact Jacobian. Damping decreases with every step that helps and
@@ -17,10 +17,10 @@ from rapidsim.motion.kinematics.serial_chain import SerialChain
 from rapidsim.values import value_class
 
 REACHED = 1e-9
-"""Way [m] and angle [rad] left at which a pose counts as reached."""
+"""Remaining distance [m] and angle [rad] at which a pose counts as reached."""
 MOST_STEPS = 80
 _AIM = 1e-12
-"""Squared error at which a search ends: further steps only stir the rounding."""
+"""Squared error at which a search ends: further steps only change rounding errors."""
 _FIRST_DAMPING = 1e-3
 _LEAST_DAMPING = 1e-12
 _STUCK_DAMPING = 1e6
@@ -28,16 +28,16 @@ _STUCK_DAMPING = 1e6
 
 @value_class(frozen=True, slots=True, eq=False)
 class SolverStates:
-    """The final states of searches (k,)."""
+    """Final states of searches (k,)."""
 
     joints: Array
     """Shape (k, n) [rad]."""
     distance: Array
-    """Shape (k,) [m]: way left."""
+    """Shape (k,) [m]: remaining distance."""
     angle: Array
-    """Shape (k,) [rad]: turn left."""
+    """Shape (k,) [rad]: remaining rotation."""
     steps: int
-    """Of the longest search."""
+    """Number of steps of the longest search."""
 
     @property
     def reached(self) -> Mask:
@@ -53,14 +53,14 @@ def descend(
     lower: Array | None = None,
     upper: Array | None = None,
 ) -> SolverStates:
-    """Search from starts (k, n) [rad] for the joints of poses (k,).
+    """Search from seeds (k, n) [rad] for the joints of poses (k,).
 
     Args:
         chain: The arm.
         base_from_flange: A pose for each start.
         starts: Joint vectors.
         lower: Lower limits (n,) [rad] observed during the search; None for none.
-        upper: Upper limits, likewise.
+        upper: Upper limits (n,) [rad] observed during the search; None for none.
     """
     low = np.full(chain.joint_count, -np.inf) if lower is None else lower
     high = np.full(chain.joint_count, np.inf) if upper is None else upper
@@ -69,7 +69,7 @@ def descend(
     cost = np.sum(error**2, axis=-1)
     damping = np.full(len(joints), _FIRST_DAMPING)
     steps = 0
-    for steps in range(1, MOST_STEPS + 1):  # noqa: B007 - How many is part of the answer.
+    for steps in range(1, MOST_STEPS + 1):  # noqa: B007 - The count is part of the result.
         rows = np.flatnonzero((cost > _AIM**2) & (damping < _STUCK_DAMPING))
         if not rows.size:
             break
@@ -97,7 +97,7 @@ def descend(
 
 
 def _error(chain: SerialChain, target: Transform, joints: Array) -> tuple[Array, Array]:
-    """What is left to the target, (k, 6) in base, and the Jacobians (k, 6, n)."""
+    """Return the remaining twist to the target, (k, 6) in base, and the Jacobians (k, 6, n)."""
     flange, jacobian = chain.forward_and_jacobian(joints)
     way = target.translation - flange.translation
     turn = vector_from_rotation(target.rotation @ np.swapaxes(flange.rotation, -1, -2))

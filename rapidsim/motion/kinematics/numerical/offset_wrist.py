@@ -1,8 +1,8 @@
-"""Start vectors for arms whose axis 6 misses the intersection of axes 4 and 5, such as the GoFa.
+"""Seeds for arms whose axis 6 misses the intersection of axes 4 and 5, such as the GoFa.
 
 Such an arm has no closed form, but it has one if axis 6 is moved into the intersection. Its
 solutions for a pose, shifted by the offset in the direction to which axis 6 may have turned it, are
-close to those of the true arm. That direction is not known, so some around the circle are tried.
+close to those of the true arm. That direction is unknown, so several around the circle are tried.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ DIRECTIONS = 8
 
 @value_class(frozen=True, slots=True, eq=False)
 class NearArm:
-    """The arm without its wrist offset."""
+    """An arm without its wrist offset."""
 
     arm: OrthoParallel
     offsets: Array
-    """Where the true flange may stand from that of the near arm, in flange, (DIRECTIONS, 3) [m]."""
+    """Possible offsets (DIRECTIONS, 3) [m] of the true flange from the near arm's, in flange."""
 
     def starts(self, base_from_flange: Transform) -> Array:
-        """Joint vectors (DIRECTIONS * 8, 6) [rad] close to those of one pose."""
+        """Return joint vectors (up to DIRECTIONS * 8, 6) [rad] close to those of one pose."""
         shifted = base_from_flange.translation - self.offsets @ base_from_flange.rotation.T
         rotation = np.broadcast_to(base_from_flange.rotation, (len(shifted), 3, 3))
         branches = self.arm.inverse(Transform(rotation, shifted))
@@ -36,7 +36,7 @@ class NearArm:
 
 
 def near_arm(axes: AxesAtZero) -> NearArm | None:
-    """The near arm of six axes; None if they lack more than the intersection with axis 6."""
+    """Return the near arm of six axes; None if more than axis 6 prevents a closed form."""
     if len(axes.points) != 6:
         return None
     crossing = point_nearest(axes.points[3:5], axes.directions[3:5])
@@ -62,7 +62,7 @@ def near_arm(axes: AxesAtZero) -> NearArm | None:
 
 
 def point_nearest(points: Array, directions: Array) -> Array:
-    """The point (3,) of a line that is closest to another line.
+    """Return the point (3,) of a line that is closest to another line.
 
     Args:
         points: A point of each line, shape (2, 3) [m].

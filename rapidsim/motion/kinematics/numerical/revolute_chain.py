@@ -1,4 +1,4 @@
-"""Catalogue arms without a closed form: a chain of turning axes, solved by search.
+"""Catalogue arms without a closed form: chains of revolute axes, solved by search.
 
 These are arms whose axis 6 misses the intersection of axes 4 and 5, and arms with seven axes. They
 are described by the positions of their axes with all joints at 0, so the numbers can be compared
@@ -26,9 +26,9 @@ class AxisRowGeometry:
     """Positions of axes and flange in base with all joints at 0."""
 
     points: tuple[Vector, ...]
-    """A point on each axis [m], from base to flange; the frame of its link stands there."""
+    """Point on each axis [m], from base to flange: the origin of the frame of its link."""
     directions: tuple[Vector, ...]
-    """The axes, positive as the joint turns; of any length."""
+    """Directions of the axes, positive as the joint turns; of any length."""
     flange_point: Vector
     """[m]"""
     flange_quaternion: tuple[float, float, float, float]
@@ -36,7 +36,7 @@ class AxisRowGeometry:
 
     @cached_property
     def axes(self) -> AxesAtZero:
-        """The axes, with link frames parallel to the base."""
+        """Axes, with link frames parallel to the base."""
         directions = np.array(self.directions, dtype=np.float64)
         points = np.array(self.points, dtype=np.float64)
         directions /= np.linalg.norm(directions, axis=-1, keepdims=True)
@@ -48,19 +48,19 @@ class AxisRowGeometry:
 
 
 def searched_arm(geometry: AxisRowGeometry, limits: Sequence[tuple[float, float]]) -> Numerical:
-    """The arm with the limits [rad] within which searches start."""
+    """Return the arm with the limits [rad] within which searches start."""
     lower, upper = np.array(limits).T
     chain = SerialChain.uncoupled(geometry.axes)
     return Numerical(chain, lower, upper, near_arm(geometry.axes))
 
 
 def search_notices(name: str, reason: str, joint_count: int) -> tuple[str, ...]:
-    """What the user should know of an arm that is solved by search.
+    """Return notices for the user about an arm that is solved by search.
 
     Args:
         name: The arm.
-        reason: Why it has no closed form, such as `it has 7 axes`.
-        joint_count: How many joints it has.
+        reason: Reason why it has no closed form, such as `it has 7 axes`.
+        joint_count: Number of its joints.
     """
     searched = (
         f"{name}: {reason}, so its joints are found by a numerical search; solutions beyond "

@@ -1,4 +1,4 @@
-"""Start vectors of a search for joints: spread evenly over the limits, the same in every run."""
+"""Seeds of a search for joints: spread evenly over the limits, identical in every run."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ MOST_JOINTS = len(_PRIMES)
 
 
 def spread_starts(lower: Array, upper: Array, count: int) -> Array:
-    """Joint vectors (count, n) [rad] between limits (n,), the middle first.
+    """Return joint vectors (count, n) [rad] between limits (n,), the middle first.
 
-    Joints without limits, and those with more than one turn to a side, start within one: beyond it
-    the poses repeat.
+    Joints without limits, and those with more than one turn to a side, have seeds within one turn:
+    beyond it the poses repeat.
 
     Source:
         Halton (1960), On the efficiency of certain quasi-random sequences of points.
     """
     low, high = np.maximum(lower, -pi), np.minimum(upper, pi)
-    # Limits that lie wholly beyond half a turn stay as they are.
+    # Limits that lie entirely beyond half a turn are kept.
     low, high = np.where(low < high, low, lower), np.where(low < high, high, upper)
     shares = np.array([[_radical_inverse(i, p) for p in _PRIMES] for i in range(count)])
     shares[0] = 0.5
@@ -31,7 +31,7 @@ def spread_starts(lower: Array, upper: Array, count: int) -> Array:
 
 
 def _radical_inverse(number: int, base: int) -> float:
-    """The digits of a number mirrored at the point: evenly spread over 0 to 1."""
+    """Digits of a number mirrored at the point: evenly spread over 0 to 1."""
     inverse, share = 0.0, 1.0 / base
     while number:
         number, digit = divmod(number, base)

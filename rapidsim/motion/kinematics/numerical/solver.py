@@ -1,8 +1,8 @@
-"""Arms without a closed form: damped least squares from many start vectors.
+"""Arms without a closed form: damped least squares from many seeds.
 
 Such arms have no branches that a sign could identify. `inverse` returns the distinct solutions that
-the search has found, and there may be others; a path is followed from each pose to the next, which
-keeps it on what would be its branch.
+the search finds; others may exist. A path is followed from each pose to the next, which keeps it on
+the equivalent of a branch.
 """
 
 from __future__ import annotations
@@ -24,45 +24,45 @@ from rapidsim.motion.kinematics.unwrapping import in_turn_of, principal
 MOST_SOLUTIONS = 16
 STARTS = 32
 SAME = 1e-5
-"""Solutions that differ by less [rad] in every joint are one."""
+"""Difference [rad] of every joint below which two solutions count as one."""
 
 
 @dataclass(frozen=True, eq=False)
 class Numerical(Kinematics):
-    """Kinematics of any chain of turning joints, by search."""
+    """Kinematics of any chain of revolute joints, by search."""
 
     chain: SerialChain
     lower: Array
-    """Limits (n,) [rad] within which solutions are searched for."""
+    """Lower limits (n,) [rad] of the search for solutions."""
     upper: Array
     near: NearArm | None = None
-    """A closed-form arm that moves almost the same, for better starts."""
+    """Closed-form arm that moves almost the same, for better seeds; None if there is none."""
 
     @property
     def joint_count(self) -> int:
-        """As many as the chain has."""
+        """Number of joints of the chain."""
         return self.chain.joint_count
 
     @property
     def branch_count(self) -> int:
-        """The maximum number of solutions that `inverse` returns."""
+        """Maximum number of solutions that `inverse` returns."""
         return MOST_SOLUTIONS
 
     @property
     def posture(self) -> Array | None:
-        """The posture of the arm with almost the same motion."""
+        """Initial posture of the near arm; None without a near arm."""
         return None if self.near is None else self.near.arm.posture
 
     @cached_property
     def starts(self) -> Array:
-        """Joint vectors (STARTS, n) [rad] from which every search starts."""
+        """Joint vectors (STARTS, n) [rad] used as seeds in every search."""
         return spread_starts(self.lower, self.upper, STARTS)
 
     @cached_property
     def stretched(self) -> tuple[Array, float]:
-        """A point (3,) [m] that no joint moves, and the flange's maximum distance [m] from it.
+        """Point (3,) [m] that no joint moves, and the flange's maximum distance [m] from it.
 
-        The latter is an upper bound: the length of a path from axis to axis through points fixed to
+        It is an upper bound: the length of a path from axis to axis through points fixed to
         both their links, so no joint changes the length of its parts; a tighter one may exist.
         """
         axes = self.chain.axes
@@ -88,10 +88,10 @@ class Numerical(Kinematics):
         return self.chain.jacobian(joints)
 
     def inverse(self, base_from_flange: Transform) -> Branches:
-        """Solutions within the limits that the search finds for poses (...,).
+        """Return solutions within the limits that the search finds for poses (...,).
 
-        At most `MOST_SOLUTIONS`, those closest to the middle of the limits first. Arms with more
-        than six joints have infinitely many; which are found is arbitrary, but the same in every
+        At most `MOST_SOLUTIONS`, sorted by distance from the middle of the limits. Arms with more
+        than six joints have infinitely many; the selection is arbitrary, but identical in every
         run.
         """
         leading = base_from_flange.translation.shape[:-1]
@@ -118,9 +118,9 @@ class Numerical(Kinematics):
     def inverse_on_branch(
         self, base_from_flange: Transform, branch: int, near: Array
     ) -> BranchJoints:
-        """Joints for poses (k,) that continue those of `near`, whatever the branch.
+        """Return joints for poses (k,) that continue the joints of `near`; `branch` is ignored.
 
-        With a single vector, the search for each row starts from the previous one.
+        With a single vector, the search for each row is seeded with the previous row.
         """
         near = np.asarray(near, dtype=np.float64)
         if near.ndim == 2:
@@ -137,11 +137,11 @@ class Numerical(Kinematics):
         return BranchJoints(in_turn_of(joints, exists, near), exists)
 
     def branch_of(self, joints: Array) -> npt.NDArray[np.int64]:
-        """0: there are no branches to distinguish."""
+        """Return 0: there are no branches to distinguish."""
         return np.zeros(np.shape(joints)[:-1], dtype=np.int64)
 
     def _search(self, pose: Transform) -> tuple[Array, float, float]:
-        """Solutions (s, n) of one pose; and, if there is none, what is left of way and turn."""
+        """Return solutions (s, n) of one pose; if s is 0, with the remaining distance and angle."""
         starts = self.starts
         if self.near is not None:
             starts = np.concatenate([self._within(self.near.starts(pose)), starts])
@@ -162,6 +162,6 @@ class Numerical(Kinematics):
         return np.array(found[:MOST_SOLUTIONS]), 0.0, 0.0
 
     def _within(self, joints: Array) -> Array:
-        """Starts (k, n) [rad] in the turn that is nearest to the middle of the limits."""
+        """Return seeds (k, n) [rad] in the turn that is nearest to the middle of the limits."""
         turned: Array = self.starts[0] + principal(joints - self.starts[0])
         return turned
