@@ -1,6 +1,6 @@
 r"""Dialogs of the FlexPendant: message boxes, entries, lists.
 
-Answered as all questions are, see `operator`. Icons, images and line wrapping are looks only.
+All questions are answered as in `operator`. Icons, images and line wrapping have no effect.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "UIMsgBox",
 "UIMessageBox", "UINumEntry", "UINumTune", "UIAlphaEntry", "UIListView".
@@ -55,7 +55,7 @@ _BUTTONS: tuple[tuple[tuple[str, float], ...], ...] = (
 
 
 class Options(QuestionBreakOptions, total=False):
-    """What every dialog may have besides."""
+    """Options of every dialog."""
 
     icon: IconData
     ui_active_signal: Var[SignalDo]

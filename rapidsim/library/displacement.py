@@ -1,7 +1,7 @@
 """Program displacement and offsets of external axes: setting, applying, removing.
 
-A displaced target is given in a frame that stands in the object frame; the displacement in force is
-a setting of the task.
+The coordinates of a displaced target refer to a frame within the object frame; the active
+displacement is a setting of the task.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PDispOn",
 "EOffsOn", "ORobT".
@@ -39,7 +39,7 @@ def in_object(controller: Motion, point: RobTarget) -> RobTarget:
 
 
 def in_program(controller: Motion, point: RobTarget) -> RobTarget:
-    """A target in the object frame as the program would have to give it."""
+    """Target in the object frame, converted to the coordinates that the program would use."""
     settings = controller.settings
     if settings.displacement is None and settings.axis_offsets is None:
         return point

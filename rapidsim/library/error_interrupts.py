@@ -1,8 +1,8 @@
 """Interrupts on entries of the event log, and reading the entry in the trap.
 
 Entries come from ErrWrite and ErrLog of any task and from corner path failures. An error that stops
-the program comes too late for a trap of this task, as on a controller; where the others go on, as
-on a controller that stays on, it raises theirs.
+the program is too late for a trap of its own task, as on a controller; tasks that continue receive
+it, as on a controller that stays on.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "IError",
 "GetTrapData", "ReadErrData".
