@@ -29,9 +29,9 @@ from rapidsim.library.poses import require_unit
 
 MAX_DOUBLE = 1.7976931348623157e308
 MAX_INTEGER = 2**24
-"""Up to here a single holds every integer."""
+"""Limit up to which single precision represents every integer."""
 WHOLE_FROM = 2.0**52
-"""From here on every double is an integer, so adding this and taking it away leaves an integer."""
+"""From here on every double is an integer, so adding and subtracting this rounds to one."""
 MAX_STRING = 80
 
 
@@ -183,7 +183,7 @@ def count(first: int, last: float, step: int | None = None) -> Iterable[int]:
 
 
 def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iterator[int]:
-    """Count beyond what singles hold exactly, rounding as the controller's counter does."""
+    """Count beyond the exact integers of single precision, rounding as the controller does."""
     yield from values
     while after <= last if step >= 0 else after >= last:
         yield after
@@ -191,12 +191,12 @@ def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iter
 
 
 def turns_of(values: Iterable[float]) -> float:
-    """The number of iterations of a FOR; infinite where it is not known in advance."""
+    """Return the number of iterations of a FOR; infinite if not known in advance."""
     return len(values) if isinstance(values, range) else math.inf
 
 
 def iteration_count(values: range, counter: str) -> int:
-    """The number of FOR iterations up to and including the current one, by the counter's name."""
+    """Number of FOR iterations up to and including the current one, from the counter's name."""
     now: int = sys._getframe(1).f_locals.get(counter, values.start - values.step)
     return values.index(now) + 1 if now in values else 0
 

@@ -1,10 +1,10 @@
-r"""Table of installed routines: one row per routine, read by checker, interpreter and docs.
+r"""The table of installed routines: one row a routine, read by checker, interpreter and docs.
 
 A row names a typed Python function; its annotations are the RAPID signature (see
 `language.annotations`). Python cannot express options before required arguments, or options that
 exclude each other; a row declares these in `order`, in RAPID's own spelling:
-`\SDelay|\Sync Signal Value`. Of a group of options (`**options`) a row has those that its order
-lists. Reading annotations costs time, so a signature is read on first use.
+`\SDelay|\Sync Signal Value`. From a group of options (`**options`) a row has the ones in its
+order. Reading annotations costs time, so a signature is read on first use.
 """
 
 from __future__ import annotations

@@ -90,7 +90,7 @@ _IMPLIED = ((Trait.OUTPUT, Trait.INSTANT), (Trait.TELL, Trait.INSTANT), (Trait.A
 
 
 def derived(stated: Trait, parameters: AbstractSet[str]) -> Trait:
-    """Stated traits of a row, with those that follow from them and from folded parameter names."""
+    """Stated traits, with the traits that follow from them and from folded parameter names."""
     does = stated
     if "tojointpos" in parameters:
         does |= Trait.MOVE | Trait.AXES

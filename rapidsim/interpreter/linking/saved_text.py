@@ -38,7 +38,7 @@ def saved_text(module: tree.Module, linked: LinkedProgram) -> str:
 
 
 def declared_value(symbol: DataSymbol) -> Span:
-    """The initial value in a declaration; empty, before the semicolon, where there is none."""
+    """Span of the initial value in a declaration; without one empty, before the semicolon."""
     node, module = symbol.node, symbol.module
     assert isinstance(node, tree.Data)
     assert module is not None
