@@ -60,7 +60,7 @@ class JointOutOfRange(Violation, code="K602"):
 
     @property
     def case(self) -> str:
-        """Message variant: a target, or a jointtarget."""
+        """Case of the rule: a target, or a jointtarget."""
         return "joint target" if self.is_of_joints else "target"
 
 

@@ -54,10 +54,9 @@ def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = Fals
             than this number of statements; None keeps all in the tree.
         keeps_data: Keep declarations, and moves to declared targets, in the tree.
 
-        Returns:
-            All modules in the text, with `tree.InvalidStatement` for unreadable statements, and
-            every
-            error of syntax and of size. Errors that require names or types are not detected.
+    Returns:
+        All modules in the text, with `tree.InvalidStatement` for unreadable statements, and every
+        error of syntax and of size. Errors that require names or types are not detected.
     """
     if runs_of is not None and len(source.text) > runs_of * _SHORTEST_MOVE:
         parsed = _parsed_with_runs(source, runs_of, keeps_data=keeps_data)

@@ -21,7 +21,7 @@ class UndefinedName(Violation, code="N201"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the missing name."""
+        """Case of the rule by the kind of the missing name."""
         return self.kind
 
     @property
@@ -50,7 +50,7 @@ class UnseenName(Violation, code="N216"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the missing name."""
+        """Case of the rule by the kind of the missing name."""
         return self.kind
 
     @property
@@ -75,7 +75,7 @@ class DuplicateName(Violation, code="N202"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the duplicate."""
+        """Case of the rule by the kind of the duplicate."""
         return self.kind
 
     @property
@@ -124,7 +124,7 @@ class UnknownRoutine(Violation, code="N209"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the routine and by the time of the failure."""
+        """Case of the rule by the kind of the routine and by the time of the failure."""
         kind = "function" if self.is_function else "procedure"
         return f"{kind}, reached" if self.replacement == STOPS_THERE else kind
 
@@ -191,7 +191,7 @@ class WrongKind(Violation, code="N211"):
 
     @property
     def case(self) -> str:
-        """Message variant by the expected kind."""
+        """Case of the rule by the expected kind."""
         return self.wanted.removeprefix("a ")
 
 
@@ -222,7 +222,7 @@ class MisplacedScope(Violation, code="N213"):
 
     @property
     def case(self) -> str:
-        """Message variant by the keyword, and for LOCAL by the data."""
+        """Case of the rule by the keyword, and for LOCAL by the data."""
         if self.word == "LOCAL":
             return "constant" if self.storage == "CONST" else "variable"
         return "persistent" if self.word == "PERS" else self.word

@@ -31,7 +31,7 @@ class GotoTarget(Violation, code="F405"):
 
     @property
     def case(self) -> str:
-        """Message variant: no label, or a label inside another block."""
+        """Case of the rule: no label, or a label inside another block."""
         return "unknown" if self.is_unknown else "inside a block"
 
     @property
@@ -45,7 +45,7 @@ class RaiseRetryPlacement(Violation, code="F406"):
 
     @property
     def case(self) -> str:
-        """Message variant by the statement."""
+        """Case of the rule by the statement."""
         return self.statement.partition(" ")[0]
 
     @property
@@ -67,7 +67,7 @@ class ReturnValue(Violation, code="F415"):
 
     @property
     def case(self) -> str:
-        """Message variant: an unexpected value, or a missing one."""
+        """Case of the rule: an unexpected value, or a missing one."""
         return "value" if self.gives_value else "no value"
 
 
@@ -78,5 +78,5 @@ class BadConnect(Violation, code="F416"):
 
     @property
     def case(self) -> str:
-        """Message variant: the interrupt variable, or the trap."""
+        """Case of the rule: the interrupt variable, or the trap."""
         return "trap" if "TRAP" in self.wanted else "variable"

@@ -14,7 +14,7 @@ class BadArguments(Violation, code="T302"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the mistake."""
+        """Case of the rule by the kind of the mistake."""
         return self.fault
 
     @property
@@ -30,7 +30,7 @@ class BadArgumentMode(Violation, code="T303"):
 
     @property
     def case(self) -> str:
-        """Message variant by the required kind of argument."""
+        """Case of the rule by the required kind of argument."""
         return self.wanted.removeprefix("a ").replace("or a ", "or ")
 
     @property
@@ -50,7 +50,7 @@ class UnknownArgument(Violation, code="T312"):
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the argument."""
+        """Case of the rule by the kind of the argument."""
         return self.argument_kind
 
     @property
@@ -64,12 +64,12 @@ class UnknownArgument(Violation, code="T312"):
 class BadOption(Violation, code="T315"):
     problem: str
     fault: str
-    """Message variant, in the terms of rule.toml."""
+    """Case of the rule, in the terms of rule.toml."""
     suggestion: str = ""
 
     @property
     def case(self) -> str:
-        """Message variant by the kind of the mistake."""
+        """Case of the rule by the kind of the mistake."""
         return self.fault
 
 

@@ -45,7 +45,7 @@ class TypeMismatch(Violation, code="T301"):
 
     @property
     def case(self) -> str:
-        """Message variant: an aggregate, or any other value."""
+        """Case of the rule: an aggregate, or any other value."""
         return "aggregate" if self.actual == "an aggregate" else "value"
 
     @property
@@ -77,7 +77,7 @@ class RecordShape(Violation, code="T305"):
 
     @property
     def case(self) -> str:
-        """Message variant: an array, or a record with too few or too many components."""
+        """Case of the rule: an array, or a record with too few or too many components."""
         if self.is_array:
             return "array"
         return "too few" if self.actual < self.wanted else "too many"
@@ -96,7 +96,7 @@ class WrongOperands(Violation, code="T313"):
 
     @property
     def case(self) -> str:
-        """Message variant by the operator."""
+        """Case of the rule by the operator."""
         return _OPERATORS.get(self.operator.strip("`"), "sign")
 
 
@@ -108,7 +108,7 @@ class NotAnArray(Violation, code="T314"):
 
     @property
     def case(self) -> str:
-        """Message variant: no array, or a different number of indices."""
+        """Case of the rule: no array, or a different number of indices."""
         return "no array" if self.wanted == "no indices" else "indices"
 
 
@@ -122,7 +122,7 @@ class NoValue(Violation, code="T318"):
 
     @property
     def case(self) -> str:
-        """Message variant by the use."""
+        """Case of the rule by the use."""
         return self.used if self.used in ("assigned", "compared", "tested") else "other"
 
 
