@@ -80,7 +80,7 @@ def wait_load(
     unload_file: String | None = None,
     check_ref: Switch = False,
 ) -> None:
-    """Add the module that StartLoad has read, and unload another one before if a path names it."""
+    """Add the module that StartLoad has read, after unloading another one if a path names it."""
     session = _session(load_no.value, ERR_UNKPROC)
     if unload_path is not None:
         with controller.clock.long_work():

@@ -115,7 +115,7 @@ def copy_raw_bytes(
     *,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Copy bytes, a number of them or all from a position on."""
+    """Copy a number of bytes, or all bytes from a position on."""
     source = from_raw_data.value
     count = len(source) - _index(from_index) if no_of_bytes is None else int(no_of_bytes)
     _put(to_raw_data, to_index, _take(source, from_index, count))
@@ -129,7 +129,7 @@ def raw_bytes_len(raw_data: Var[RawBytes]) -> Num:
 def write_raw_bytes(
     io_device: Var[IoDev], raw_data: Var[RawBytes], *, no_of_bytes: Num | None = None
 ) -> None:
-    """Write raw bytes to a file, a number of them or all."""
+    """Write raw bytes to a file, all of them or only the first ones."""
     count = len(raw_data.value) if no_of_bytes is None else int(no_of_bytes)
     opened_device(io_device).write(_take(raw_data.value, 1.0, count))
 

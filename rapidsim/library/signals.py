@@ -177,7 +177,7 @@ def alias_io(
     of: ArgumentType = STRING,
     to: ArgumentType = STRING,
 ) -> None:
-    """Make a signal variable an alias of a signal, identified by itself or by its name."""
+    """Make a signal variable an alias of a signal, passed as the data or by its name."""
     source = from_signal if isinstance(from_signal, str | Signal) else from_signal.value
     name = source.name if isinstance(source, Signal) else source
     if not isinstance(name, str) or not isinstance(to_signal.value, Signal):

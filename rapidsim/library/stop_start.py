@@ -137,7 +137,7 @@ def path_level(controller: PathControl) -> Num:
 def is_stop_move_act(
     controller: TaskService, *, from_move_task: Switch = False, from_non_move_task: Switch = False
 ) -> Bool:
-    """Whether StopMove of the robot's own task, or of a task without a robot, stops the robot."""
+    """Whether StopMove of the robot's own task, or of a task without a robot, is in force."""
     by_own, by_watcher = controller.is_robot_held()
     if from_move_task or from_non_move_task:
         return by_own if from_move_task else by_watcher

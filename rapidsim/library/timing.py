@@ -102,7 +102,7 @@ def wait_until(
     poll_rate: Num | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a condition holds, with repeated evaluation."""
+    """Wait until a condition holds, by polling it."""
     if in_pos:
         controller.clock.wait(0.0, in_position=True)
     poll_s = DEFAULT_POLL_S if poll_rate is None else max(poll_rate, LEAST_POLL_S)
