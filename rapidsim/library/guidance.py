@@ -410,7 +410,7 @@ _EXCHANGED: Mapping[str, str] = MappingProxyType(
         "data_from_sensor": r"\DataFromSensor",
     }
 )
-"""Not yet on the wire, apart from what EGMActJoint and EGMActPose take from the sensor."""
+"""Options not yet sent on the wire, except the values that EGMActJoint and EGMActPose receive."""
 
 _SOURCE = r"MecUnit EGMid ExtConfigName"
 _PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"

@@ -1,4 +1,4 @@
-r"""The table of installed routines: one row a routine, read by checker, interpreter and docs.
+r"""Table of installed routines: one row per routine, read by checker, interpreter and docs.
 
 A row names a typed Python function; its annotations are the RAPID signature (see
 `language.annotations`). Python cannot express options before required arguments, or options that

@@ -1,6 +1,6 @@
-r"""Since which RobotWare a name is known; what is not here, all versions have that anybody runs.
+r"""First RobotWare version of names; names that are absent exist in all versions in use.
 
-Until which one a name is known stands nowhere: no source lists what RobotWare 7 has no more.
+The last version of a name is not recorded: no source lists what RobotWare 7 removed.
 
 This column of the library is a separate table, because few names need it. An option is named with
 its instruction, as `ReadStr\Status`.
