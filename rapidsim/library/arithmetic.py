@@ -75,7 +75,7 @@ def whole_quotient(left: int, right: int) -> int:
 
 
 def literal_quotient(left: int, right: int) -> int:
-    """DIV by a positive literal, also of dividends that are negative or beyond exact integers."""
+    """DIV by a positive literal, also for negative dividends and beyond exact integers."""
     return int(left // float(right)) if left >= 0 else whole_quotient(left, right)
 
 

@@ -63,7 +63,7 @@ def define_test_signal(
 
 
 def read_test_signal(controller: Controller, channel: Num) -> Num:
-    """Value of a channel: the last sample, or a mean over 4 ms of those in shorter intervals."""
+    """Value of a channel: the last sample, or a mean over 4 ms for shorter intervals."""
     number = _channel(channel)
     value = controller.axis_signals.last_sample(number)
     if value is None:

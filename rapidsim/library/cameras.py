@@ -62,12 +62,12 @@ def cam_start_load_job(
     *,
     keep_targets: Switch = False,
 ) -> None:
-    """Start loading a job into a camera, which is done at once."""
+    """Start loading a job into a camera; it is loaded immediately."""
     _load(controller, "CamStartLoadJob", camera, name, keep_targets)
 
 
 def cam_wait_load_job(camera: Var[CameraDev]) -> None:
-    """Wait until a job is loaded, which it already is."""
+    """Wait until a job is loaded, which is already the case."""
     del camera
 
 

@@ -73,7 +73,7 @@ def write_cfg_data(
     list_no: Var[Num] | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Change an attribute of a system parameter, of the same kind as it has."""
+    """Change an attribute of a system parameter to a value of the same kind."""
     found = _instance_at(controller, instance_path, list_no)
     _value(_text(found, instance_path, attribute), of, f"{instance_path}, {attribute}")
     match cfg_data:

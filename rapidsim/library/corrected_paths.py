@@ -46,7 +46,7 @@ def egm_act_move(
 
 
 def _corrected(name: str, interpolation: Interpolation) -> Callable[..., None]:
-    """The body of a move whose path a sensor corrects."""
+    """Build the function of a move whose path a sensor corrects."""
 
     def body(
         controller: Controller,

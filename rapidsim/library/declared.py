@@ -1,4 +1,4 @@
-r"""Routines that are known but not simulated: `declared.txt`, read when first needed.
+r"""Routines that are declared but not simulated: `declared.txt`, read on first use.
 
 Each line contains the header of a routine as RAPID declares it, with `...` for parameters that no
 source documents; after `=>` the routine that replaces it. Without `=>` an instruction is skipped

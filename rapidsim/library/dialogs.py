@@ -71,7 +71,7 @@ class Text(TypedDict, total=False):
 
 
 class DialogOptions(Options, Text, total=False):
-    """A dialog with a text and everything else."""
+    """Text and options of a dialog."""
 
 
 def ui_msg_box(
@@ -304,7 +304,7 @@ def _number(
         return initial or 0.0
     taken = min(max(float(round(answer)) if is_integer else answer, low), high)
     if taken != answer:
-        # The operator could not have pressed OK with such a number.
+        # A FlexPendant would not accept such a number.
         controller.fidelity.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
     return taken
 

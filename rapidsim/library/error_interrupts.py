@@ -32,7 +32,7 @@ def i_error(
 
 
 def get_trap_data(controller: Interrupts, trap_event: Var[TrapData]) -> None:
-    """Store what caused the trap."""
+    """Store the event that caused the trap."""
     if not controller.in_trap:
         raise NotAllowed("GetTrapData can be used in a trap only")
     trap_event.value = controller.trap_cause()
@@ -51,7 +51,7 @@ def read_err_data(
     str4: Var[String] | None = None,
     str5: Var[String] | None = None,
 ) -> None:
-    """Read the parts of what caused the trap."""
+    """Read the parts of the event that caused the trap."""
     entry = trap_event.value
     if entry is None:
         raise rapid_error(

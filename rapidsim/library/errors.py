@@ -83,7 +83,7 @@ def err_raise(
     argument4: ErrStr,
     argument5: ErrStr,
 ) -> None:
-    """Log a warning as ErrLog does, and raise an error that the program has booked, by its name.
+    """Log a warning as ErrLog does, and raise a booked error by its name.
 
     In an ERROR clause the error propagates to the caller, as with RAISE.
     """

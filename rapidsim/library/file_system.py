@@ -42,12 +42,12 @@ _DISK_NOTE = "a disk of 1 GB that holds the home folder alone"
 
 
 def copy_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Copy a file; the new one must not exist yet."""
+    """Copy a file; the target must not exist."""
     controller.copy_file(old_path, new_path)
 
 
 def rename_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Rename or move a file; there must be none of that name yet."""
+    """Rename or move a file; the target must not exist."""
     controller.rename_file(old_path, new_path)
 
 
@@ -148,7 +148,7 @@ def read_any_bin(
     time: Num | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Read what WriteAnyBin wrote, into data of the same type."""
+    """Read data that WriteAnyBin wrote, into data of the same type."""
     del time
     line = opened_device(io_device).read_line()
     if line is None:

@@ -72,7 +72,7 @@ def joined_path(path: str, file: str | None) -> str:
 
 
 def close(io_device: Var[IoDev]) -> None:
-    """Close a file; one that is not open is not an error."""
+    """Close a file; a file that is not open is no error."""
     if io_device.value is not None:
         io_device.value.close()
         io_device.value = None

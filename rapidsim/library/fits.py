@@ -160,7 +160,7 @@ def m_tool_tcp_calib(
     flanges = [controller.target_at(one, TOOL0, WOBJ0) for one in (pos1, pos2, pos3, pos4)]
     rotations = np.stack([_rotation(one) for one in flanges])
     places = np.array([one.trans for one in flanges])
-    # R_i t - p = -x_i, for the tool centre point t in the flange and the place p in the base.
+    # R_i t - p = -x_i, for the tool centre point t in the flange and the point p in the base.
     rows = np.concatenate([np.hstack([one, -np.eye(3)]) for one in rotations])
     solution, _, rank, _ = np.linalg.lstsq(rows, -places.reshape(-1), rcond=1e-9)
     if rank < rows.shape[1]:

@@ -146,7 +146,7 @@ def egm_setup_ao(
     latr: Switch = False,
     **signals: Unpack[AnalogOutputs],
 ) -> None:
-    """Let analog outputs guide, as EGMSetupAI does inputs."""
+    """Let analog outputs guide, as EGMSetupAI does with inputs."""
     del mec_unit, aptr, latr
     purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
     _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupAO", signals)
@@ -165,7 +165,7 @@ def egm_setup_gi(
     latr: Switch = False,
     **signals: Unpack[GroupInputs],
 ) -> None:
-    """Let group inputs guide, as EGMSetupAI does analog ones."""
+    """Let group inputs guide, as EGMSetupAI does with analog inputs."""
     del mec_unit, aptr, latr
     purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
     _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupGI", signals)
@@ -186,7 +186,7 @@ def egm_act_joint(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[JointBands],
 ) -> None:
-    """Make the sensor's goals joints, with the bands within which they are reached."""
+    """Let the sensor send joint goals, with the bands within which they are reached."""
     del tload
     note_ignored_options(
         controller.fidelity,
@@ -229,7 +229,7 @@ def egm_act_pose(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[PoseBands],
 ) -> None:
-    """Make the sensor's goals poses of the TCP, with their frames and bands."""
+    """Let the sensor send poses of the TCP as goals, with their frames and bands."""
     del tload
     note_ignored_options(
         controller.fidelity,

@@ -32,7 +32,7 @@ from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Trait
 
 LARGEST_FILE = 10_000_000
-"""Bytes of one program file; a larger one does not fit into the program memory."""
+"""Maximum size [bytes] of a program file; a larger one exceeds the program memory."""
 
 
 def load(

@@ -190,7 +190,7 @@ def cir_path_mode(
     wrist46: Switch = False,
     wrist56: Switch = False,
 ) -> None:
-    r"""Choose how the tool turns on arcs, or which two wrist axes lead them; else \PathFrame."""
+    r"""Choose the reorientation on arcs, or two wrist axes for it; \PathFrame by default."""
     del path_frame
     chosen = {
         CirclePathMode.OBJECT_FRAME: object_frame,
@@ -249,7 +249,7 @@ def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
 
 
 def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
-    """Deactivate a mechanical unit: its axes stay where they are."""
+    """Deactivate a mechanical unit: its axes keep their position."""
     name = _unit_name(controller.clock)
     inactive = controller.motion.settings.inactive_units | {name}
     controller.motion.settings = replace(controller.motion.settings, inactive_units=inactive)

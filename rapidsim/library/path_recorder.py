@@ -31,7 +31,7 @@ def path_rec_move_bwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Move back along the recorded path, to an identifier or to where the recorder was started."""
+    """Move back along the recorded path, to an identifier or to the start of the recording."""
     controller.move_backward(_number(id_), tool_offs, speed)
 
 
@@ -42,7 +42,7 @@ def path_rec_move_fwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Move forward again, to an identifier or to where PathRecMoveBwd began."""
+    """Move forward again, to an identifier or to the start of PathRecMoveBwd."""
     controller.move_forward(_number(id_), tool_offs, speed)
 
 

@@ -137,7 +137,7 @@ def write_raw_bytes(
 def read_raw_bytes(
     io_device: Var[IoDev], raw_data: Var[RawBytes], *, time: Num | None = None
 ) -> None:
-    r"""Read what a file holds, 1024 bytes at most; \Time limits a wait that a file never causes."""
+    r"""Read a file, 1024 bytes at most; \Time limits a wait, and a file never causes one."""
     del time
     raw_data.value = opened_device(io_device).read(MOST_BYTES)
 

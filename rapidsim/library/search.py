@@ -1,8 +1,8 @@
 r"""Searching on a move: SearchL, SearchC and SearchExtJ.
 
 The position found is that of the TCP at the instant of the flank, without the delays of a real
-input. \Stop brakes as fast as the axes can, \SStop more gently, and \PStop takes its time. All of
-them keep to the path, which on a controller a \Stop leaves by a millimetre or two.
+input. \Stop brakes as fast as the axes can, \SStop more gently, and \PStop most gently. All of
+them stay on the path, which a controller's \Stop leaves by a millimetre or two.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL",
 "SearchExtJ".

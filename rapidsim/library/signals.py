@@ -165,7 +165,7 @@ def test_di(controller: Signals, signal: Var[SignalDi]) -> Bool:
 
 
 def valid_io(signal: Var[AnySignal]) -> Bool:
-    """Whether a signal can be used: one that is connected can."""
+    """Whether a signal can be used, which every connected signal can."""
     return isinstance(signal.value, Signal) and bool(signal.value.name)
 
 

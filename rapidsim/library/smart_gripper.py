@@ -63,7 +63,7 @@ def grip_inward(
     pos_allowance: Num | None = None,
     no_wait: Switch = False,
 ) -> None:
-    """Close the fingers until they hold an object, or are closed."""
+    """Close the fingers until they hold an object or are closed."""
     gripper = controller.smart_gripper
     gripper.adjust(force_n=hold_force)
     meets_mm = gripper.object_mm

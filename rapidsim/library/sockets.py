@@ -92,7 +92,7 @@ def socket_bind(
 
 
 def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
-    """Let clients connect to the port of a socket."""
+    """Accept connections of clients to the port of a socket."""
     state = _stream_socket(socket, "SocketListen")
     if state.listener is None:
         raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")

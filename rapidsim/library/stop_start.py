@@ -120,7 +120,7 @@ def clear_path(controller: Controller) -> None:
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
-    r"""Store the rest of the path and begin a new one; \KeepSync together with the team."""
+    r"""Store the rest of the path and begin a new one; with \KeepSync together with the team."""
     _path_of(controller, "StorePath").store_path(keep_sync=keep_sync)
 
 
@@ -130,7 +130,7 @@ def resto_path(controller: Controller) -> None:
 
 
 def path_level(controller: PathControl) -> Num:
-    """1 on the program's own path, one more for each StorePath."""
+    """The path level: 1 on the program's own path, one more for each StorePath."""
     return controller.path_level
 
 

@@ -1,7 +1,7 @@
 r"""Data by name: reading, writing and searching.
 
-Only data that modules of the task declare are found; routine data, parameters and what the system
-predefines are not. Patterns are regular expressions and must match the whole name, in any case.
+Only data that modules of the task declare are found; routine data, parameters and predefined data
+are not. Patterns are regular expressions and must match the whole name, in any case.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetDataVal",
 "SetDataSearch", "GetNextSym" and their like.

@@ -89,7 +89,7 @@ def sync_move_off(
 
 
 def sync_move_undo(controller: SyncMoves) -> None:
-    """Move alone again without waiting for the others."""
+    """Return to independent moves without waiting for the others."""
     controller.leave_team()
 
 

@@ -1,6 +1,6 @@
 r"""Text tables: texts of a program in files, one file per language, found by name and number.
 
-A file looks like this, and other formats are refused:
+Format of a file; other formats are rejected:
 
     # A comment.
     deburring::

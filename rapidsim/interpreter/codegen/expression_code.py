@@ -3,7 +3,7 @@
 A num is rounded once, where an arithmetic expression is consumed; until then the node computes in
 doubles. Integers remain Python integers, which are fastest for counting and indexing: FOR counters,
 variables that `integer_inference` proves integer, sums and products of these. They become floats
-where they are used as anything else, and are rounded like floats, which few of them need.
+where they are used otherwise, and are then rounded like floats, which few of them need.
 """
 
 from __future__ import annotations

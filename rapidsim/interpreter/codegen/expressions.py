@@ -108,7 +108,7 @@ class Expressions:
         return finished(self.code(expression), self.at(expression))
 
     def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
-        """Like `value`, but an array becomes a list that nothing else refers to.
+        """Like `value`, but an array is copied to an unshared list.
 
         Args:
             expression: The expression to copy.

@@ -34,7 +34,7 @@ def function_in_place(
     function: ast.Name,
     at: AstBuilder,
 ) -> Code | None:
-    """A call of an installed function as an inline expression; None where it must be called."""
+    """Translate a call of an installed function to an inline expression; None if impossible."""
     form = _FORMS.get(routine.function)
     values = [
         one.value

@@ -53,7 +53,7 @@ ANY = Interval(-LARGEST, LARGEST)
 
 
 def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
-    """The interval of a sum, difference or product; None where the result is no integer."""
+    """Return the interval of a sum, difference or product; None if the result is no integer."""
     signed = a.signed or b.signed
     if operator in ("DIV", "MOD"):
         a, b = rounded(a), rounded(b)
@@ -77,7 +77,7 @@ def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
 
 
 def negated(a: Interval) -> Interval | None:
-    """The interval of the negation; None where that could be a negative zero."""
+    """Return the interval of the negation; None if it could be a negative zero."""
     if a.signed and a.low <= 0 <= a.high:
         return None
     return Interval(-a.high, -a.low, signed=a.signed)
@@ -100,7 +100,7 @@ def widened(a: Interval, b: Interval) -> Interval:
 
 
 def hull(intervals: Iterable[Interval]) -> Interval:
-    """The hull of the intervals, of which there is at least one."""
+    """Return the hull of one or more intervals."""
     every = list(intervals)
     low, high = min(one.low for one in every), max(one.high for one in every)
     return Interval(low, high, signed=any(one.signed for one in every))

@@ -220,7 +220,7 @@ def _is_tick(statement: ast.stmt) -> bool:
 
 
 def _is_loop(statement: ast.stmt) -> TypeGuard[ast.For | ast.While]:
-    """Whether a statement is a loop of the program, which takes ticks."""
+    """Whether a statement is a loop of the program, and therefore takes ticks."""
     return isinstance(statement, ast.For | ast.While) and _is_tick(statement.body[0])
 
 

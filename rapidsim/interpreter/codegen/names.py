@@ -130,7 +130,7 @@ class ModuleNames:
 
 @value_class(frozen=True, slots=True)
 class ArrayDimension:
-    """One dimension of an array parameter whose size the caller decides."""
+    """One dimension of an array parameter that is sized by the caller."""
 
     array: str
     """Its Python variable."""

@@ -93,7 +93,7 @@ def translate_routine(
 
     Args:
         symbol: The routine.
-        context: What the routines of its module share.
+        context: Context shared by the routines of its module.
         elements: Parameters to pass as an array and an index in it.
     """
     return _RoutineTranslation(symbol, context, elements).translate()

@@ -1,8 +1,8 @@
 """Functions whose calls need a special translation.
 
 Most need their argument's name or location rather than its value: they take a REF parameter, which
-no Python function can have. StrLen is here because a length is an integer, which makes loops and
-indices fast.
+no Python function can have. StrLen is included because a length is an integer, which makes loops
+and indices fast.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: ArgName, Dim,
 IsPers, IsVar, Present, StrLen, Type.

@@ -201,7 +201,7 @@ class LinkedProgram:
 
 
 def show_lines_of(source: Source) -> None:
-    """Let Python's tools print RAPID lines; they would otherwise expect a UTF-8 file."""
+    """Make Python's tools print RAPID lines; otherwise they would expect a UTF-8 file."""
     # Python declares a list here, but only reads it.
     lines = cast("list[str]", _Lines(source))
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)

@@ -63,7 +63,7 @@ class Task:
             self._linked.function(symbol)(*_absent(symbol))
 
     def take(self, program: Program) -> None:
-        """Continue with a changed set of modules; those that stay keep their values.
+        """Continue with a changed set of modules; remaining modules keep their values.
 
         Raises:
             FatalError: If a constant or an initial value of a new module fails.

@@ -16,7 +16,7 @@ from rapidsim.syntax import tree
 
 
 def text_of(module: tree.Module) -> str:
-    """The text of a module as it was read, from its first to its last word."""
+    """Return the original text of a module, from its first to its last word."""
     return module.source.text[module.start : module.end] + "\n"
 
 

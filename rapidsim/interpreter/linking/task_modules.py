@@ -1,6 +1,6 @@
 """Modules that a running task loads and unloads: implements `language.modules.Modules`.
 
-Every change makes a program of all modules and checks it as a whole, so a `Program` never has
+Every change builds a program of all modules and checks it as a whole, so a `Program` never has
 errors. A module that uses undeclared names is loaded, as on the controller, but stays outside the
 program until another module declares them.
 

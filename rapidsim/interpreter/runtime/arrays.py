@@ -33,7 +33,7 @@ class IndexTable(dict[float, int]):
     """
 
     def __missing__(self, index: float) -> int:
-        """The entry of the index as a num; refuse any other."""
+        """Return the entry of the index rounded to num; raise for any other."""
         rounded = single(index)
         if rounded not in self:
             out_of_bounds(rounded, len(self))
@@ -44,7 +44,7 @@ class _AbsentTable(IndexTable):
     """Index table of an array parameter that is absent."""
 
     def __missing__(self, index: float) -> NoReturn:
-        """Refuse every index."""
+        """Raise for every index."""
         not_present("of this routine")
 
 

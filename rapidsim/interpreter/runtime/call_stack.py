@@ -39,7 +39,7 @@ class Origin:
 
 
 CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
-"""The clauses of a routine that are functions inside its own, by the name of the function."""
+"""Clauses that are functions inside a routine's function, by the name of the function."""
 
 
 @value_class(frozen=True, slots=True)
@@ -100,8 +100,8 @@ def rapid_stack(exception: BaseException) -> tuple[CallFrame, ...]:
     entries = list(_entries(exception.__traceback__))
     if isinstance(exception.__cause__, Exception):
         entries += _entries(exception.__cause__.__traceback__)
-    # An error that an ERROR clause passed on leaves its routine twice: where it was passed on, and
-    # then where it happened.
+    # An error that an ERROR clause propagates has two entries of its routine: one at the RAISE, and
+    # one at its origin.
     last_of_frame = [
         entry
         for entry, following in zip_longest(entries, entries[1:])
@@ -133,7 +133,7 @@ def frame_of(traceback: TracebackType) -> CallFrame:
 
 
 def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:
-    """Source offsets of what a Python instruction on a line executes."""
+    """Return the source offsets of the code that a Python instruction on a line executes."""
     _, _, column, end_column = next(
         islice(code.co_positions(), instruction // 2, None), (None,) * 4
     )

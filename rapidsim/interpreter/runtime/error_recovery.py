@@ -143,7 +143,7 @@ class Recovery:
             outcome = ErrorOutcome.RAISED
             error = propagated.error
             if error.__traceback__ is None:
-                # It is a new one, raised in the clause.
+                # A new error, raised in the clause.
                 error = error.with_traceback(propagated.__traceback__)
             raise error from None
         except RaisedError as inside:

@@ -126,7 +126,7 @@ def is_persistent(reference: object) -> bool:
 
 
 def initial_literal(symbol: DataSymbol) -> Value | None:
-    """The initial value of declared data; None if computing it takes code."""
+    """The initial value of declared data; None if code must compute it."""
     assert symbol.node is not None
     if symbol.node.value is None:
         return initial_value(symbol.type)

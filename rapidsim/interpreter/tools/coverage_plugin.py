@@ -101,7 +101,7 @@ class RapidReporter(FileReporter):
         return "".join(" ".join(line.splitlines()) + "\n" for line in lines)
 
     def source_token_lines(self) -> TSourceTokenLines:
-        """The lines for a web page; only comments are marked, as coverage knows only Python."""
+        """Return the lines for a web page; only comments are marked."""
         for line in self.source().split("\n")[:-1]:
             is_comment = line.lstrip().startswith("!")
             yield [("com" if is_comment else "txt", line)]

@@ -85,7 +85,7 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
         for body in bodies:
             inside = list(descendants(*body))
             connects = [node for node in inside if isinstance(node, tree.Connect)]
-            # A call may lead to IDelete, a jump or a return may leave the loop at once.
+            # A call may execute IDelete; a jump or a return may leave the loop.
             if any(_may_delete(node, facts) for node in inside):
                 continue
             for connect in connects:

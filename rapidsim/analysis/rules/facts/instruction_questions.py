@@ -32,7 +32,7 @@ _MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary(
 def arguments_of(
     call: tree.Call | tree.FunctionCall, facts: Facts
 ) -> list[tuple[Formal | None, tree.Expression | None]]:
-    """Each argument with its parameter; None where the routine or the parameter is unknown."""
+    """Return each argument with its parameter; None if the routine or the parameter is unknown."""
     symbol = facts.symbol(call)
     formals: tuple[Formal, ...] = ()
     if isinstance(symbol, LibrarySymbol):
