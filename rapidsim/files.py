@@ -20,7 +20,7 @@ _STEERING = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a\x1b"))
 _LOOKED_AT = 4096
 _FEW_STRAY = 16
 _STRAY_SHARE = 0.03
-"""Share of such bytes beyond which a file is no text; in encoded modules it is an eighth."""
+"""Share of such bytes beyond which a file is no text; text has a few, encoded modules an eighth."""
 
 # Windows tools write code page 1252; its five unassigned bytes exist only in ISO 8859-1, which
 # accepts every byte. Byte order marks are tested first: they are certain, the rest is a guess.

@@ -67,7 +67,7 @@ def _answering(body: tree.Body, effects: Effects, *, is_last: bool = True) -> It
     last = choices[-1] if choices else -1
     for number, statement in enumerate(body):
         if isinstance(statement, CHOICES):
-            # A text shown for all errors answers none that a later choice selects from.
+            # A text that is shown for every error, before the choice among them, answers none.
             counts = depends_on_error(statement) or (is_last and number == last)
             for block in blocks(statement):
                 yield from _answering(block, effects, is_last=counts)

@@ -138,8 +138,8 @@ def raise_to_user(
 ) -> None:
     r"""Pass an error on to the ERROR clause of the first routine whose module is not NOSTEPIN.
 
-    With \Continue a controller would resume inside that clause; a run leaves the routines as with
-    \BreakOff.
+    With \Continue that clause would continue inside the NOSTEPIN routines; a run leaves them as
+    with \BreakOff.
     """
     if not (continue_ or break_off):
         raise rapid_error(ERR_ARGVALERR, r"RaiseToUser needs \Continue or \BreakOff")

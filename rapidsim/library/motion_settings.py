@@ -270,7 +270,7 @@ def _unit_name(controller: ClockService) -> str:
 def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
     """Set the load in the gripper.
 
-    It reduces accelerations if the motion model has mass data; by default loads have no effect.
+    It reduces accelerations as far as the motion model depends on loads; by default it does not.
     """
     controller.motion.settings = replace(
         controller.motion.settings,

@@ -50,7 +50,7 @@ class EffectAfterMove:
     place: _Place
     """The effect, or the call that leads to it."""
     part: ProgramPart
-    """The routine of the place."""
+    """The routine that contains the place."""
 
 
 @value_class(frozen=True, slots=True)
