@@ -19,8 +19,7 @@ def whole_file(path: Path) -> Iterator[Path]:
     """Provide a temporary path in the same folder, and move it into place if the block succeeds.
 
     On any failure, including Ctrl-C, the temporary file is removed and an existing file is kept.
-    The
-    folder is the same, because a move between disks is a copy.
+    The folder is the same, because a move between disks is a copy.
 
     Raises:
         InputError: If the folder does not exist or may not be written to, `path` is a folder, or

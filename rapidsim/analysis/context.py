@@ -190,5 +190,4 @@ TypeOf: TypeAlias = Callable[[tree.Expression, Context, ExpectedType | None], Ty
 
 The expected type guides literals and aggregates; it is not compared with the result. The result is
 None if the type is unknown, for a reason that has been reported.
-
 """

@@ -61,8 +61,7 @@ class Formal:
             if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
                 return of
         # Routines that accept signals of every kind, such as AliasIO, declare no kind; routines
-        # that
-        # are not simulated are recognised by parameter names only.
+        # that are not simulated are recognised by parameter names only.
         by_name = (
             types.ANYTYPE in self.types
             and self.mode is not ParameterMode.IN

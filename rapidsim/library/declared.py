@@ -2,10 +2,9 @@ r"""Routines that are declared but not simulated: `declared.txt`, read on first 
 
 Each line contains the header of a routine as RAPID declares it, with `...` for parameters that no
 source documents; after `=>` the routine that replaces it. Without `=>` an instruction is skipped
-and
-a function returns the initial value of its type. After `@` follow the effects that the header does
-not show, in the words of `Trait`, or the routine that restores the setting. Each use is reported to
-the controller.
+and a function returns the initial value of its type. After `@` follow the effects that the header
+does not show, in the words of `Trait`, or the routine that restores the setting. Each use is
+reported to the controller.
 """
 
 from __future__ import annotations

@@ -135,8 +135,7 @@ def read_str(
 
     A string holds 80 characters; the next call reads the rest of a longer line, and \Status is
     then "REMAIN". No source documents its other value: it is "", which the run reports. \Time
-    limits
-    a wait, and a file never causes one.
+    limits a wait, and a file never causes one.
     """
     del time
     file = opened_device(io_device)

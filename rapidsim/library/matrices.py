@@ -34,7 +34,6 @@ def matrix_solve(
     Raises:
         RapidError: ERR_ARRAY_SIZE for sizes that do not fit, ERR_ARGVALERR without a unique
             solution.
-            solution.
     """
     import numpy as np
 

@@ -3,8 +3,7 @@
 Routines compute in Python's floats. A `num` that they return or write, by itself or in a record or
 an array, by value or by reference, is rounded here and nowhere else; routines without a `num` in
 their results are called directly. Data that may be of several types (`anytype`, `num` or `dnum`)
-are
-rounded by the routine that writes them, which receives their type.
+are rounded by the routine that writes them, which receives their type.
 """
 
 from __future__ import annotations

@@ -1,16 +1,14 @@
 r"""Stopping the robot on its path, restarting it, and paths in between.
 
 ProcerrRecovery in a trap raises its error at the statement that the trap interrupts or, if that is
-a
-computing loop, at the next statement that can fail: \SyncOrgMoveInst and \SyncLastMoveInst are
+a computing loop, at the next statement that can fail: \SyncOrgMoveInst and \SyncLastMoveInst are
 equal.
 
 StopMove brakes as a stopped program does, \Quick as fast as the axes can; both stay on the
 path.
 
 A run without a server ends when its program stops: the robot then executes its queued moves, so
-that
-TriggStopProc notes a robot that is off its path.
+that TriggStopProc notes a robot that is off its path.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
 "StartMove", "StorePath", "RestoPath", "ClearPath", "TriggStopProc".
@@ -110,8 +108,7 @@ def clear_path(controller: Controller) -> None:
     """Drop the rest of the path.
 
     In a task without a robot a controller continues, as supervising servers rely on; no source
-    documents
-    what it clears there.
+    documents what it clears there.
     """
     if controller.tasks.robot_number:
         controller.path_control.clear_path()

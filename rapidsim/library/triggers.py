@@ -1,8 +1,7 @@
 r"""Trigger data: events and their positions on the path of a TriggL, TriggJ or TriggC.
 
 \Mode selects a controller's behaviour when the robot stops at a trigger position and restarts; a
-run
-passes each position once. \Next is not simulated.
+run passes each position once. \Next is not simulated.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggIO",
 "TriggEquip", "TriggInt", "TriggCheckIO", "TriggRampAO", "TriggSpeed".

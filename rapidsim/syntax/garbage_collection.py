@@ -39,8 +39,7 @@ def gc_for_server() -> Iterator[None]:
     """Collect garbage frequently in a permanent process, but not among the existing objects.
 
     Each connection leaves some garbage with reference cycles. Python scans all old objects only
-    after
-    their number has grown by a quarter, and so much garbage would accumulate.
+    after their number has grown by a quarter, and so much garbage would accumulate.
     """
     gc.collect()
     gc.freeze()

@@ -3,8 +3,7 @@
 A step is a unit of evaluation: a function call, then the expression or statement that contains
 it. Blocks without incoming edges are kept: the statements that begin there are unreachable. Calls
 are steps, not edges; the effect of a call is the callee's summary (`summaries`). After Aho, Lam,
-Sethi
-and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
+Sethi and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
 iteration and after each one, so that an analysis can distinguish "before the loop" from "after an
 iteration".
 """

@@ -1,8 +1,7 @@
 """Routines that take a tick of virtual time per call, as a loop does per iteration.
 
 Without loops a program can run indefinitely only by recursion, direct or indirect, or by call
-chains
-that multiply. A tick there keeps it within the limits of a run.
+chains that multiply. A tick there keeps it within the limits of a run.
 """
 
 from __future__ import annotations

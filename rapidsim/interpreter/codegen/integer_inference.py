@@ -1,10 +1,9 @@
 """Inference of the nums of a program that are integers: locals, parameters, function results.
 
 A num is an integer if every value assigned to it is: integer literals and constants, counters,
-sums,
-differences and products of integers, results of DIV and MOD on them, lengths and sizes, and the
-arguments of all calls. The inference also yields bounds, by iterating to a fixed point. Generated
-code uses Python integers of any size, which no program can observe: see `intervals`.
+sums, differences and products of integers, results of DIV and MOD on them, lengths and sizes, and
+the arguments of all calls. The inference also yields bounds, by iterating to a fixed point.
+Generated code uses Python integers of any size, which no program can observe: see `intervals`.
 
 Values that other code may change or supply stay floats: module data, elements, components, data
 passed by reference, options, and parameters of routines called by a name known only at run time.

@@ -2,11 +2,9 @@
 
 The clock's own count is an attribute, which costs as much as the rest of a small loop. Therefore a
 loop takes the remaining ticks from the clock, counts down locally, and returns the unused ticks
-when
-it ends, returns or fails, and before every statement in it that could read the clock. It does so
-only
-if that costs less than it saves. The behaviour is unchanged: a loop requests new ticks in the same
-iteration, and every observer reads the same time.
+when it ends, returns or fails, and before every statement in it that could read the clock. It does
+so only if that costs less than it saves. The behaviour is unchanged: a loop requests new ticks in
+the same iteration, and every observer reads the same time.
 
 If all iterations of a FOR fit into the remaining ticks, they are subtracted at once.
 

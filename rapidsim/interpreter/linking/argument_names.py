@@ -1,9 +1,8 @@
 """Names of the data passed for a parameter, as ArgName returns them.
 
 Calls carry no extra information for the few programs that use ArgName. The call is found in the
-tree
-of the calling routine, at the position where Python is executing that routine; if the argument is a
-parameter of the caller, the search continues with the caller's own caller.
+tree of the calling routine, at the position where Python is executing that routine; if the argument
+is a parameter of the caller, the search continues with the caller's own caller.
 """
 
 from __future__ import annotations

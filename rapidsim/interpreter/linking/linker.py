@@ -1,9 +1,8 @@
 """The modules of one task linked into Python functions, and their memory.
 
 `link` takes a program and prepares the new modules in it; the remaining ones keep their functions
-and
-variables. A task starts in this way, and loads and unloads modules while it runs: the program is an
-immutable value, checked as a whole each time, and only this object changes.
+and variables. A task starts in this way, and loads and unloads modules while it runs: the program
+is an immutable value, checked as a whole each time, and only this object changes.
 """
 
 from __future__ import annotations

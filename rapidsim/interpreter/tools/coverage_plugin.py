@@ -45,8 +45,7 @@ class RapidPlugin(CoveragePlugin):
         """Set the options that RAPID needs unless the user has set them.
 
         Only RAPID modules are measured by default, without `source` and `include`. Of the tracers
-        only
-        the C tracer supports plugins.
+        only the C tracer supports plugins.
         """
         chosen = ("run:source", "run:source_pkgs", "run:source_dirs", "run:include")
         if not any(config.get_option(option) for option in chosen):

@@ -2,8 +2,7 @@
 
 An expression becomes the only statement of a function in an internal module, together with
 functions that return its subexpressions. That module can access LOCAL names of the program's
-modules
-and is linked like one loaded at run time, so the usual checks and execution apply.
+modules and is linked like one loaded at run time, so the usual checks and execution apply.
 """
 
 from __future__ import annotations

@@ -100,8 +100,7 @@ class Stepper:
             elif self._ends_before(now):
                 self.end()
                 # Halting lets time pass, in which other tasks' programs run: without this, Python
-                # would treat
-                # them as part of the tracing.
+                # would treat them as part of the tracing.
                 sys.call_tracing(self.halt, (place,))
         return self._passed
 
