@@ -1,8 +1,8 @@
 """Arithmetic where Python's operators differ from RAPID's; called by generated code.
 
-RAPID's num is a single; generated code rounds the result of each arithmetic expression inline with
-the three float operations of `language.single`. The functions here do the rest: integer division,
-positions and orientations, errors, the values of FOR counters.
+RAPID's num has single precision; generated code rounds the result of each arithmetic expression
+inline with the three float operations of `language.single_precision`. The functions here do the
+rest: integer division, positions and orientations, errors, the values of FOR counters.
 
 Source: Technical reference manual RAPID Overview, "Expressions".
 """

@@ -145,7 +145,7 @@ def _same_magnitude(code: Code, most: int, default: str, at: AstBuilder) -> ast.
 
 
 def _rounded(node: ast.expr, at: AstBuilder) -> ast.expr:
-    """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single`."""
+    """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single_precision`."""
     return _split(at.named("_x", node), at)
 
 

@@ -66,10 +66,7 @@ class TranslatedRoutine:
     """Function that returns the error numbers of a long-jump ERROR clause."""
     callees: Callees
     tick: list[ast.stmt]
-    """Statements for a tick at the start of the function; empty if its calls take none."""
-
-
-"""Treatment of a routine of a stub module, for reports."""
+    """Statements to insert at the start of the function if its calls take a tick."""
 
 
 @value_class(frozen=True, slots=True)

@@ -119,7 +119,7 @@ def check_query(text: str, label: str, program: Program, figures: Iterable[str])
         figures: Names of additional numbers; names that the program declares are skipped.
 
     Raises:
-        NotAskedError: If it is not a single expression, or has side effects.
+        QueryError: If it is not a single expression, or has side effects.
     """
     text = text.strip()
     declared = dict.fromkeys(sorted(set(figures) - own_names(program)), 0.0)
