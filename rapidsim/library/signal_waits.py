@@ -106,7 +106,7 @@ def wait_gi(
     dvalue_at_timeout: Var[Dnum] | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a relation between a group of inputs and a value holds."""
+    """Wait until a group of inputs equals a value, differs from it, is below it, or above it."""
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller, "WaitGI", signal, condition, max_time, at_timeout, window)
@@ -125,7 +125,7 @@ def wait_go(
     dvalue_at_timeout: Var[Dnum] | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a relation between a group of outputs and a value holds."""
+    """Wait until a group of outputs equals a value, differs from it, is below it, or above it."""
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller, "WaitGO", signal, condition, max_time, at_timeout, window)

@@ -113,8 +113,8 @@ class LibraryRoutine:
     takes_anything: bool = False
     """Whether a call may have undocumented arguments; the function gets none."""
     back: str = ""
-    """The call that restores the initial mode if the routine changes one that may stay changed:
-    the switch or the percentages in it identify the mode, otherwise the routine name.
+    """The call that restores the initial mode, if the routine changes a mode that can outlast the
+    caller: the switch or the percentages in it count, otherwise the routine of that name.
     """
 
     @property
