@@ -1,4 +1,4 @@
-"""What `BACKINFO/backinfo.txt` of a controller backup says: products, tasks and their modules.
+"""Parser of `BACKINFO/backinfo.txt` in a controller backup: products, tasks and their modules.
 
 >>PRODUCTS_ID:
 RobotWare Version: 6.08.01.00
@@ -25,11 +25,11 @@ class ListedTask:
 
     name: str
     modules: tuple[str, ...]
-    """Folded paths below the folder of the task, with `/`; none where the file names none."""
+    """Folded paths below the folder of the task, with `/`; empty if the file lists none."""
 
 
 def listed_products(text: str) -> tuple[str, ...]:
-    """RobotWare, options and drives of a controller, each as it is written."""
+    """Return RobotWare, options and drives of a controller, each as written."""
     products: list[str] = []
     inside = False
     for line in text.replace("\r", "\n").splitlines():
@@ -41,7 +41,7 @@ def listed_products(text: str) -> tuple[str, ...]:
 
 
 def listed_tasks(text: str) -> Mapping[str, ListedTask]:
-    """The tasks by folded name of their folder."""
+    """Return the tasks by folded name of their folder."""
     tasks: dict[str, ListedTask] = {}
     folder = ""
     for line in text.replace("\r", "\n").splitlines():

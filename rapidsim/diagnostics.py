@@ -1,8 +1,8 @@
-"""What a finding is: a source text, a place in it, and a mistake with its facts.
+"""Findings: a source text, a position in it, and a violation of a rule with its facts.
 
-A mistake is a `Violation`: one small frozen dataclass a rule, declared next to the code that
-detects it. What can be said of the rule without the facts is the `Rule`, a folder of text files.
-A `Diagnostic` is a violation at a place.
+A mistake is a `Violation`: one small frozen dataclass per rule, declared next to the code that
+detects it. Everything about the rule that is independent of the facts is the `Rule`, a folder of
+text files. A `Diagnostic` is a violation at a position.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 ON_REQUEST = ("F409", "F410", "M514", "S", "T323")
-"""Rules and families that `rapidsim check` looks for only when asked, such as house style."""
+"""Rules and families that `rapidsim check` applies only on request, such as house style."""
 
-# Files that went through careless tools end lines in CR CR LF; that is one line end, not two.
+# Some tools write line ends as CR CR LF, which is one line end, not two.
 _LINE_END = re.compile(r"\r+\n|\n|\r")
 
 
 class Severity(StrEnum):
-    """How bad a finding is; only errors stop a program from running."""
+    """Severity of a finding; only errors prevent a program from running."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -38,10 +38,10 @@ class Severity(StrEnum):
 
 @value_class(frozen=True, eq=False, repr=False)
 class Source:
-    """The text of one file. Positions in it are character offsets; lines are found on demand."""
+    """Text of one file. Positions in it are character offsets; lines are determined on demand."""
 
     file: str
-    """The file as the user named it."""
+    """File name as the user specified it."""
     text: str
 
     @cached_property
@@ -55,11 +55,11 @@ class Source:
         return line, offset - self.line_starts[line - 1] + 1
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short form of one line."""
         return f"<{self.file[-60:]}, {len(self.text)} characters>"
 
     def line(self, number: int) -> str:
-        """The text of a line, counted from 1, without its line end."""
+        """Text of a line, counted from 1, without its line end."""
         starts = self.line_starts
         end = starts[number] if number < len(starts) else len(self.text)
         return self.text[starts[number - 1] : end].rstrip("\r\n")
@@ -67,7 +67,7 @@ class Source:
 
 @value_class(frozen=True, slots=True, repr=False)
 class Span:
-    """A stretch of a source text, `end` exclusive."""
+    """A range of a source text, `end` exclusive."""
 
     source: Source
     start: int
@@ -75,7 +75,7 @@ class Span:
 
     @property
     def file(self) -> str:
-        """The file as the user named it."""
+        """File name as the user specified it."""
         return self.source.file
 
     @property
@@ -100,24 +100,25 @@ class Span:
 
     @property
     def text(self) -> str:
-        """The characters themselves."""
+        """Text of the span."""
         return self.source.text[self.start : self.end]
 
     def begins_in(self, other: Span) -> bool:
-        """Whether its first character lies in another span."""
+        """Whether its first character is inside another span."""
         return self.file == other.file and other.start <= self.start < other.end
 
     def __repr__(self) -> str:
-        """One line."""
+        """Short form of one line."""
         return f"{self.file[-60:]}:{self.line}:{self.column}"
 
 
 @value_class(frozen=True)
 class Rule:
-    """What is written of a rule: its folder `CODE-name` in `rapidsim/rules`, read when asked for.
+    """Text of a rule: its folder `CODE-name` in `rapidsim/rules`, read on demand.
 
-    `rule.toml` holds the message and what else this class gives; `page.md` says what is wrong and
-    why it matters. The programs of `bad.mod` break the rule, those of `good.mod` do not.
+    `rule.toml` contains the message and the other attributes of this class; `page.md` explains the
+    mistake and its consequences. The programs of `bad.mod` break the rule, the ones of `good.mod`
+    do not.
     """
 
     code: str
@@ -130,22 +131,22 @@ class Rule:
 
     @property
     def severity(self) -> Severity:
-        """How bad it is."""
+        """Default severity of its findings."""
         return Severity(self._table["severity"])
 
     @property
     def message(self) -> str:
-        """A format string over the fields of the violation: one line, no full stop, no blame."""
+        """Format string over the fields of the violation: one line, no full stop, no blame."""
         return str(self._table["message"])
 
     @property
     def help(self) -> str:
-        """The cure, where it is always the same; a format string over the fields too."""
+        """Constant suggestion, if any; a format string over the fields as well."""
         return str(self._table.get("help", ""))
 
     @property
     def events(self) -> Mapping[str, str]:
-        """The controller's event for the same thing, such as `ABB 50050`, by case.
+        """Corresponding event of the controller, such as `ABB 50050`, by case.
 
         A rule with one event for all cases has it under the empty string.
         """
@@ -160,15 +161,15 @@ class Rule:
 
     @property
     def on_by_default(self) -> bool:
-        """Whether `rapidsim check` looks for it unasked."""
+        """Whether `rapidsim check` applies it by default."""
         return not self.code.startswith(ON_REQUEST)
 
     def matches(self, selector: str) -> bool:
-        """Whether a code, the beginning of a code such as `K6`, or a name means this rule."""
+        """Whether a code, the beginning of a code such as `K6`, or a name selects this rule."""
         return self.code.startswith(selector.upper()) or self.name == selector.lower()
 
     def read(self, file: str) -> bytes:
-        """A file of its folder; empty if the folder has none of that name."""
+        """Contents of a file in its folder; empty if there is no such file."""
         found = self._folder / file
         return found.read_bytes() if found.is_file() else b""
 
@@ -178,7 +179,7 @@ class Rule:
 
     @cached_property
     def _table(self) -> dict[str, Any]:
-        # Like the import below: not for those commands that find nothing.
+        # Imported here like the one below, to save time in commands without findings.
         import tomllib  # noqa: PLC0415
 
         return tomllib.loads(self.read("rule.toml").decode("utf-8"))
@@ -186,14 +187,14 @@ class Rule:
 
 @cache
 def all_rules() -> tuple[Rule, ...]:
-    """Every rule, ordered by code."""
+    """Return every rule, ordered by code."""
     return tuple(map(Rule, sorted(_rule_folders())))
 
 
 @cache
 def _rule_folders() -> Mapping[str, Path]:
-    """The folder of each code."""
-    # Beside the folders there is no name but those of Python.
+    """Return the folder of each code."""
+    # All other names next to the folders are Python's.
     names = (one for one in shipped("rules").iterdir() if "-" in one.name)
     return {folder.name.partition("-")[0]: folder for folder in names}
 
@@ -211,21 +212,21 @@ class Violation:
 
     @property
     def is_reported_once(self) -> bool:
-        """Whether all of them, in all files, are one finding where findings are merged."""
+        """Whether all such findings, in all files, are merged into one if findings are merged."""
         return False
 
     def with_others(self, merged: Sequence[Violation]) -> Violation:
-        """One violation that says this and others of its rule; for those that are told once."""
+        """Return a violation that represents this and the merged ones, if reported once."""
         del merged
         return self
 
     facts: ClassVar[tuple[str, ...]] = ()
-    """The names of its fields, in order."""
+    """Names of its fields, in order."""
 
     def __init_subclass__(cls, *, code: str) -> None:
-        """Note the fields of the subclass.
+        """Record the fields of the subclass.
 
-        What a frozen dataclass would have is written once, below: to generate it for each of some
+        The methods of a frozen dataclass are written once, below: generating them for each of some
         hundred classes takes longer than checking a file.
         """
         cls.rule = Rule(code)
@@ -233,7 +234,7 @@ class Violation:
         cls.facts = (*cls.facts, *own)
 
     def __init__(self, *values: object, **named: object) -> None:
-        """Take the facts in the order of the fields, or by their names."""
+        """Take the facts in the order of the fields, or by name."""
         facts = dict(zip(self.facts, values, strict=False))
         if len(values) > len(self.facts) or facts.keys() & named.keys():
             raise TypeError(f"{type(self).__name__} takes each of {self.facts} once")
@@ -246,21 +247,21 @@ class Violation:
         vars(self).update(facts)
 
     def __setattr__(self, name: str, value: object) -> None:
-        """Refuse: facts stay as they are."""
+        """Raise, because facts are immutable."""
         raise AttributeError(f"cannot change `{name}` of a violation")
 
     def __eq__(self, other: object) -> bool:
-        """Whether it is of the same rule with the same facts."""
+        """Whether both violate the same rule with the same facts."""
         if type(other) is not type(self):
             return NotImplemented
         return vars(self) == vars(other)
 
     def __hash__(self) -> int:
-        """That of the facts."""
+        """Hash of the facts."""
         return hash((type(self), *(getattr(self, name) for name in self.facts)))
 
     def __repr__(self) -> str:
-        """The class and its facts."""
+        """Class name and facts."""
         facts = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.facts)
         return f"{type(self).__name__}({facts})"
 
@@ -276,33 +277,33 @@ class Violation:
 
     @property
     def severity(self) -> Severity:
-        """How bad it is."""
+        """Severity of the finding."""
         return self.rule.severity
 
     @property
     def case(self) -> str:
-        """The case of its rule, where the controller's event depends on it."""
+        """Case of its rule, which selects the event of the controller."""
         return ""
 
     @property
     def cf(self) -> str | None:
-        """The controller's event for the same thing."""
+        """Corresponding event of the controller; None without one."""
         return self.rule.events.get(self.case)
 
     @property
     def message(self) -> str:
-        """The message with the facts filled in."""
+        """Message with the facts filled in."""
         return self.rule.message.format_map(vars(self))
 
     @property
     def help(self) -> str | None:
-        """The cure, when it is known."""
+        """Suggestion; None if there is no known one."""
         return self.rule.help.format_map(vars(self)) or None
 
 
 @value_class(frozen=True, slots=True)
 class Related:
-    """Another place that explains a finding, such as the declaration a use disagrees with."""
+    """Another position that explains a finding, such as the declaration of a misused name."""
 
     span: Span
     message: str
@@ -310,7 +311,7 @@ class Related:
 
 @value_class(frozen=True, slots=True)
 class Edit:
-    """Replace a span by a text."""
+    """Replacement of a span by a text."""
 
     span: Span
     text: str
@@ -318,7 +319,7 @@ class Edit:
 
 @value_class(frozen=True, slots=True)
 class Fix:
-    """Edits that cure a finding."""
+    """Edits that correct a finding."""
 
     title: str
     edits: tuple[Edit, ...]
@@ -327,63 +328,64 @@ class Fix:
 
 @value_class(frozen=True, slots=True, repr=False)
 class Diagnostic:
-    """A violation at a place; `span` is None only for what has no place, such as a whole folder."""
+    """A violation at a position; `span` is None only for a subject such as a whole folder."""
 
     violation: Violation
     span: Span | None
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
     routine: str | None = None
-    """The routine around the place, if it is in one."""
+    """Routine that contains the position, if any."""
     assumed: bool = False
-    """Whether it holds under an assumption only, such as an arm that nobody named, or the station
-    says that a run goes on."""
+    """Whether it depends on an assumption, such as a default arm, or a continuation of the run that
+    the station requests.
+    """
     order: tuple[str, int] = field(init=False, compare=False)
     """Sort key: file, then offset."""
 
     def __post_init__(self) -> None:
-        """Work out the sort key."""
+        """Compute the sort key."""
         key = (self.span.file, self.span.start) if self.span else ("", 0)
         object.__setattr__(self, "order", key)
 
     @property
     def code(self) -> str:
-        """The code of its rule, such as `K603`."""
+        """Code of its rule, such as `K603`."""
         return self.violation.code
 
     @property
     def message(self) -> str:
-        """What is wrong, with the facts: one line."""
+        """Message with the facts, in one line."""
         return self.violation.message
 
     @property
     def help(self) -> str | None:
-        """The cure, where it is known."""
+        """Suggestion; None if there is no known one."""
         return self.violation.help
 
     @property
     def file(self) -> str | None:
-        """The file as the user named it; None without a place."""
+        """File name as the user specified it; None without a position."""
         return self.span.file if self.span else None
 
     @property
     def line(self) -> int | None:
-        """From 1."""
+        """Line, from 1; None without a position."""
         return self.span.line if self.span else None
 
     @property
     def column(self) -> int | None:
-        """From 1."""
+        """Column, from 1; None without a position."""
         return self.span.column if self.span else None
 
     def __repr__(self) -> str:
-        """One line: a source may be long."""
+        """Short form of one line, because a source may be long."""
         where = f" {self.span!r}" if self.span else ""
         text = f"<{self.severity} {self.code}{where}: {self.message}"
         return f"{text if len(text) < 120 else f'{text[:116]}...'}>"
 
     @property
     def severity(self) -> Severity:
-        """The severity of the violation; what is only assumed is no more than a warning."""
+        """Severity of the violation, at most a warning if it depends on an assumption."""
         severity = self.violation.severity
         return Severity.WARNING if self.assumed and severity is Severity.ERROR else severity

@@ -1,4 +1,4 @@
-"""Packages that not everybody needs, and which `pip install` brings them."""
+"""Optional packages, and the `pip install` command for each."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "cryptography": "serve",
     }
 )
-"""The extra that brings a package."""
+"""Extra that installs a package."""
 
 
 def is_installed(package: str) -> bool:
-    """Whether a package is there; it is not imported."""
+    """Whether a package is installed; it is not imported."""
     return find_spec(package) is not None
 
 
 def pip_install(package: str) -> str:
-    """The command that brings a package, in the quotes that every shell understands."""
+    """Command that installs a package, with quotes that work in every shell."""
     return f'pip install "rapidsim[{EXTRAS[package]}]"'
 
 
 def require(package: str, subject: str) -> None:
-    """Refuse what needs a package that is not installed.
+    """Raise if a package is not installed.
 
     Args:
-        package: As it is imported.
-        subject: Needs it.
+        package: Its import name.
+        subject: The feature that needs it.
 
     Raises:
-        InputError: If it is not installed; the help is the command that brings it.
+        InputError: If it is not installed; the help is the command that installs it.
     """
     if not is_installed(package):
         raise InputError(f"{subject} needs {package}, which is not installed", pip_install(package))

@@ -1,4 +1,4 @@
-"""Open and read what the user named: it becomes bytes or text, or an `InputError` says why.
+"""Read files that the user names, as bytes or text; an `InputError` explains a failure.
 
 Files come from controllers and from careless tools, so decoding never fails on their bytes.
 """
@@ -16,14 +16,14 @@ from typing import BinaryIO
 from rapidsim.values import value_class
 
 _STEERING = bytes({*range(32), 127} - set(b"\t\n\v\f\r\x1a\x1b"))
-"""What no text holds."""
+"""Control bytes that do not occur in text."""
 _LOOKED_AT = 4096
 _FEW_STRAY = 16
 _STRAY_SHARE = 0.03
-"""Text has a few such bytes at most; in a code every eighth is one."""
+"""Share of such bytes beyond which a file is no text; text has a few, encoded modules an eighth."""
 
-# Windows tools write code page 1252; its five unassigned bytes exist in ISO 8859-1 only, which
-# takes every byte. Byte order marks come first: they are proof, the rest is a guess.
+# Windows tools write code page 1252; its five unassigned bytes exist only in ISO 8859-1, which
+# accepts every byte. Byte order marks are tested first: they are certain, the rest is a guess.
 _BYTE_ORDER_MARKS = (
     (b"\xef\xbb\xbf", "utf-8"),
     (b"\xff\xfe", "utf-16-le"),
@@ -33,27 +33,27 @@ _ENCODINGS = ("utf-8", "cp1252")
 _LAST_RESORT = "latin-1"
 
 DESCRIPTIONS = (".urdf", ".xml", ".xacro")
-"""How the name of a file ends that describes an arm; any other name is one of the catalogue."""
+"""Suffixes of files that describe an arm; any other name refers to the catalogue."""
 MOST_BYTES = 200_000_000
-"""No file that is read is larger: a million moves with their targets have 140 MB."""
+"""Maximum size of an input file: a million moves with their targets have 140 MB."""
 
-# Never wait for a pipe; Windows has none.
+# Never block on a pipe; Windows has none.
 _NEVER_WAIT = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
 
 _AS_NEAR = 0.1
-"""Names whose likeness to a given one differs by less are equally near."""
+"""Difference of similarity below which two names are considered equally near."""
 
 
 class InputError(Exception):
     """Unusable input of the user: a path, a name, a value. Never a defect of rapidsim."""
 
     def __init__(self, message: str, help: str | None = None, similar: Sequence[str] = ()) -> None:
-        """Say what is wrong, and the cure if it is known, in one line each.
+        """Set the message, and the help if there is any, in one line each.
 
         Args:
-            message: What is wrong.
-            help: The cure.
-            similar: Known names near the one that is not; those of a `Suggestion` are known.
+            message: Description of the problem.
+            help: Suggestion for the user.
+            similar: Known names near the unknown one; taken from a `Suggestion` by default.
         """
         super().__init__(message)
         self.message = message
@@ -62,12 +62,12 @@ class InputError(Exception):
 
 
 class Suggestion(str):
-    """A help line that names what was meant."""
+    """A help line with names that the user may have meant."""
 
     names: tuple[str, ...]
 
     def __new__(cls, names: Sequence[str]) -> Suggestion:
-        """Ask for names, of one at least."""
+        """Build the help line from one or more names."""
         line = super().__new__(cls, f"did you mean {' or '.join(f'`{name}`' for name in names)}?")
         line.names = tuple(names)
         return line
@@ -78,14 +78,14 @@ class SourceFile:
     """The text of one file."""
 
     name: str
-    """As the user named it, or below the folder the user named."""
+    """File name as the user specified it, or below the folder that the user specified."""
     text: str
     encoding: str
-    """What the bytes were taken for."""
+    """Detected encoding."""
 
 
 def input_bytes(file: Path) -> bytes:
-    """All of a file that the user named; the one place where such a file is opened.
+    """Return the contents of a file that the user names; the only function that opens such files.
 
     Raises:
         InputError: If it is missing, unreadable, too large, or no file but a folder, pipe or
@@ -105,7 +105,7 @@ def input_bytes(file: Path) -> bytes:
 
 
 def standard_input() -> bytes:
-    """All of standard input.
+    """Return the contents of standard input.
 
     Raises:
         InputError: If it is closed or too long.
@@ -116,10 +116,10 @@ def standard_input() -> bytes:
 
 
 def input_text(file: Path) -> str:
-    """The text of a file that must be UTF-8; a byte order mark is taken off.
+    """Return the text of a file that must be UTF-8, without its byte order mark.
 
     Raises:
-        InputError: If it is something else; see `input_bytes`.
+        InputError: If it is not; see also `input_bytes`.
     """
     try:
         return input_bytes(file).decode("utf-8-sig")
@@ -129,12 +129,12 @@ def input_text(file: Path) -> str:
 
 
 def require_inside(files: Sequence[Path], rooms: Iterable[Path]) -> Sequence[Path]:
-    """The files, if none of them leads out of all rooms, through `..`, a link or a full path.
+    """Return the files if each is inside one of the folders, despite `..`, links and full paths.
 
-    A repository that is checked must not have other files of the computer read and shown.
+    Checking a repository must not read and show other files of the computer.
 
     Raises:
-        InputError: If one does.
+        InputError: If a file is outside.
     """
     rooms = tuple(rooms)
     held = [os.path.realpath(room) for room in rooms]
@@ -149,7 +149,7 @@ def require_inside(files: Sequence[Path], rooms: Iterable[Path]) -> Sequence[Pat
 
 
 def decode(data: bytes) -> tuple[str, str]:
-    """Text of a file's bytes and the encoding they were taken for; takes any bytes."""
+    """Return the text of a file's bytes and their detected encoding; accepts any bytes."""
     for mark, encoding in _BYTE_ORDER_MARKS:
         if data.startswith(mark):
             return data[len(mark) :].decode(encoding, errors="replace"), encoding
@@ -162,7 +162,7 @@ def decode(data: bytes) -> tuple[str, str]:
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> Suggestion | None:
-    """The help line for a name that is not known, if something known is near."""
+    """Return the help line for an unknown name, if a known name is similar."""
     folded = {candidate.lower(): candidate for candidate in candidates}
     near = difflib.get_close_matches(name.lower(), folded, n=3, cutoff=0.6)
     if not near:
@@ -172,13 +172,13 @@ def did_you_mean(name: str, candidates: Iterable[str]) -> Suggestion | None:
     for candidate in near:
         likeness.set_seq1(candidate)
         ratios.append(likeness.ratio())
-    # A slip of the finger is nearer to what was meant than to anything else.
+    # A typing error is nearer to the intended name than to any other.
     meant = [one for one, ratio in zip(near, ratios, strict=True) if ratio > ratios[0] - _AS_NEAR]
     return Suggestion([folded[candidate] for candidate in meant])
 
 
 def is_encoded(data: bytes) -> bool:
-    """Whether bytes are no text: controllers write modules that nobody may see in a code."""
+    """Whether bytes are no text: controllers write encoded modules to keep them confidential."""
     if any(data.startswith(mark) for mark, _ in _BYTE_ORDER_MARKS):
         return False
     head = data[:_LOOKED_AT]
@@ -187,7 +187,7 @@ def is_encoded(data: bytes) -> bool:
 
 
 def entries_of(folder: Path) -> list[Path]:
-    """What a folder holds; sorted without case, so that the order is that of any file system.
+    """Return the entries of a folder, sorted without case to be independent of the file system.
 
     Raises:
         InputError: If it cannot be read.
@@ -199,14 +199,14 @@ def entries_of(folder: Path) -> list[Path]:
 
 
 def unreadable(path: Path, error: OSError) -> InputError:
-    """The mistake that a file could not be read, with the file that was meant if it is known."""
+    """Error for an unreadable file, with a similar file name if there is one."""
     if isinstance(error, FileNotFoundError):
         return InputError(f"{path} does not exist", _near_file(path))
     return InputError(f"{path} cannot be read: {error.strerror or error}")
 
 
 def _bounded(stream: BinaryIO, name: str) -> bytes:
-    """All bytes of a stream, refused if there is no end of them."""
+    """Return all bytes of a stream; raise if it is too long."""
     data = stream.read(MOST_BYTES + 1)
     if len(data) > MOST_BYTES:
         raise InputError(f"{name} has more than {MOST_BYTES // 10**6} MB, which is not read")
@@ -214,9 +214,9 @@ def _bounded(stream: BinaryIO, name: str) -> bytes:
 
 
 def _near_file(path: Path) -> Suggestion | None:
-    """The help line with the file beside it that was meant, if one is near.
+    """Return the help line with a similar file of the same folder, if there is one.
 
-    Compared without the suffix, which makes all modules alike.
+    Names are compared without the suffix, which all modules share.
     """
     try:
         names = sorted(entry.name for entry in path.parent.iterdir())
@@ -228,6 +228,6 @@ def _near_file(path: Path) -> Suggestion | None:
 
 
 def relative_to_cwd(path: Path) -> Path:
-    """A path below the working directory as the user would write it; others unchanged."""
+    """Return a path below the working directory in relative form; others unchanged."""
     here = Path.cwd().resolve()
     return path.relative_to(here) if path.is_relative_to(here) else path

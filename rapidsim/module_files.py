@@ -1,8 +1,8 @@
-"""Which RAPID modules a path names, task by task.
+"""RAPID modules that a path names, by task.
 
 A path may be a module, a `.pgf` program file, a folder, a controller backup, a `.rspag`, a
 controller in one (`cell.rspag!NAME`), or `-`.
-A link that leads out of a folder is refused: a repository that is checked is not trusted.
+A link out of a folder is rejected: a repository that is checked is not trusted.
 """
 
 from __future__ import annotations
@@ -36,31 +36,31 @@ _PACKED = re.compile(r"(?P<file>.*\.rspag)(?:!(?P<controller>.+))?", re.IGNORECA
 STANDARD_INPUT = "<stdin>"
 CONFIGURATION_FILES = ("sys.cfg", "eio.cfg", "moc.cfg")
 _IN_TASK = ("PROGMOD", "SYSMOD")
-"""Folders in the folder of a task that hold its modules."""
+"""Subfolders of a task's folder that contain its modules."""
 _MOST_NAMED = 5
 _DEEPEST = 5
-"""Levels below a folder without modules that are looked through for some."""
+"""Levels below a folder without modules that are searched for modules."""
 _MOST_FOLDERS = 200
-"""Folders of a level that are looked into."""
+"""Maximum number of folders per level that are searched."""
 _MODULE_HEADER = re.compile(r"^\s*(MODULE\s+\w|%%%)", re.IGNORECASE | re.MULTILINE)
 
 
 @value_class(frozen=True, slots=True)
 class Backup:
-    """A controller backup, or what is laid out like one."""
+    """A controller backup, or a folder with the same layout."""
 
     root: Path
     tasks: tuple[Path, ...]
-    """The folders of its tasks; none where SYS.cfg loads every module from HOME."""
+    """Folders of its tasks; empty if SYS.cfg loads every module from HOME."""
 
 
 @value_class(frozen=True, slots=True)
 class LooseCell:
-    """A folder of modules with the configuration files of their controller beside them."""
+    """A folder of modules that also has the configuration files of their controller."""
 
     root: Path
     below: tuple[str, ...]
-    """The folders below it that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, or SYSPAR."""
+    """Subfolders that lead to SYS.cfg, EIO.cfg or MOC.cfg: none, or SYSPAR."""
     modules: tuple[Path, ...]
 
 
@@ -69,26 +69,26 @@ class TaskFiles:
     """The modules of one task, in a fixed order."""
 
     name: str | None
-    """The folder of the task in a backup, such as `TASK1`; None where nothing names it."""
+    """Folder of the task in a backup, such as `TASK1`; None without a name."""
     files: tuple[SourceFile, ...]
     unseen: tuple[str, ...] = ()
-    """Modules that it has and that cannot be read here, each with the reason in words."""
+    """Modules of the task that cannot be read here, each with the reason."""
     left_out: tuple[str, ...] = ()
-    """Files beside them in a backup that the controller does not load."""
+    """Other files of the backup that the controller does not load."""
     refers_late: bool = False
-    """Whether its controller loads it with references that nothing declares."""
+    """Whether its controller loads it with unresolved references."""
 
 
 def read_tasks(
     paths: Sequence[str], rooms: Sequence[Path] = (), *, more: bool = False
 ) -> tuple[TaskFiles, ...]:
-    """Read everything the user named.
+    """Read all modules that the user names.
 
     Args:
         paths: Files, `.pgf` files, folders, or `-`. Together they are one task, except that each
-            task folder of a controller backup is a task of its own.
-        rooms: Folders into which links may lead, besides those among the paths.
-        more: Whether there are modules besides, so that a folder may have none of its own.
+            task folder of a controller backup is a separate task.
+        rooms: Folders into which links may lead, in addition to the ones in `paths`.
+        more: Whether there are other modules, so that a folder may have none.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -125,17 +125,17 @@ def read_tasks(
 
 
 def named_tasks(tasks: Sequence[TaskFiles], first: str) -> tuple[TaskFiles, ...]:
-    """Tasks with the names they have on a controller: one is `first`, several are numbered."""
+    """Return tasks with their names on a controller: one is `first`, several are numbered."""
     if len(tasks) == 1:
         return (replace(tasks[0], name=first),)
     return tuple(replace(task, name=f"T_ROB{number}") for number, task in enumerate(tasks, 1))
 
 
 def task_folders(folder: Path) -> tuple[Path, ...]:
-    """TASK1, TASK2 ... of a backup's RAPID folder, named itself or by the folder above.
+    """Return TASK1, TASK2 ... of a backup's RAPID folder, which `folder` is or contains.
 
-    TASK0 holds what the system installs in every task, and is none. Beside a folder SYSPAR, the
-    folders in RAPID may have the names of the tasks.
+    TASK0 contains the modules that the system installs in every task, and is no task. Next to a
+    folder SYSPAR, the folders in RAPID may have the names of the tasks.
     """
     below = [entry for entry in entries_of(folder) if entry.name.upper() == "RAPID"]
     for entry in (folder, *below):
@@ -151,19 +151,19 @@ def task_folders(folder: Path) -> tuple[Path, ...]:
 
 
 def _is_task_by_name(folder: Path) -> bool:
-    """Whether a folder in RAPID is a task: it has modules, and is no task's own folder."""
+    """Whether a folder in RAPID is a task: it has modules, and is no subfolder of a task."""
     if not folder.is_dir() or folder.name.upper() in (*_IN_TASK, "TASK0"):
         return False
     return bool(_modules_below(folder))
 
 
 def backup_among(paths: Iterable[str]) -> Backup | None:
-    """The first controller backup among some paths; None without one."""
+    """Return the first controller backup among some paths; None without one."""
     return next((backup for _, backup in _backups(paths)), None)
 
 
 def backups_among(paths: Iterable[str]) -> tuple[tuple[str, Backup], ...]:
-    """The controller backups among some paths, each with its path."""
+    """Return the controller backups among some paths, each with its path."""
     return tuple(_backups(paths))
 
 
@@ -182,7 +182,7 @@ def _backups(paths: Iterable[str]) -> Iterator[tuple[str, Backup]]:
 
 
 def loose_cell_among(paths: Iterable[str]) -> LooseCell | None:
-    """The first folder of modules with configuration files among some paths; None without one."""
+    """Return the first folder with modules and configuration files in paths; None without one."""
     for path in paths:
         folder = opened(path)
         if path == "-" or not folder.is_dir():
@@ -200,7 +200,7 @@ def has_modules(folder: Path) -> bool:
 
 
 def configuration_below(folder: Path) -> tuple[str, ...] | None:
-    """The folders that lead to configuration files: none, or SYSPAR; None if there are no files."""
+    """Return the subfolders to configuration files: empty, or SYSPAR; None without such files."""
     if _has_configuration(folder):
         return ()
     below = [one for one in entries_of(folder) if one.name.upper() == "SYSPAR" and one.is_dir()]
@@ -212,16 +212,16 @@ def _has_configuration(folder: Path) -> bool:
 
 
 def opened(path: str) -> Path:
-    """The file or folder of a path: itself, or the backup in a packed station (`.rspag`).
+    """Return the file or folder of a path: itself, or the backup in a packed station (`.rspag`).
 
     Raises:
-        InputError: If such a station cannot be read, or the path means none of its controllers.
+        InputError: If such a station cannot be read, or the path names none of its controllers.
     """
     packed = packed_station(path)
     if packed is None:
         return Path(path)
     file, controller = packed
-    # Few stations are packed, and what unpacks them takes as long to load as a file to check.
+    # Packed stations are rare, and importing the unpacker takes as long as checking a file.
     from rapidsim import pack_and_go  # noqa: PLC0415
 
     with _unpacking(file, pack_and_go.PackedStationError):
@@ -229,7 +229,7 @@ def opened(path: str) -> Path:
 
 
 def single_programs(path: str) -> tuple[str, ...]:
-    """The programs of a path: itself, but each controller of a packed station with several.
+    """Return the programs of a path: itself, or each controller of a packed station with several.
 
     Raises:
         InputError: If such a station cannot be read.
@@ -246,7 +246,7 @@ def single_programs(path: str) -> tuple[str, ...]:
 
 @contextmanager
 def _unpacking(file: Path, refused: type[ValueError]) -> Iterator[None]:
-    """Turn errors of an archive into mistakes of the user."""
+    """Convert errors of an archive to errors of the user's input."""
     try:
         yield
     except refused as error:
@@ -256,7 +256,7 @@ def _unpacking(file: Path, refused: type[ValueError]) -> Iterator[None]:
 
 
 def packed_station(path: str) -> tuple[Path, str | None] | None:
-    """The archive of a path and the controller that it names in it; None if it is no archive."""
+    """Return the archive of a path and the controller it names; None if it is no archive."""
     match = _PACKED.fullmatch(path)
     if match is None or Path(path).is_dir():
         return None
@@ -264,19 +264,19 @@ def packed_station(path: str) -> tuple[Path, str | None] | None:
 
 
 def named_file(path: str) -> Path:
-    """The file or folder that a user has: the archive of a packed station."""
+    """Return the file or folder on disk: for a packed station, its archive."""
     packed = packed_station(path)
     return Path(path) if packed is None else packed[0]
 
 
 def _display_name(module: Path) -> str:
-    """The name of a module, that of its place in the archive if it comes from one."""
+    """Name of a module for display: its path in the archive if it comes from one."""
     unpacking = sys.modules.get("rapidsim.pack_and_go")
     return str(module) if unpacking is None else str(unpacking.shown_name(module))
 
 
 def neighbours(path: str) -> tuple[str, ...]:
-    """Names of the modules beside a module, which it may need; none beside what is no file."""
+    """Names of the other modules in a module's folder, which it may need; empty for other paths."""
     file = Path(path)
     if path == "-" or not file.is_file() or file.suffix.lower() == ".pgf":
         return ()
@@ -284,10 +284,10 @@ def neighbours(path: str) -> tuple[str, ...]:
 
 
 def _read(modules: Iterable[str | Path]) -> TaskFiles:
-    """Modules of one task, each once.
+    """Read the modules of one task, each once.
 
     Raises:
-        InputError: If one cannot be read, or none of them by anybody but a controller.
+        InputError: If a module cannot be read, or all are encoded for a controller.
     """
     read: dict[object, SourceFile] = {}
     encoded: dict[object, str] = {}
@@ -309,7 +309,7 @@ def _read(modules: Iterable[str | Path]) -> TaskFiles:
 
 def _source_file(name: str, data: bytes) -> SourceFile:
     file = SourceFile(name, *decode(data))
-    # Modules travel under other names too, but then they must look like one.
+    # Modules may have other suffixes, but then they must look like modules.
     is_named_so = name == STANDARD_INPUT or Path(name).suffix.lower() in MODULE_SUFFIXES
     if not is_named_so and not _MODULE_HEADER.search(file.text):
         raise InputError(
@@ -328,7 +328,7 @@ def _modules_of(folder: Path) -> list[Path]:
 
 
 def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
-    """The modules of a folder; a task folder of a backup keeps them in PROGMOD and SYSMOD."""
+    """Return the modules of a folder; a task folder of a backup has them in PROGMOD and SYSMOD."""
     rapid = [e for e in entries_of(folder) if e.name.upper() == "RAPID" and e.is_dir()]
     modules = _modules_below(folder) or [m for entry in rapid for m in _modules_below(entry)]
     if modules or may_be_empty:
@@ -341,7 +341,7 @@ def _in_folder(folder: Path, *, may_be_empty: bool = False) -> list[Path]:
 
 
 def _programs_below(folder: Path) -> Iterator[str]:
-    """The nearest folders below that a user may name: of modules, or with a folder RAPID."""
+    """Yield the nearest subfolders that a user may name: with modules, or with a folder RAPID."""
     level = [folder]
     for _ in range(_DEEPEST):
         level = [e for one in level for e in entries_of(one) if e.is_dir() and not e.is_symlink()]
@@ -363,10 +363,10 @@ def _modules_below(folder: Path) -> list[Path]:
 
 
 def _in_task_folder(folder: Path) -> tuple[list[Path], tuple[str, ...], tuple[str, ...]]:
-    """The modules of a task of a backup.
+    """Find the modules of a task in a backup.
 
     Returns:
-        Those that the controller loads, files that it does not, and modules that are not there.
+        Modules that the controller loads, files that it does not load, and missing modules.
     """
     modules = {one.relative_to(folder).as_posix().lower(): one for one in _in_folder(folder)}
     task = _backinfo(folder).get(folder.name.lower())
@@ -380,7 +380,7 @@ def _in_task_folder(folder: Path) -> tuple[list[Path], tuple[str, ...], tuple[st
 
 
 def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
-    """What the backup of a task folder says of its tasks; nothing where it does not say."""
+    """Return the tasks that the backup of a task folder lists; empty if it lists none."""
     root = folder.parent.parent
     for entry in entries_of(root):
         file = entry / "backinfo.txt"
@@ -390,10 +390,10 @@ def _backinfo(folder: Path) -> Mapping[str, ListedTask]:
 
 
 def _in_program_file(path: Path) -> tuple[list[Path], list[str]]:
-    """The modules a `.pgf` lists; they lie beside it.
+    """Find the modules that a `.pgf` lists, which are in the same folder.
 
     Returns:
-        Those that are there, and the others, each with the reason in words.
+        The existing modules, and the names of the others with the reason.
     """
     names = module_names(path, input_bytes(path))
     if not names:
@@ -402,7 +402,7 @@ def _in_program_file(path: Path) -> tuple[list[Path], list[str]]:
     modules: list[Path] = []
     missing: list[str] = []
     for name in names:
-        # The file is not trusted: it names neighbours, never places elsewhere.
+        # The file is not trusted: it may only name files of the same folder.
         if "\\" in name or len(PurePosixPath(name).parts) != 1 or name == "..":
             raise InputError(f"{path} lists `{name}`, which is not in the same folder")
         if name.lower() in beside:
@@ -417,7 +417,7 @@ def _in_program_file(path: Path) -> tuple[list[Path], list[str]]:
 
 
 def module_names(path: Path, data: bytes) -> list[str]:
-    """Text of the Module elements. A document type is refused, so no entity is ever expanded."""
+    """Return the text of the Module elements; document types are rejected, so no entity expands."""
     parser = expat.ParserCreate()
     parser.buffer_text = True
     names: list[str] = []

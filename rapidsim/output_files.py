@@ -1,4 +1,4 @@
-"""Write a file whole or not at all: nobody ever finds half a file under its final name."""
+"""Write files atomically: no partial file ever exists under the final name."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from pathlib import Path
 from rapidsim.files import InputError
 
 _LITTLE_SPACE = 100_000_000
-"""[bytes]"""
+"""Free space [bytes] below which the error message mentions it."""
 
 
 @contextmanager
 def whole_file(path: Path) -> Iterator[Path]:
-    """Lend a temporary path in the same folder and move it into place when the block ends well.
+    """Provide a temporary path in the same folder, and move it into place if the block succeeds.
 
-    However the block ends otherwise, Ctrl-C included, the temporary file is removed and a file that
-    stood there before is kept. The same folder, because a move between disks is a copy.
+    On any failure, including Ctrl-C, the temporary file is removed and an existing file is kept.
+    The folder is the same, because a move between disks is a copy.
 
     Raises:
-        InputError: When the folder does not exist or may not be written to, `path` is a folder, or
-            what the block does fails for want of space, permission or the like.
+        InputError: If the folder does not exist or may not be written to, `path` is a folder, or
+            the block fails because of space, permissions or the like.
     """
     if not path.parent.is_dir():
         raise InputError(f"cannot write `{path}`: the folder `{path.parent}` does not exist")
@@ -31,7 +31,7 @@ def whole_file(path: Path) -> Iterator[Path]:
         raise InputError(f"cannot write `{path}`: it is a folder")
     if not os.access(path.parent, os.W_OK | os.X_OK):
         raise InputError(f"cannot write `{path}`: the folder `{path.parent}` may not be written to")
-    # The process number keeps two runs that write the same file from mixing their halves.
+    # The process number prevents two runs that write the same file from mixing their output.
     temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
     try:
         yield temporary
@@ -43,7 +43,7 @@ def whole_file(path: Path) -> Iterator[Path]:
 
 
 def unwritten(path: Path, reason: str) -> InputError:
-    """The mistake that a file could not be written, with what to do about a full disk."""
+    """Error for a file that could not be written, with a suggestion for a full disk."""
     free = shutil.disk_usage(path.parent).free
     older = f"; the older `{path.name}` is as it was" if path.exists() else ""
     help = f"{free / 1e6:.1f} MB are free there" if free < _LITTLE_SPACE else None

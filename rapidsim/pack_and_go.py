@@ -1,8 +1,8 @@
-"""RobotStudio's Pack & Go, `.rspag`: an archive that holds the backups of a station's controllers.
+"""RobotStudio's Pack & Go, `.rspag`: an archive with the backups of a station's controllers.
 
 A backup is the folder `Backups/NAME`, in newer archives `Controller Data/NAME`. It is unpacked into
-a temporary folder that is removed when the process ends; its files are shown by their place in the
-archive, `cell.rspag!NAME/RAPID/...`.
+a temporary folder that is removed when the process ends; its files are displayed with their path in
+the archive, `cell.rspag!NAME/RAPID/...`.
 """
 
 from __future__ import annotations
@@ -36,28 +36,28 @@ _DAMAGED = (
     MemoryError,
     OSError,
 )
-"""Errors that zipfile raises for the bytes of an archive."""
+"""Errors that zipfile raises for invalid bytes of an archive."""
 _OF_DISK = (errno.ENOSPC, errno.EDQUOT, errno.EACCES, errno.EROFS, errno.EIO)
 _unpacked: dict[str, Path] = {}
-"""The folders of this process, by fingerprint of the archive."""
+"""Temporary folders of this process, by fingerprint of the archive."""
 _shown: dict[Path, str] = {}
-"""What these folders are called."""
+"""Display names of these folders."""
 
 
 class PackedStationError(ValueError):
-    """An archive that cannot be used; the message says why."""
+    """An unusable archive; the message has the reason."""
 
 
 def unpacked_backup(data: bytes, name: str, controller: str | None) -> Path:
-    """The folder of a backup in an archive.
+    """Return the folder of a backup in an archive.
 
     Args:
         data: The archive.
-        name: Its name, as shown.
+        name: Display name of the archive.
         controller: The name of the controller, without case; None for the only one.
 
     Raises:
-        PackedStationError: If it is damaged, too large, or does not hold that backup.
+        PackedStationError: If it is damaged, too large, or does not contain that backup.
         OSError: If it cannot be unpacked.
     """
     found = _backups(data)
@@ -78,7 +78,7 @@ def unpacked_backup(data: bytes, name: str, controller: str | None) -> Path:
 
 
 def controllers(data: bytes) -> tuple[str, ...]:
-    """The names of the controllers whose backups an archive holds.
+    """Return the names of the controllers whose backups an archive contains.
 
     Raises:
         PackedStationError: If it is damaged or too large.
@@ -88,7 +88,7 @@ def controllers(data: bytes) -> tuple[str, ...]:
 
 
 def _backups(data: bytes) -> list[Path]:
-    """The folders of all backups in an archive, sorted."""
+    """Return the folders of all backups in an archive, sorted."""
     key = sha256(data).hexdigest()
     if key not in _unpacked:
         _unpacked[key] = _unpack(data)
@@ -96,7 +96,7 @@ def _backups(data: bytes) -> list[Path]:
 
 
 def shown_name(file: Path) -> str:
-    """The name of a file, by its place in the archive if it was unpacked from one."""
+    """Display name of a file: its path in the archive if it was unpacked from one."""
     for folder, name in _shown.items():
         if file.is_relative_to(folder):
             return f"{name}/{file.relative_to(folder).as_posix()}"
@@ -126,7 +126,7 @@ def _write(file: Path, content: bytes) -> None:
 
 
 def _members(archive: zipfile.ZipFile) -> Iterator[tuple[PurePosixPath, zipfile.ZipInfo]]:
-    """The members of backups, with their paths from the name of the controller."""
+    """Yield the members of backups, with their paths from the name of the controller."""
     count = size = 0
     for member in archive.infolist():
         parts = PurePosixPath(member.filename.replace("\\", "/")).parts

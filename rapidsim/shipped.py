@@ -1,7 +1,7 @@
-"""Where the data lie that ship with rapidsim: the grammar, the robots, the rules.
+"""Location of the data that ship with rapidsim: the grammar, the robots, the rules.
 
-An installation has them in the package. In a checkout `grammars/` and `robots/` stand beside it, at
-the top of the repository, where people look for them.
+An installation has them in the package. In a checkout `grammars/` and `robots/` are at the top of
+the repository, where people look for them.
 """
 
 from __future__ import annotations
@@ -12,6 +12,6 @@ _PACKAGE = Path(__file__).parent
 
 
 def shipped(name: str) -> Path:
-    """The folder of that name, in the package or beside it."""
+    """Return the folder of that name, in the package or in its parent folder."""
     inside = _PACKAGE / name
     return inside if inside.is_dir() else _PACKAGE.parent / name

@@ -1,8 +1,9 @@
 """Immutable values that are quick to define.
 
-`dataclasses` compiles the text of six functions for each frozen class, and two hundred classes are
-met before the first line of a program is read: that took a third of the check of a small file. Here
-the constructor alone is compiled; what else a frozen dataclass has is written once, below.
+`dataclasses` compiles the source of six functions for each frozen class, and two hundred classes
+are defined before the first line of a program is read: that took a third of the check of a small
+file. Here only the constructor is compiled; the other methods of a frozen dataclass are written
+once, below.
 """
 
 from __future__ import annotations
@@ -20,14 +21,14 @@ if TYPE_CHECKING:
 else:
 
     def value_class(*, frozen=False, slots=False, eq=True, repr=True, **others):
-        """As `dataclasses.dataclass`; classes that are frozen and have slots are made quickly."""
+        """Replace `dataclasses.dataclass`; frozen classes with slots are defined quickly."""
         if others or not (frozen and slots):
             return dataclasses.dataclass(frozen=frozen, slots=slots, eq=eq, repr=repr, **others)
         return lambda cls: _value_class(cls, eq=eq, repr=repr)
 
 
 def _value_class(cls: type[Any], *, eq: bool, repr: bool) -> type[Any]:
-    """The class with slots, and with the methods of a frozen dataclass that it does not define."""
+    """Return the class with slots and the methods of a frozen dataclass that it does not define."""
     own = vars(cls)
     made: Any = dataclasses.dataclass(init=False, eq=False, repr=False, slots=True)(cls)
     fields = dataclasses.fields(made)
@@ -42,17 +43,17 @@ def _value_class(cls: type[Any], *, eq: bool, repr: bool) -> type[Any]:
     if eq:
         methods |= _comparison(tuple(field.name for field in fields if field.compare))
     for name, method in methods.items():
-        # Python puts None for the hash of a class that defines how it compares.
+        # Python sets the hash of a class that defines `__eq__` to None.
         if own.get(name) is None:
             setattr(made, name, method)
     return made  # type: ignore[no-any-return]
 
 
 class _Made:
-    """Stands for a default that is made anew for each value."""
+    """Placeholder for a default that a factory creates for each value."""
 
     def __repr__(self) -> str:
-        """What `dataclasses` shows in a signature."""
+        """Text that `dataclasses` shows in a signature."""
         return "<factory>"
 
 
@@ -60,7 +61,7 @@ _MADE = _Made()
 
 
 def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callable[..., None]:
-    """The `__init__`: it stores through the slots themselves, which refuse nothing."""
+    """Build the `__init__`, which stores through the slots because these permit assignment."""
     known: dict[str, Any] = {"_MADE": _MADE}
     parameters, body = ["self"], []
     for number, field in enumerate(fields):
@@ -96,7 +97,7 @@ def _constructor(cls: Any, fields: tuple[dataclasses.Field[Any], ...]) -> Callab
 
 
 def _definer(cls: type[Any], name: str) -> type[Any]:
-    """The class that has the slot of a field."""
+    """Return the class that has the slot of a field."""
     return next(one for one in cls.__mro__ if name in vars(one))
 
 
@@ -131,7 +132,7 @@ def _comparison(names: tuple[str, ...]) -> dict[str, Callable[..., Any]]:
 
 
 def _few(names: tuple[str, ...]) -> Callable[[object], tuple[object, ...]]:
-    """As `attrgetter`, which gives no tuple of one and none of nothing."""
+    """Variant of `attrgetter` that returns a tuple for any number of names."""
     return lambda of: tuple(getattr(of, name) for name in names)
 
 

@@ -18,7 +18,7 @@ FAILING_OPERATORS = frozenset({"/", "DIV", "MOD"})
 def can_fail(program: Program) -> bool:
     """Whether a statement calls, divides, indexes, concatenates strings or raises.
 
-    Pure arithmetic, comparison and output cannot fail, so there is no need to run it to know.
+    Pure arithmetic, comparison and output cannot fail, so no trial run is needed.
     """
     return any(
         _can_fail(node, program) for module in program.modules for node in descendants(module)

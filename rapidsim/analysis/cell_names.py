@@ -1,7 +1,7 @@
 """Names declared by the configuration of a cell: used in programs but declared by no module.
 
-Signals with their types, mechanical units, tasks. The station provides them; the checker takes them
-in, and a program keeps them, so that later queries know the same names.
+These are signals with their types, mechanical units and tasks. The station provides them; the
+checker takes them as input, and a program keeps them, so that later queries resolve the same names.
 """
 
 from __future__ import annotations
@@ -28,39 +28,42 @@ class CellNames:
     """The configured names of a cell."""
 
     symbols: Mapping[str, ConfiguredSymbol] = field(default_factory=dict)
-    """By folded name."""
+    """Symbols by folded name."""
     wired: frozenset[str] = frozenset()
-    """Folded names that drive signals or follow them, so that they are signals; of which kind,
-    the use tells."""
+    """Folded names that drive signals or follow them, and therefore are signals; their kind follows
+    from their use.
+    """
     robotware: RobotWare | None = None
-    """What its controller has; None where nobody says."""
+    """Installed options; None if unspecified."""
     assumes: bool = False
     """Whether routines, types, signals, tools, work objects and loads that nothing declares are
-    assumed to exist: calls are skipped, tools are those of the system."""
+    assumed to exist: calls are skipped, tools are predefined ones.
+    """
     stubs: frozenset[str] = frozenset()
-    """Files whose routines stand for libraries that are not here."""
+    """Files whose routines are stubs of libraries that are not available."""
     places_parts: bool = False
-    """Whether the station says where parts are that a torch searches."""
+    """Whether the station defines the positions of parts for searches with a torch."""
     has_signals: bool = False
-    """Whether it declares its signals: a controller would have no others."""
+    """Whether the cell declares its signals: a controller would have no others."""
     unseen: tuple[str, ...] = ()
-    """Modules that the task has and nobody can read here: what they declare is not known."""
+    """Modules of the task that cannot be read here, so that their declarations are unknown."""
     refers_late: bool = False
-    """Whether the task is loaded with references that nothing declares: a run finds out when it
-    comes to one."""
+    """Whether the task is loaded with unresolved references, which a run detects when it reaches
+    one.
+    """
 
     @property
     def stops_at_unresolved(self) -> bool:
-        """Whether a call of what nothing declares fails; a module not seen here may declare it."""
+        """Whether calls of undeclared routines fail, as no unread module may declare them."""
         return self.refers_late and not self.unseen
 
     def find(self, key: str) -> ConfiguredSymbol | None:
-        """The symbol of a folded name."""
+        """Return the symbol of a folded name."""
         return self.symbols.get(key)
 
 
 NO_CELL = CellNames()
-"""Where nothing is known of the cell."""
+"""Names of a cell without configuration."""
 
 
 def cell_names(
@@ -70,7 +73,7 @@ def cell_names(
     cameras: Iterable[str] = (),
     wired: Iterable[str] = (),
 ) -> CellNames:
-    """The names that a configuration declares.
+    """Return the names that a configuration declares.
 
     Args:
         signals: Names and types of signals.

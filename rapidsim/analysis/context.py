@@ -1,6 +1,6 @@
 """State shared by the passes of analysis: the side tables they fill, and the current scope.
 
-An `Analysis` lasts for one check; a `Context` is the scope that a pass is looking at.
+An `Analysis` lasts for one check; a `Context` is the scope that a pass is analysing.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 MOST_COMPARED = 200
-"""Wrong names for which the nearest known one is looked for."""
+"""Maximum number of unknown names for which the nearest known one is searched."""
 
 
 @value_class(frozen=True, slots=True)
@@ -33,7 +33,7 @@ class SymbolTable:
     outer: SymbolTable | None = None
 
     def find(self, key: str) -> Symbol | None:
-        """The innermost symbol of a folded name."""
+        """Return the innermost symbol of a folded name."""
         scope: SymbolTable | None = self
         while scope is not None:
             found = scope.names.get(key)
@@ -43,10 +43,10 @@ class SymbolTable:
         return None
 
     def symbols(self, until: SymbolTable | None = None) -> Iterator[Symbol]:
-        """All symbols from the innermost scope out, in order of declaration.
+        """Yield all symbols from the innermost scope outwards, in order of declaration.
 
         Args:
-            until: The enclosing scope before which it ends; None gives all.
+            until: The enclosing scope before which the search ends; None for no end.
         """
         scope: SymbolTable | None = self
         while scope is not until and scope is not None:
@@ -59,48 +59,49 @@ class Analysis:
     """The results of one check so far."""
 
     cell: CellNames = NO_CELL
-    """What the configuration of the cell declares."""
+    """Names that the configuration of the cell declares."""
     symbol_of: dict[tree.Node, Symbol] = field(default_factory=dict)
     type_of: dict[tree.Node, Type] = field(default_factory=dict)
     diagnostics: list[Diagnostic] = field(default_factory=list)
     unknown: dict[str, UnknownSymbol] = field(default_factory=dict)
-    """Names that nothing declares, one symbol each."""
+    """Undeclared names, one symbol each."""
     signals: dict[str, Type] = field(default_factory=dict)
-    """Undeclared names that an instruction takes as a signal, with the first kind of signal."""
+    """Undeclared names that an instruction uses as a signal, with the first kind of signal."""
     unread_text: str = ""
-    """Folded text that the parser could not read: what it may declare is not held missing."""
+    """Folded text that the parser could not read; names that it may declare are not reported."""
     loads_modules: bool = False
-    """Whether the task calls Load or StartLoad: other modules may come while it runs."""
+    """Whether the task calls Load or StartLoad, so that other modules may be added at run time."""
     shapeless: set[str] = field(default_factory=set)
-    """Folded names of types that nothing declares."""
+    """Folded names of undeclared types."""
     runs: bool = True
-    """False where something that nothing declares can be checked around, and not run: a component
-    of such a type, data of a module that cannot be read."""
+    """False if the program has undeclared parts that can be checked but not executed: a component
+    of an undeclared type, data of a module that cannot be read.
+    """
     module_of: dict[Symbol, tree.Module] = field(default_factory=dict)
-    """Where each symbol of the user is declared."""
+    """Module that declares each symbol of the user."""
     home_of: dict[tree.Module, Context] = field(default_factory=dict)
-    """The context of each module, outside its routines."""
+    """Context of each module, outside its routines."""
     callees: dict[Symbol, Callee] = field(default_factory=dict)
-    """The user's routines as calls see them, made when first called."""
+    """The user's routines as callees, created on the first call."""
     undeclared: list[tuple[tree.DataReference, Context]] = field(default_factory=list)
-    """Uses of undeclared names that are signals or may turn out to be, in the order of the text."""
+    """Uses of undeclared names that are or may be signals, in source order."""
     wanted_of_undeclared: dict[tree.DataReference, ExpectedType] = field(default_factory=dict)
-    """What such a use must have, where it is known: not all signals are named like one."""
+    """Expected type of such a use, if known: not all signals have a typical name."""
 
     graph_of: dict[tree.Node, ControlFlowGraph] = field(default_factory=dict)
-    """The control-flow graphs of routines, built on demand by `flow`."""
+    """Control-flow graphs of routines, built on demand by `flow`."""
 
     nearest: dict[tuple[object, ...], str | None] = field(default_factory=dict)
-    """By what was looked for, the nearest known name."""
+    """Nearest known name by unknown name and scope."""
 
     def find_nearest(self, name: tree.Name, scope: object, candidates: Iterable[str]) -> str | None:
         """Return the known name nearest to an unknown one, compared once, not at each use.
 
         Args:
             name: The unknown name.
-            scope: Identifies the known names, such as the module whose names they are.
-            candidates: Produces the candidates. Beyond `MOST_COMPARED` unknown names that would
-                take too long, and none is returned.
+            scope: Identifies the known names, such as the module that declares them.
+            candidates: Produces the known names. Beyond `MOST_COMPARED` unknown names the search
+                would take too long, and the result is None.
         """
         key = (name.key, scope)
         if key not in self.nearest:
@@ -132,13 +133,13 @@ class Analysis:
         )
 
     def unknown_symbol(self, name: str) -> UnknownSymbol:
-        """The symbol for an undeclared name."""
+        """Return the symbol of an undeclared name."""
         return self.unknown.setdefault(name.lower(), UnknownSymbol(name))
 
 
 @value_class(frozen=True, slots=True)
 class Context:
-    """A scope in the program: its visible names, and where findings go."""
+    """A scope in the program: its visible names, and the receiver of findings."""
 
     analysis: Analysis
     module: tree.Module
@@ -146,7 +147,7 @@ class Context:
     routine: RoutineSymbol | None = None
 
     def inside(self, scope: SymbolTable) -> Context:
-        """The same scope with more names."""
+        """Return the context with an inner scope."""
         return replace(self, scope=scope)
 
     def report(
@@ -172,7 +173,7 @@ class Context:
         return Fix(f"replace it by `{nearest}`", (edit,), safe=False)
 
     def declaration(self, symbol: Symbol | None) -> tuple[Related, ...]:
-        """The declaration of a symbol as a related location; None for predefined symbols."""
+        """Declaration of a symbol as a related location; empty for predefined symbols."""
         if symbol is None or symbol not in self.analysis.module_of:
             return ()
         module = self.analysis.module_of[symbol]
@@ -185,8 +186,8 @@ class Context:
 
 
 TypeOf: TypeAlias = Callable[[tree.Expression, Context, ExpectedType | None], Type | None]
-"""Types an expression and everything in it.
+"""Determines the types of an expression and its subexpressions.
 
-The wanted type guides literals and aggregates; it is not compared with the answer. The answer is
-None where the type is not known; why has been reported.
+The expected type guides literals and aggregates; it is not compared with the result. The result is
+None if the type is unknown, for a reason that has been reported.
 """

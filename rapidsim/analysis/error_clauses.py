@@ -1,8 +1,8 @@
-"""Which errors an ERROR clause answers: what it does where it comes to its end.
+"""Determine which errors an ERROR clause answers before control reaches its end.
 
 The end of a clause is the end of its routine, which returns as if it had succeeded. An error is
-answered where a statement on the way to that end does something about it; where none does, because
-no branch of the clause is for that error, it falls through.
+answered if a statement on the path to that end handles it; if none does, because no branch of the
+clause is for that error, it falls through.
 
 Source: Technical reference manual RAPID Overview, "Error recovery".
 """
@@ -21,7 +21,7 @@ CHOICES = (tree.If, tree.CompactIf, tree.Test)
 _NOTHING = (tree.Empty, tree.Label, tree.Data, tree.Placeholder, tree.InvalidStatement)
 
 Effects = Callable[[tree.Node], Trait]
-"""What a call of an installed routine does."""
+"""Returns the traits of a call of an installed routine."""
 
 
 @value_class(frozen=True, slots=True)
@@ -29,7 +29,7 @@ class Answers:
     """The statements of an ERROR clause that answer an error."""
 
     every: bool
-    """Whether one of them is on each path to the end of the clause."""
+    """Whether each path to the end of the clause contains one of them."""
     statements: frozenset[tree.Node]
 
 
@@ -45,7 +45,7 @@ def answers(clause: tree.Body, effects: Effects) -> Answers:
 
 
 def depends_on_error(choice: tree.Node) -> bool:
-    """Whether an IF or TEST decides by ERRNO."""
+    """Whether an IF or TEST depends on ERRNO."""
     match choice:
         case tree.If(branches=branches):
             conditions = [branch.condition for branch in branches]
@@ -62,12 +62,12 @@ def depends_on_error(choice: tree.Node) -> bool:
 
 
 def _answering(body: tree.Body, effects: Effects, *, is_last: bool = True) -> Iterator[tree.Node]:
-    """The answering statements of a body; `is_last` if no choice follows it."""
+    """Yield the answering statements of a body; `is_last` if no choice follows it."""
     choices = [number for number, statement in enumerate(body) if isinstance(statement, CHOICES)]
     last = choices[-1] if choices else -1
     for number, statement in enumerate(body):
         if isinstance(statement, CHOICES):
-            # A text that is shown whatever the error is answers none before the choice among them.
+            # A text that is shown for every error, before the choice among them, answers none.
             counts = depends_on_error(statement) or (is_last and number == last)
             for block in blocks(statement):
                 yield from _answering(block, effects, is_last=counts)
@@ -86,7 +86,7 @@ def falls_through(clause: tree.Body, effects: Effects) -> bool:
 
 
 def _is_passed(body: tree.Body, answering: frozenset[tree.Node]) -> bool:
-    """Whether a path leads to the end of a body over no answering statement."""
+    """Whether a path to the end of a body contains no answering statement."""
     for statement in body:
         if statement in answering:
             return False

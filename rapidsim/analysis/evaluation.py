@@ -1,10 +1,10 @@
-"""The evaluator of expressions whose values are static, and why others are not.
+"""Evaluator of static expressions, with the reason why others are not static.
 
-Values are those of a run, bit for bit: a num is rounded to single precision where a run rounds it,
-after each arithmetic expression, not each operator; a dnum is a double. What data hold, and what
-functions return, the environment decides: constants for a rule, the state at a statement for an
-abstract interpreter. Programs with errors come here, too: an expression that does not fit its type
-is not static.
+Values equal those in a run, bit for bit: a num is rounded to single precision as in a run, after
+each arithmetic expression, not each operator; a dnum is a double. The environment provides the
+values of data and the results of functions: constants for a rule, the state at a statement for an
+abstract interpreter. Programs with errors are accepted, too: an expression that does not fit its
+type is not static.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class NotStatic:
     """A value that depends on the run."""
 
     reason: str
-    """Such as "`n` is read from the operator"."""
+    """The reason, such as "`n` is read from the operator"."""
 
 
 Known: TypeAlias = Any
@@ -92,7 +92,7 @@ class Evaluator:
     environment: Environment
 
     def value(self, expression: tree.Expression, of: Type | None = None) -> Known:
-        """The value of an expression, rounded as in an assignment; or why it is not static.
+        """Return the value of an expression, rounded as in an assignment, or the reason why not.
 
         Args:
             expression: Any expression of the program.
@@ -141,7 +141,7 @@ class Evaluator:
         try:
             return NOT_STATIC if of is None else from_literal(values, of)
         except ValueError:
-            # Another number of components than the type has.
+            # The number of components differs from the type's.
             return NOT_STATIC
 
     def _aggregate(self, elements: Sequence[tree.Expression], of: Type | None) -> Known:
@@ -223,7 +223,7 @@ class Evaluator:
 
 
 def component_index(record: Type, key: str) -> int | None:
-    """The index of the record component with a folded name; None if there is none."""
+    """Return the index of the record component with a folded name; None without one."""
     if isinstance(record, Record):
         for index, component in enumerate(record.components):
             if component.name.lower() == key:

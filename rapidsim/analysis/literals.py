@@ -9,15 +9,15 @@ from rapidsim.language.types import NUM, ArrayOf, Atomic, Kind, Record, Type, re
 from rapidsim.syntax import tree
 
 Value: TypeAlias = Any
-"""A float, bool or str; a record's tuple; a list for an array; whatever a library type holds."""
+"""A float, bool or str; a record's tuple; a list for an array; the object of a library type."""
 
 
 def literal(expression: tree.Expression | None, of: Type | None) -> Value | None:
-    """The value of a literal expression; None for any other.
+    """Return the value of a literal expression; None for any other.
 
     Args:
         expression: Any expression.
-        of: Its type; None for numbers as written and tuples, whatever they stand for.
+        of: Its type; None for numbers as written, and for tuples of any record or array.
     """
     target = None if of is None else resolved(of)
     match expression:
@@ -60,11 +60,11 @@ def _aggregate(elements: tuple[tree.Expression, ...], of: Type | None) -> Value 
 
 
 def from_literal(value: tree.LiteralValue, of: Type) -> Value:
-    """A literal as a value of its type: nums as singles, aggregates as records or lists."""
+    """Convert a literal to a value of its type: nums as singles, aggregates as records or lists."""
     target = of if isinstance(of, Record) else resolved(of)
     if isinstance(value, tuple):
         if isinstance(target, Record):
-            # Generated programs are made of this; most parts of most literals are plain nums.
+            # Generated programs consist of these; most parts of most literals are plain nums.
             parts = [
                 single(one)
                 if part.type is NUM and type(one) is float
@@ -91,6 +91,6 @@ def element_type(array: ArrayOf) -> Type:
 
 
 def is_signal(of: Type) -> bool:
-    """Whether data of a type stand for a signal and read as its value."""
+    """Whether data of a type refer to a signal, and reading them reads its value."""
     target = resolved(of)
     return isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE

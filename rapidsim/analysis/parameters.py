@@ -14,54 +14,54 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class ExpectedType:
-    """The type an expression must have, and what requires it."""
+    """Type that an expression must have, and the construct that requires it."""
 
     type: Type
     by: str
-    """In words that fit before "takes": "`count`", "parameter `Speed` of `MoveL`"."""
+    """The requiring construct, for messages before "takes": "`count`", "parameter `Speed`"."""
     declared: tuple[Related, ...] = ()
 
 
 @value_class(frozen=True, slots=True)
 class Formal:
-    """One parameter as seen by a call."""
+    """One parameter from the perspective of a call."""
 
     name: str
     key: str
-    """The folded name."""
+    """Folded name."""
     types: tuple[Type, ...]
-    """The types it takes, at least one."""
+    """The accepted types, at least one."""
     mode: ParameterMode
     optional: bool
     is_switch: bool
     group: int
     """Optional parameters with the same number exclude each other; 0 excludes nothing."""
     wanted: ExpectedType
-    """The first type, with the words of messages."""
+    """The first type, with its description for messages."""
     only: Only | None = None
-    """What it takes, where its type is anytype and that is too much."""
+    """Restriction of the accepted types if `anytype` is too general."""
     also: str = ""
-    """The other name of a required argument that may have one of two types."""
+    """Second name of a required argument that may have one of two types."""
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """The folded names by which a call may pass it."""
+        """Folded names by which a call may pass it."""
         return (self.key, self.also.lower()) if self.also else (self.key,)
 
     @property
     def spelled(self) -> str:
-        r"""As written in a call: `Speed`, `\WObj`."""
+        r"""Notation in a call: `Speed`, `\WObj`."""
         return ("\\" if self.optional else "") + self.name
 
     @property
     def signal(self) -> Type | None:
-        """The kind of signal it takes, if any."""
+        """Kind of signal that it accepts; None if it accepts no signal."""
         for of in self.types:
             target = resolved(of)
             if isinstance(target, Atomic) and target.kind is Kind.SEMI_VALUE:
                 return of
-        # Routines that take signals of every kind, such as AliasIO, declare no kind; of those that
-        # no run simulates, only names tell.
+        # Routines that accept signals of every kind, such as AliasIO, declare no kind; routines
+        # that are not simulated are recognised by parameter names only.
         by_name = (
             types.ANYTYPE in self.types
             and self.mode is not ParameterMode.IN
@@ -71,7 +71,7 @@ class Formal:
 
     @property
     def accepts_any_signal(self) -> bool:
-        """Whether it takes signals of every kind."""
+        """Whether it accepts signals of every kind."""
         return self.only is not None and types.SIGNAL_DI in self.only.types
 
 
@@ -84,11 +84,11 @@ class Callee:
     result: Type | None
     declared: tuple[Related, ...]
     is_complete: bool
-    """Whether all its options are known; those of routines that no run simulates may not be."""
+    """Whether all its options are known; not certain for routines that are not simulated."""
 
     @property
     def order(self) -> str:
-        r"""The call as manuals write it: `MoveL [\Conc] ToPoint [\ID] Speed [\V | \T] Zone`."""
+        r"""Call in the notation of manuals: `MoveL [\Conc] ToPoint [\ID] Speed [\V | \T] Zone`."""
         return " ".join([self.name, *self._parts()])
 
     def _parts(self) -> Iterator[str]:

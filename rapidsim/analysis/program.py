@@ -1,7 +1,7 @@
 """The results of analysis: symbols, and side tables keyed by tree nodes.
 
-Nothing is written to the tree. A `Program` is only made from error-free modules, so the interpreter
-need not check again.
+Nothing is written to the tree. A `Program` is created from error-free modules only, so the
+interpreter need not check again.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rapidsim.values import value_class
 
 
 class Storage(Enum):
-    """How long data live and who may change them."""
+    """Lifetime and mutability of data."""
 
     VAR = "VAR"
     PERS = "PERS"
@@ -29,14 +29,14 @@ class Storage(Enum):
 
 
 class Scope(Enum):
-    """Where a name is visible."""
+    """Visibility of a name."""
 
     INSTALLED = "installed"
     """Predefined by the system; user names hide it."""
     GLOBAL = "global"
     """All modules of the task."""
     TASK = "task"
-    """As global, and never shared with other tasks."""
+    """All modules of the task, never shared with other tasks."""
     LOCAL = "local"
     """One module."""
     ROUTINE = "routine"
@@ -67,7 +67,7 @@ class ParameterSymbol:
     is_switch: bool
     node: tree.ParameterDeclaration
     group: int
-    """Parameters with the same number exclude each other; required ones have their own."""
+    """Parameters with the same number exclude each other; required ones have unique numbers."""
 
 
 @value_class(frozen=True, eq=False, slots=True)
@@ -132,7 +132,7 @@ Symbol: TypeAlias = (
 
 
 def does(symbol: Symbol | None) -> Trait:
-    """The effects of a call of an installed routine; those of others follow from their text."""
+    """Traits of a call of an installed routine; none for other symbols."""
     return symbol.routine.traits if isinstance(symbol, LibrarySymbol) else NO_TRAITS
 
 
@@ -142,19 +142,22 @@ class Program:
 
     modules: tuple[tree.Module, ...]
     symbol_of: Mapping[tree.Node, Symbol]
-    """For each `Reference`, `FunctionCall`, `Call`, `Connect` (its trap), `ConditionalArgument`
-    (the parameter passed on) and each declaration; a `For` declares its counter."""
+    """Symbol of each `Reference`, `FunctionCall`, `Call`, `Connect` (trap), `ConditionalArgument`
+    (the parameter passed on) and declaration; a `For` declares its counter.
+    """
     type_of: Mapping[tree.Node, Type]
-    """For each expression, with aggregates typed by their context.
+    """Type of each expression; aggregates are typed by their context.
 
-    What is not known has the type its place wants: calls of unknown functions, placeholders. Names
-    in the arguments of a call to an unknown routine may have none."""
+    Unknown types are replaced by the expected type: calls of unknown functions, placeholders. Names
+    in the arguments of a call to an unknown routine may have none.
+    """
     routines: Mapping[str, RoutineSymbol]
     """Global routines by folded name, for late binding and the entry."""
     loads_modules: bool = False
-    """Whether it may take in other modules while it runs."""
+    """Whether other modules may be added while it runs."""
     cell: CellNames = NO_CELL
-    """What the configuration declares beside the modules."""
+    """Names that the configuration declares in addition to the modules."""
     missing_data: Mapping[str, str | None] = field(default_factory=dict)
-    """By folded name, data that nothing declares, which are called where the text names them: why a
-    run ends there; None is an error of the controller."""
+    """Undeclared data by folded name, which fail at their use: the reason why a run ends there;
+    None for an error of the controller.
+    """

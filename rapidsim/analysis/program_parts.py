@@ -1,7 +1,7 @@
 """The view of a program that rules use: files cut into parts, with the facts of analysis.
 
-A part is one routine, or what a module declares outside its routines. Its nodes are listed once, so
-that thirty rules do not walk the tree thirty times.
+A part is one routine, or the declarations of a module outside its routines. Its nodes are listed
+once, so that thirty rules do not traverse the tree thirty times.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class ProgramPart:
         return Related(self.module.span(node), message)
 
     def contains(self, node: tree.Node) -> bool:
-        """Whether a node of the same module lies in the routine."""
+        """Whether a node of the same module is inside the routine."""
         return self.routine is not None and self.routine.start <= node.start < self.routine.end
 
     @property

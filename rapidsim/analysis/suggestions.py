@@ -1,8 +1,8 @@
-"""The known name that somebody may have meant by an unknown one.
+"""The nearest known name to an unknown name.
 
-Names compare without case. Distance is the number of letters inserted, deleted, replaced or swapped
-with their neighbour. The nearest name is only a suggestion: programs name things in series and
-families, `Pick1` and `Pick2`, `MoveL` and `MoveC`, so an unknown name stays unknown.
+Names compare without case. The distance is the number of letters inserted, deleted, replaced or
+swapped with their neighbour. The nearest name is only a suggestion: programs name things in series
+and families, `Pick1` and `Pick2`, `MoveL` and `MoveC`, so an unknown name stays unknown.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ def reserved_words() -> Collection[str]:
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate closest to a name; None if none is close. Ties go to the first."""
+    """Return the candidate closest to a name; None if none is close. Ties go to the first."""
     folded = name.lower()
     best: str | None = None
     limit = _most_slips(folded)
@@ -31,12 +31,12 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
 
 
 def _most_slips(name: str) -> int:
-    """How many slips a name of this length can hide; one of three letters has too many near it."""
+    """Maximum distance for a name of this length; names of three letters have many neighbours."""
     return 0 if len(name) < 4 else 1 if len(name) < 7 else 2
 
 
 def _is_near(a: str, b: str, limit: int) -> bool:
-    """Whether two folded names are within a distance; cheap for names that are not."""
+    """Whether the distance of two folded names is within a limit; cheap if it is not."""
     if abs(len(a) - len(b)) > limit or len(set(a) ^ set(b)) > 2 * limit:
         return False
     return distance(a, b) <= limit

@@ -1,6 +1,6 @@
 r"""Comments that suppress findings: `! rapidsim: ignore[K601] reason`, and useless ones.
 
-A comment after a statement applies to its line; one on a line of its own applies to the next line
+A comment after a statement applies to its line; one on a separate line applies to the next line
 that is not a comment. `ignore-file[...]` applies to the whole file; without brackets, all rules are
 meant.
 """
@@ -25,27 +25,27 @@ class UnusedSuppression(Violation, code="E160"):
 
 @value_class(frozen=True, eq=False, slots=True)
 class Suppression:
-    """One such comment."""
+    """One suppressing comment."""
 
     span: Span
     codes: tuple[str, ...]
-    """Codes, beginnings of codes or names of rules; none means every rule."""
+    """Codes, prefixes of codes or names of rules; empty for every rule."""
     line: int | None
-    """The line it is for; None for the whole file."""
+    """The line that it applies to; None for the whole file."""
 
     def covers(self, diagnostic: Diagnostic) -> bool:
-        """Whether it covers a finding."""
+        """Whether it suppresses a finding."""
         span = diagnostic.span
         if span is None or span.source is not self.span.source:
             return False
-        # A finding may be of several lines; the comment stands at its first or its last.
+        # A finding may span several lines; the comment is on its first or its last.
         if self.line is not None and self.line not in (span.line, span.end_line):
             return False
         return not self.codes or any(diagnostic.violation.rule.matches(code) for code in self.codes)
 
 
 def suppressions(files: Iterable[tree.File]) -> Iterator[Suppression]:
-    """The comments of some files that suppress findings."""
+    """Yield the suppressing comments of files."""
     for file in files:
         for comment in file.comments:
             match = _COMMENT.match(comment.text)
@@ -65,13 +65,13 @@ def without_suppressed(
     *,
     is_looked_for: Callable[[str], bool] = lambda code: True,
 ) -> tuple[Diagnostic, ...]:
-    """The findings that no comment suppresses, and one for each comment that suppresses none.
+    """Return the unsuppressed findings, and one for each comment that suppresses none.
 
     Args:
         diagnostics: The findings.
         files: The files with their comments.
-        is_looked_for: Whether the rules that a code in a comment stands for were checked. A comment
-            for rules that were not checked is not useless.
+        is_looked_for: Whether the rules of a code in a comment were checked. A comment for rules
+            that were not checked is not useless.
     """
     all_comments = tuple(suppressions(files))
     if not all_comments:
@@ -98,7 +98,7 @@ def without_suppressed(
 
 
 def _line_meant(source: Source, start: int) -> int:
-    """The line a comment is for."""
+    """Line that a comment applies to."""
     line, column = source.position(start)
     if source.line(line)[: column - 1].strip():
         return line
@@ -110,7 +110,7 @@ def _line_meant(source: Source, start: int) -> int:
 
 
 def _with_blanks(span: Span) -> Span:
-    """A comment with the blanks before it."""
+    """Span of a comment with the blanks before it."""
     text = span.source.text
     start = span.start
     while start > 0 and text[start - 1] in " \t":

@@ -19,7 +19,7 @@ from rapidsim.analysis.syntax_violations import (
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.syntax import tree
 
-# Placeholders of declarations; the others stand for statements, expressions and arguments.
+# Placeholders of declarations; the others replace statements, expressions and arguments.
 _DECLARATIONS = frozenset({"TDN", "DDN", "RDN", "PAR", "ALT", "DIM"})
 _MARKED = frozenset(
     {
@@ -28,7 +28,7 @@ _MARKED = frozenset(
         tree.Placeholder,
     }
 )
-"""The kinds that marks are on."""
+"""The kinds of nodes with marks."""
 
 
 def check_lenient_marks(context: Context) -> None:
@@ -60,11 +60,11 @@ def check_lenient_marks(context: Context) -> None:
             case tree.RecordType(components=()):
                 context.report(EmptyRecord(node.name.text), node.name)
             case tree.Proc(parentheses_missing=True) | tree.Func(parentheses_missing=True) if (
-                node.name.text  # Without a name the head has been reported as a whole.
+                node.name.text  # Without a name the whole header has been reported.
             ):
                 context.report(MissingParameterList(node.name.text), node.name)
             case tree.Placeholder() if text[node.start : node.start + 1] not in ("<", "*"):
-                # Put in by the parser for what it could not read, and reported there.
+                # Inserted by the parser for unreadable text, and reported there.
                 pass
             case tree.Placeholder(kind="*"):
                 context.report(UnfinishedCode("the target `*`"), node)

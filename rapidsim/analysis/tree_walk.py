@@ -1,4 +1,4 @@
-"""Tree traversal for passes that look only for a few kinds of nodes."""
+"""Tree traversal for passes that examine only a few kinds of nodes."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ _WITHOUT_NODES = frozenset(
         *("int", "str", "bool", "float", "str | None", "Name", "Name | None", "Source"),
         *("tuple[Name, ...]", "tuple[LiteralValue, ...]"),
         *("tuple[int, ...]", "tuple[tuple[float, ...], ...]"),
-        # A statement of the tree stands for these.
+        # A statement of the tree represents these.
         *("tuple[Run, ...]", "Offsets", "Offsets | None", "Numbers"),
         *("tuple[str, ...]", "int | None"),
     }
 )
-# By kind of node; looked up for every node of a program, several times over.
+# By kind of node; looked up several times for every node of a program.
 _FIELDS_WITH_NODES: dict[type[tree.Node], tuple[str, ...]] = {
     kind: tuple(field.name for field in fields(kind) if field.type not in _WITHOUT_NODES)
     for kind in vars(tree).values()
@@ -29,7 +29,7 @@ _WITH_BLOCKS = (tree.If, tree.CompactIf, tree.For, tree.While, tree.Test)
 
 
 def clauses(routine: tree.RoutineNode) -> Iterator[tree.Body]:
-    """The body of a routine and those of its clauses."""
+    """Yield the body of a routine and the bodies of its clauses."""
     yield routine.body
     if routine.backward is not None:
         yield routine.backward
@@ -40,7 +40,7 @@ def clauses(routine: tree.RoutineNode) -> Iterator[tree.Body]:
 
 
 def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
-    """The statement lists directly inside a statement."""
+    """Yield the statement lists directly inside a statement."""
     match statement:
         case tree.If(branches=branches, otherwise=otherwise):
             for branch in branches:
@@ -61,7 +61,7 @@ def blocks(statement: tree.Statement) -> Iterator[tree.Body]:
 
 
 def statements(*bodies: tree.Body) -> Iterator[tree.Statement]:
-    """The statements of some lists and of their nested blocks, in source order."""
+    """Yield the statements of lists and of their nested blocks, in source order."""
     stack = [statement for body in reversed(bodies) for statement in reversed(body)]
     while stack:
         statement = stack.pop()
@@ -72,7 +72,7 @@ def statements(*bodies: tree.Body) -> Iterator[tree.Statement]:
 
 
 def data_of(module: tree.Module) -> Iterator[tree.Data]:
-    """Every data declaration of a module, including those in its routines."""
+    """Yield every data declaration of a module, including those in its routines."""
     for item in module.items:
         if isinstance(item, tree.Data):
             yield item
@@ -83,7 +83,7 @@ def data_of(module: tree.Module) -> Iterator[tree.Data]:
 
 
 def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
-    """Nodes and their descendants in source order, without names."""
+    """Yield nodes and their descendants in source order, without names."""
     stack = list(reversed(roots))
     while stack:
         node = stack.pop()
@@ -97,7 +97,7 @@ def descendants(*roots: tree.Node) -> Iterator[tree.Node]:
 
 
 def children(node: tree.Node) -> list[tree.Node]:
-    """The direct children of a node, in the order of the fields, without names."""
+    """Return the direct children of a node, in the order of the fields, without names."""
     found: list[tree.Node] = []
     for name in _FIELDS_WITH_NODES[type(node)]:
         value = getattr(node, name)

@@ -1,1 +1,1 @@
-"""What a check of motion or a run can say: one small class a rule, with its page."""
+"""Findings of checks of motion and of runs: one small class per rule."""

@@ -1,4 +1,4 @@
-"""What a run finds of bodies that touch or come near (family C)."""
+"""Findings of a run about bodies that touch or come near each other (family C)."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ class Collision(Violation, code="C101"):
     second: str
     time_s: float
     deep: str
-    """How deep, where that was looked for."""
+    """Penetration depth for the message; empty if it was not computed."""
     also: str
-    """The others that hit the same on that move; empty for none."""
+    """The other bodies that hit the same one on that move; empty for none."""
 
 
 class LowClearance(Violation, code="C102"):
@@ -33,4 +33,4 @@ class CollisionNotRun(Violation, code="C104"):
     percent: float
     deep: str
     suggestion: str
-    """Empty where none was found."""
+    """Suggested remedy; empty without one."""

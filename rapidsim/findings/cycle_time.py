@@ -1,4 +1,4 @@
-"""What costs a cell time (family D); looked for where the station file sets a cycle budget."""
+"""Findings about causes of lost cycle time (family D), if the station file sets a cycle budget."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ class CycleOverBudget(Violation, code="D701"):
     assumed: str
     budget_s: float
     model: str
-    """Version of the motion model that `assumed` is of."""
+    """Version of the motion model behind `assumed`."""
 
 
 class AvoidableStop(Violation, code="D702"):

@@ -21,7 +21,7 @@ class GripperActsTooSoon(Violation, code="I815"):
     action: str
     """`closes` or `opens`."""
     distance_mm: float
-    """How far the next move goes on along the tool."""
+    """Distance that the next move travels along the tool."""
     target: str
     times: str = ""
 
@@ -29,9 +29,9 @@ class GripperActsTooSoon(Violation, code="I815"):
 class GripperNotAwaited(Violation, code="I811"):
     gripper: str
     closed: str
-    """The feedback, as the station writes it."""
+    """The feedback, as the station spells it."""
     state: str
-    """What the feedback is when the robot moves on."""
+    """State of the feedback when the robot moves on."""
     times: str = ""
 
 

@@ -1,4 +1,4 @@
-"""What a run finds about the level on which a statement is executed (family R)."""
+"""Findings of a run about the execution level of a statement (family R)."""
 
 from __future__ import annotations
 

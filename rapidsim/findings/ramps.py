@@ -1,4 +1,4 @@
-"""What a run finds about AccSet's ramps (family R)."""
+"""Findings of a run about AccSet's ramps (family R)."""
 
 from __future__ import annotations
 

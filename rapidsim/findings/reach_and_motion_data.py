@@ -1,6 +1,6 @@
-"""What an arm cannot do (family K) and what is wrong with motion data (family M).
+"""Findings about the limits of an arm (family K) and invalid motion data (family M).
 
-The facts come from motion; whoever knows the source line binds them to it. Units are RAPID's.
+Motion provides the facts; its callers add the source position. Units are RAPID's.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from rapidsim.diagnostics import Severity, Violation
 
 _LISTED_CONFIGURATIONS = 4
-"""A pose has up to 32, most of them whole turns of axes away."""
+"""A pose has up to 32 configurations, most of them whole turns of axes away."""
 _NAME_IT = "name yours with --robot or as `model` under [robot] in rapidsim.toml"
 
 
@@ -20,24 +20,24 @@ class UnreachableTarget(Violation, code="K601"):
     reason: str
     suggestion: str | None = None
     taken_by_default: bool = False
-    """Whether nothing names the arm: then all targets out of its reach are one finding."""
+    """Whether no file specifies the arm: then all targets out of its reach are one finding."""
     other_text: int = 0
-    """How many more are told with it."""
+    """Number of other targets that are reported with it."""
 
     @property
     def is_reported_once(self) -> bool:
-        """Where the arm is a guess, what is wrong is the guess."""
+        """True if the arm is a default, which then is the common cause."""
         return self.taken_by_default
 
     def with_others(self, merged: Sequence[Violation]) -> UnreachableTarget:
-        """This one, and how many more there are."""
+        """Merge the others into this one, with their number."""
         return UnreachableTarget(
             self.target, self.robot, self.reason, self.suggestion, True, len(merged)
         )
 
     @property
     def message(self) -> str:
-        """The first target, and how many more."""
+        """Message with the first target, and the number of others."""
         if not self.other_text:
             return super().message
         more = f"{self.other_text} more target{'s' if self.other_text > 1 else ''}"
@@ -45,7 +45,7 @@ class UnreachableTarget(Violation, code="K601"):
 
     @property
     def help(self) -> str | None:
-        """What would bring it into reach, when that is known."""
+        """Suggestion that would bring the target into reach, if known."""
         if self.taken_by_default:
             return f"nothing names the arm, {self.robot} is only the default: {_NAME_IT}"
         return self.suggestion
@@ -56,11 +56,11 @@ class JointOutOfRange(Violation, code="K602"):
     robot: str
     reason: str
     is_of_joints: bool = False
-    """Whether the target gives positions of axes."""
+    """Whether the target specifies positions of axes."""
 
     @property
     def case(self) -> str:
-        """A target, or one of joints."""
+        """Case of the rule: a target, or a jointtarget."""
         return "joint target" if self.is_of_joints else "target"
 
 
@@ -70,25 +70,25 @@ class ConfigurationNotReachable(Violation, code="K603"):
     assumed: str
     working: tuple[str, ...]
     past_limit: str = ""
-    """What keeps the arm from the stored turn, in words; empty if no turn is near."""
+    """Description of the limit that prevents the stored turn; empty if no turn is near."""
     continues: bool = False
-    """Whether only cf1, cf4 or cf6 differ: then a run takes the nearest and goes on."""
+    """Whether only cf1, cf4 or cf6 differ: then a run uses the nearest and continues."""
 
     @property
     def severity(self) -> Severity:
-        """A run that goes on is not stopped by it."""
+        """Warning if the run continues."""
         return Severity.WARNING if self.continues else super().severity
 
     @property
     def message(self) -> str:
-        """With the joint and the limit that decide."""
+        """Message with the joint and the limit that decide."""
         why = f"configuration {self.stored}: {self.past_limit};"
         old = f"configuration {self.stored};"
         return super().message.replace(old, why, 1) if self.past_limit else super().message
 
     @property
     def help(self) -> str:
-        """The configurations that work, the nearest to the arm first."""
+        """Suggestion of valid configurations, the nearest to the arm first."""
         if len(self.working) == 1:
             return f"only {self.working[0]} reaches it with this tool and work object"
         listed = ", ".join(self.working[:_LISTED_CONFIGURATIONS])
@@ -114,11 +114,11 @@ class ConfigurationChangesOnLine(Violation, code="K606"):
     stored: str
     arrives: str
     continues: bool = False
-    """Whether only cf1, cf4 or cf6 differ: then a run goes on."""
+    """Whether only cf1, cf4 or cf6 differ: then a run continues."""
 
     @property
     def severity(self) -> Severity:
-        """A run that goes on is not stopped by it."""
+        """Warning if the run continues."""
         return Severity.WARNING if self.continues else super().severity
 
 
@@ -136,11 +136,11 @@ class PathNotReachable(Violation, code="K604"):
     distance_mm: float
     reason: str
     is_simulated: bool = True
-    """Whether paths of the arm are simulated; if not, the controller may make this one."""
+    """Whether paths of the arm are simulated; if not, a controller may execute this one."""
 
     @property
     def severity(self) -> Severity:
-        """What is not simulated is no error of the program."""
+        """Warning if the path is not simulated, because then it is no error of the program."""
         return super().severity if self.is_simulated else Severity.WARNING
 
 

@@ -1,4 +1,4 @@
-"""What checking finds about moves that a run would make without a word (families K and M)."""
+"""Findings of a check about moves that a run would execute silently (families K and M)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class NearSingularity(Violation, code="K605"):
 
     @property
     def help(self) -> str:
-        """The usual ways out."""
+        """Suggestion for the kind of singularity."""
         ways = {
             "wrist": "tilt the tool so that axis 5 stays away from 0, or use MoveJ",
             "elbow": "bring the work object nearer, so that the arm is not stretched",
@@ -40,7 +40,7 @@ class ConfigurationQuarterOff(Violation, code="K622"):
 
 class Overload(Violation, code="M524"):
     subject: str
-    """With its verb."""
+    """Overloaded part, with its verb."""
     mass_kg: float
     robot: str
     rated_kg: float

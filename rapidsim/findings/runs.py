@@ -8,7 +8,7 @@ FAMILY_OF_RUNS = "R"
 
 
 def is_of_runs(finding: Diagnostic) -> bool:
-    """Whether a finding is of this family."""
+    """Whether a finding belongs to this family."""
     return finding.code.startswith(FAMILY_OF_RUNS)
 
 
@@ -19,7 +19,7 @@ class UncaughtError(Violation, code="R101"):
 
     @property
     def cf(self) -> str | None:
-        """The event of the error, not of the rule."""
+        """The controller's event for the error instead of the rule's."""
         return self.event
 
 
@@ -46,7 +46,7 @@ class EndlessWait(Violation, code="R106"):
 
     @property
     def help(self) -> str | None:
-        """What would end the wait; as a rule an input."""
+        """Suggestion of an event that ends the wait, normally an input."""
         return self.suggestion or super().help
 
 
@@ -98,4 +98,4 @@ class OutputBeforeTarget(Violation, code="R117"):
     distance_mm: float
     target: str
     times: str
-    """How often it happened; empty for once."""
+    """Number of occurrences for the message; empty for one."""

@@ -1,4 +1,4 @@
-"""What a run finds about the smoothing of the command (family R)."""
+"""Findings of a run about the smoothing of the command (family R)."""
 
 from __future__ import annotations
 
@@ -8,6 +8,6 @@ from rapidsim.diagnostics import Violation
 class CornerTooFast(Violation, code="R116"):
     load: float
     limit: str
-    """Such as `torque of axis 2`."""
+    """The exceeded limit, such as `torque of axis 2`."""
     other_text: str
-    """How many more such corners there are; empty for none."""
+    """Number of other such corners, for the message; empty for none."""

@@ -1,4 +1,4 @@
-r"""What comes of circles that two wrist axes lead: CirPathMode \Wrist45, \Wrist46, \Wrist56."""
+r"""Findings about circles with CirPathMode \Wrist45, \Wrist46 or \Wrist56."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class WristCircleFails(Violation, code="K616"):
 
     @property
     def help(self) -> str:
-        """What could be done about the cause, or about an axis at its limit or about to jump."""
+        """Suggestion for the cause, or for an axis at its limit or before a jump."""
         return self.suggestion or (
             "start the circle in another posture, with that axis nearer to the middle of its "
             "range, take another pair of wrist axes, or use all axes, with "

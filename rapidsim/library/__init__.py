@@ -1,1 +1,1 @@
-"""What RAPID predefines: routines, one file a chapter of the manual, and predefined data."""
+"""Predefined RAPID routines, one module per chapter of the manual, and predefined data."""

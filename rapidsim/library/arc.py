@@ -1,9 +1,9 @@
 r"""Arc welding: lines and arcs at the speed of the weld, with the times of the seam.
 
-ArcLStart moves to the seam at its own speed and waits for as long as gas, ignition and heating
-take; ArcL and ArcLEnd weld with `weld_speed`, where the weld data give one, and ArcLEnd stands for
-as long as filling and cooling take. There is no arc: weaving, tracking and corrections do not move
-the torch, and the run says so. Speeds of weld data are taken for mm/s.
+ArcLStart moves to the seam at its own speed and waits while gas, ignition and heating take effect;
+ArcL and ArcLEnd weld with `weld_speed` if the weld data define one, and ArcLEnd waits while filling
+and cooling take effect. No arc is simulated: weaving, tracking and corrections do not move the
+torch, which the run reports. Speeds of weld data are in mm/s.
 
 Source: Application manual Arc and Arc Sensor, "ArcL", "ArcLStart", "ArcLEnd", "seamdata",
 "welddata".
@@ -37,7 +37,7 @@ class Phase(Enum):
 
 
 class ArcOptions(MoveOptions, total=False):
-    """What weld instructions may have beside what other moves have."""
+    """Options of weld instructions in addition to those of other moves."""
 
     weave: WeaveData
     track: TrackData
@@ -84,7 +84,7 @@ def _arc(phase: Phase) -> Callable[[str, Interpolation], Callable[..., None]]:
 
 
 def _dwell_s(phase: Phase, seam: SeamData) -> float:
-    """How long the torch waits at the end of a move [s]."""
+    """Time [s] that the torch waits at the end of a move."""
     if phase is Phase.START:
         return seam.preflow_time + seam.ign_move_delay + seam.heat_time
     if phase is Phase.END:

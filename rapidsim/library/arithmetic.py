@@ -1,8 +1,8 @@
 """Arithmetic where Python's operators differ from RAPID's; called by generated code.
 
-RAPID's num is a single; generated code rounds the result of each arithmetic expression inline with
-the three float operations of `language.single`. The functions here do the rest: integer division,
-positions and orientations, errors, the values of FOR counters.
+RAPID's num has single precision; generated code rounds the result of each arithmetic expression
+inline with the three float operations of `language.single_precision`. The functions here do the
+rest: integer division, positions and orientations, errors, the values of FOR counters.
 
 Source: Technical reference manual RAPID Overview, "Expressions".
 """
@@ -29,9 +29,9 @@ from rapidsim.library.poses import require_unit
 
 MAX_DOUBLE = 1.7976931348623157e308
 MAX_INTEGER = 2**24
-"""Up to here a single holds every integer."""
+"""Limit up to which single precision represents every integer."""
 WHOLE_FROM = 2.0**52
-"""From here on every double is an integer, so adding this and taking it away leaves an integer."""
+"""From here on every double is an integer, so adding and subtracting this rounds to one."""
 MAX_STRING = 80
 
 
@@ -75,7 +75,7 @@ def whole_quotient(left: int, right: int) -> int:
 
 
 def literal_quotient(left: int, right: int) -> int:
-    """DIV by a positive literal, also of dividends that are negative or beyond exact integers."""
+    """DIV by a positive literal, also for negative dividends and beyond exact integers."""
     return int(left // float(right)) if left >= 0 else whole_quotient(left, right)
 
 
@@ -183,7 +183,7 @@ def count(first: int, last: float, step: int | None = None) -> Iterable[int]:
 
 
 def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iterator[int]:
-    """Count beyond what singles hold exactly, rounding as the controller's counter does."""
+    """Count beyond the exact integers of single precision, rounding as the controller does."""
     yield from values
     while after <= last if step >= 0 else after >= last:
         yield after
@@ -191,12 +191,12 @@ def _count_on(values: Iterable[int], after: int, last: float, step: int) -> Iter
 
 
 def turns_of(values: Iterable[float]) -> float:
-    """The number of iterations of a FOR; infinite where it is not known in advance."""
+    """Return the number of iterations of a FOR; infinite if not known in advance."""
     return len(values) if isinstance(values, range) else math.inf
 
 
 def iteration_count(values: range, counter: str) -> int:
-    """The number of FOR iterations up to and including the current one, by the counter's name."""
+    """Number of FOR iterations up to and including the current one, from the counter's name."""
     now: int = sys._getframe(1).f_locals.get(counter, values.start - values.step)
     return values.index(now) + 1 if now in values else 0
 

@@ -1,11 +1,11 @@
 """Test signals: positions and speeds of axes as a controller samples them.
 
-A run has no motors: torques, forces and what resolvers read are 0, and the run says so. The signals
-4000 to 4003 are in no manual; programs use them for position [deg], speed [deg/s], torque [Nm] and
-external torque [Nm] of an axis, 201 to 212 for what a force sensor reads.
+A run has no motors: torques, forces and resolver readings are 0, which the run reports. No manual
+lists the signals 4000 to 4003; programs use them for position [deg], speed [deg/s], torque [Nm] and
+external torque [Nm] of an axis, and 201 to 212 for the readings of a force sensor.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TestSignDefine",
-"TestSignRead", "TestSignReset"; programs that log axes in this way.
+"TestSignRead", "TestSignReset"; public programs that log axes with these signals.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def define_test_signal(
 
 
 def read_test_signal(controller: Controller, channel: Num) -> Num:
-    """Value of a channel: the last sample, or a mean over 4 ms of those in shorter intervals."""
+    """Value of a channel: the last sample, or a mean over 4 ms for shorter intervals."""
     number = _channel(channel)
     value = controller.axis_signals.last_sample(number)
     if value is None:

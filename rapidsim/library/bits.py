@@ -38,12 +38,12 @@ def bit_neg(bit_data: Byte) -> Byte:
 
 
 def bit_l_sh(bit_data: Byte, shift_steps: Num) -> Byte:
-    """Bits shifted left; what leaves the byte is lost."""
+    """Bits shifted left; bits that leave the byte are lost."""
     return float(_byte(bit_data) << _steps(shift_steps, BYTE_BITS) & 0xFF)
 
 
 def bit_r_sh(bit_data: Byte, shift_steps: Num) -> Byte:
-    """Bits shifted right; what leaves the byte is lost."""
+    """Bits shifted right; bits that leave the byte are lost."""
     return float(_byte(bit_data) >> _steps(shift_steps, BYTE_BITS))
 
 
@@ -86,7 +86,7 @@ def bit_neg_dnum(value: Dnum, *, size: Num | None = None) -> Dnum:
 
 
 def bit_l_sh_dnum(value: Dnum, shift_steps: Num, *, size: Num | None = None) -> Dnum:
-    r"""Bits shifted left; what leaves the lowest \Size bits is lost."""
+    r"""Bits shifted left; bits beyond the lowest \Size ones are lost."""
     mask = (1 << _size(size)) - 1
     return float(_whole(value, DNUM_BITS) << _steps(shift_steps, DNUM_BITS) & mask)
 

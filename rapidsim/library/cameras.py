@@ -1,7 +1,7 @@
-r"""Cameras: pictures whose results the station's [[camera]] tables give.
+r"""Cameras: pictures with results from the station's [[camera]] tables.
 
-A camera that the station does not describe is skipped, and the run says so.
-Exposure and parameters can be read back, but do not affect what is found.
+Calls for a camera that the station does not describe are skipped and reported. Exposure and
+parameters can be read back, but do not affect the results.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CamReqImage",
 "CamGetResult", "CamNumberOfResults", "CamSetRunMode", "CamGetParameter"; Application manual
@@ -62,17 +62,17 @@ def cam_start_load_job(
     *,
     keep_targets: Switch = False,
 ) -> None:
-    """Start loading a job into a camera, which is done at once."""
+    """Start loading a job into a camera; it is loaded immediately."""
     _load(controller, "CamStartLoadJob", camera, name, keep_targets)
 
 
 def cam_wait_load_job(camera: Var[CameraDev]) -> None:
-    """Wait until a job is loaded, which it already is."""
+    """Wait until a job is loaded, which is already the case."""
     del camera
 
 
 def cam_get_loaded_job(controller: Controller, camera: Var[CameraDev]) -> String:
-    """The job that a camera has."""
+    """The name of the job that is loaded in a camera."""
     found = _camera(controller, "CamGetLoadedJob", camera)
     return "" if found is None else found.job
 
@@ -163,7 +163,7 @@ def _load(
 
 
 def _camera(controller: Controller, routine: str, camera: Reference[object]) -> Camera | None:
-    """The camera that is meant; None, and said, where the station has none of that name."""
+    """Camera that an argument names; None, and a report, if the station has no such camera."""
     found = controller.cameras.camera(_name(controller, camera))
     if found is None:
         controller.fidelity.not_simulated(routine, _NOT_THERE)
@@ -171,7 +171,7 @@ def _camera(controller: Controller, routine: str, camera: Reference[object]) -> 
 
 
 def _name(controller: Controller, camera: Reference[object]) -> str:
-    """The name that a camera has in the configuration: what AliasCamera gave, or its own."""
+    """Name of a camera in the configuration: the argument of AliasCamera, or the variable's own."""
     written = controller.clock.place.arguments.get("camera", "")
     return camera.value if isinstance(camera.value, str) else written
 
@@ -243,7 +243,7 @@ def cam_get_exposure(
     brightness: Switch = False,
     contrast: Switch = False,
 ) -> Num:
-    """How a camera exposes its pictures: what CamSetExposure gave."""
+    """The exposure setting of a camera, as set by CamSetExposure."""
     del exposure_time
     found = _camera(controller, "CamGetExposure", camera)
     if found is None:
@@ -269,7 +269,7 @@ def _mismatch(camera: Camera, name: str, value: float | bool | str | None) -> st
 def alias_camera(
     controller: ClockService, camera_name: String | CameraDev, to_camera: Var[CameraDev]
 ) -> None:
-    """Make a variable an alias of a camera, given by its name or as another variable."""
+    """Make a variable an alias of a camera, identified by its name or by another variable."""
     written = controller.place.arguments.get("cameraname", "")
     to_camera.value = camera_name if isinstance(camera_name, str) else written
 

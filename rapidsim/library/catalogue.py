@@ -1,6 +1,6 @@
-"""All installed routines: the chapters of the library, and those that are only declared.
+"""Table of all installed routines: the chapters of the library, then the declared routines.
 
-A user's name hides an installed one, so this table is asked last.
+A user's name hides an installed one, so this table is searched last.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ CHAPTERS: Mapping[str, Mapping[str, LibraryRoutine]] = MappingProxyType(
 
 
 class _Catalogue(Mapping[str, LibraryRoutine]):
-    """Chapters first; the declared routines are read when something else is asked for."""
+    """Mapping that reads the declared routines on the first lookup outside the chapters."""
 
     def __init__(self) -> None:
         self._written = {key: row for chapter in CHAPTERS.values() for key, row in chapter.items()}

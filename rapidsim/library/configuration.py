@@ -1,9 +1,10 @@
 r"""System parameters: ReadCfgData and WriteCfgData.
 
-An instance is named by its path: "/EIO/EIO_SIGNAL/doGrip" by its name, or with \ListNo
-"/EIO/EIO_SIGNAL/Device/d652" by an attribute and its value, one after the other. They are those of
-the backup's SYSPAR folder. What is written is read again; nothing else in the run changes, as on a
-controller before its restart.
+The path of an instance is "/EIO/EIO_SIGNAL/doGrip" with its name or, with \ListNo,
+"/EIO/EIO_SIGNAL/Device/d652" with an attribute and its value; repeated calls return the matching
+instances one after the other. Instances come from the SYSPAR folder of the backup. Values that a
+program writes can be read back, but change nothing else in the run, as on a controller before its
+restart.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "ReadCfgData",
 "WriteCfgData".
@@ -72,7 +73,7 @@ def write_cfg_data(
     list_no: Var[Num] | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Change an attribute of a system parameter, of the same kind as it has."""
+    """Change an attribute of a system parameter to a value of the same kind."""
     found = _instance_at(controller, instance_path, list_no)
     _value(_text(found, instance_path, attribute), of, f"{instance_path}, {attribute}")
     match cfg_data:
@@ -88,14 +89,14 @@ def write_cfg_data(
 def save_cfg_data(
     controller: Controller, file_path: String, domain: CfgDomain, *, file: String | None = None
 ) -> None:
-    """Save system parameters to a file: the run has none of its own to save."""
+    """Save system parameters to a file; a run has no parameters to save."""
     del domain
     named = file_path if file is None else f"{file_path}/{file}"
     controller.fidelity.not_simulated("SaveCfgData", f"{named} is not written")
 
 
 def _instance_at(controller: Equipment, path: str, list_no: Reference[float] | None) -> _Instance:
-    """The instance that a path means; with a list number the next of several."""
+    """Instance that a path names; with a list number, the next of several matches."""
     parts = [part for part in path.split("/") if part]
     if len(parts) not in (3, 4):
         raise rapid_error(ERR_CFG_NOTFND, f"`{path}` is not a path such as /EIO/EIO_SIGNAL/doGrip")
@@ -133,7 +134,7 @@ def _text(instance: _Instance, path: str, attribute: str) -> str:
 
 
 def _value(text: str, of: Type, subject: str) -> object:
-    """What a text of the configuration is as a value of a type."""
+    """Value of a RAPID type that a text of the configuration represents."""
     wanted = resolved(of)
     value = (
         text

@@ -1,7 +1,7 @@
 r"""Conveyors: waiting for the next object, and dropping it.
 
-When objects come, [[conveyor]] tables of the station say. The robot does not follow the conveyor:
-a run ends at a move in a work object that one of the station carries.
+The [[conveyor]] tables of the station define when objects arrive. The robot does not follow the
+conveyor: a run ends at a move in a work object that a conveyor of the station carries.
 
 Source: Application manual Conveyor tracking, "WaitWObj", "DropWObj".
 """
@@ -32,7 +32,7 @@ def wait_wobj(
     max_time: Num | None = None,
     time_flag: Var[Bool] | None = None,
 ) -> None:
-    """Wait until the next object has come a given distance [mm], and connect the work object."""
+    """Wait until the next object has travelled a distance [mm], and connect the work object."""
     unit = wobj.value.ufmec
     conveyor = controller.equipment.conveyor(unit)
     if conveyor is None:

@@ -24,7 +24,7 @@ from rapidsim.library.motion import build_move, move_variants
 from rapidsim.library.table import routine
 
 PATH_SAMPLE_MS: Final = 48.0
-"""Of EGMActMove; from memory of ABB's documents."""
+"""Default sample time [ms] of EGMActMove; from memory of ABB's documents."""
 PATH_STEP_MS: Final = 24.0
 
 
@@ -35,7 +35,7 @@ def egm_act_move(
     *,
     sample_rate: Num | None = None,
 ) -> None:
-    """Say where a sensor is that corrects paths, and how often it does."""
+    """Set the frame of a sensor that corrects paths, and its sample time."""
     if sensor_frame != IDENTITY_POSE:
         controller.fidelity.not_simulated(
             "EGMActMove SensorFrame", "the sensor is taken to measure in path coordinates"
@@ -46,7 +46,7 @@ def egm_act_move(
 
 
 def _corrected(name: str, interpolation: Interpolation) -> Callable[..., None]:
-    """The body of a move whose path a sensor corrects."""
+    """Build the function of a move whose path a sensor corrects."""
 
     def body(
         controller: Controller,

@@ -1,4 +1,4 @@
-r"""Correction generators: what a sensor adds to paths with \Corr; see `path_offset`.
+r"""Correction generators: offsets of a sensor to paths with \Corr; see `path_offset`.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CorrCon",
 "CorrWrite", "CorrRead", "CorrDiscon", "CorrClear".
@@ -21,7 +21,7 @@ from rapidsim.library.poses import single_pos
 from rapidsim.library.table import routine, table
 
 MOST_GENERATORS = 5
-"""The most that can be connected at one time."""
+"""Maximum number of connected correction generators."""
 _NOTHING = Pos(0.0, 0.0, 0.0)
 
 

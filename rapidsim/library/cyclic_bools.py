@@ -25,7 +25,7 @@ from rapidsim.library.signals import connected
 from rapidsim.library.table import routine, table
 
 MOST = 100
-"""The most that may be set up at one time."""
+"""Maximum number of cyclic bools."""
 
 
 def setup_cyclic_bool(
@@ -35,7 +35,7 @@ def setup_cyclic_bool(
     *,
     signal: Var[SignalDo] | None = None,
 ) -> None:
-    """Keep a persistent, and an output if one is given, equal to a condition."""
+    """Keep a persistent, and optionally an output, equal to a condition."""
     kept = controller.cyclic_bools
     name = _name(controller, flag)
     if len(kept.names()) >= MOST and name not in kept.names():
@@ -44,7 +44,7 @@ def setup_cyclic_bool(
 
 
 def remove_cyclic_bool(controller: Controller, flag: Bool | String) -> None:
-    """Stop updating a persistent, given itself or by its name."""
+    """Stop updating a persistent, passed as the data or by its name."""
     controller.cyclic_bools.remove(_name(controller, flag))
 
 
@@ -62,7 +62,7 @@ def is_cyclic_bool(
     task_ref: Var[TaskId] | None = None,
     task_name: String | None = None,
 ) -> Bool:
-    """Whether a persistent, given itself or by its name, is kept equal to a condition."""
+    """Whether a persistent, passed as the data or by its name, is kept equal to a condition."""
     note_ignored_options(
         controller.fidelity, "IsCyclicBool", {r"\TaskRef": task_ref, r"\TaskName": task_name}
     )
@@ -71,17 +71,17 @@ def is_cyclic_bool(
 
 
 def get_number_of_cyclic_bool(controller: CyclicBools) -> Num:
-    """How many are set up."""
+    """The number of cyclic bools that are set up."""
     return float(len(controller.names()))
 
 
 def get_max_number_of_cyclic_bool() -> Num:
-    """How many can be set up."""
+    """The maximum number of cyclic bools."""
     return float(MOST)
 
 
 def get_next_cyclic_bool(controller: CyclicBools, list_number: Var[Num], name: Var[String]) -> Bool:
-    """The name of the next one, by list number from 0; FALSE after the last."""
+    """The name of the next cyclic bool, by list number from 0; FALSE after the last."""
     names, number = controller.names(), int(list_number.value)
     if not 0 <= number < len(names):
         return False
@@ -90,7 +90,7 @@ def get_next_cyclic_bool(controller: CyclicBools, list_number: Var[Num], name: V
 
 
 def _name(controller: Controller, flag: object) -> str:
-    """The name of a persistent in the program, or the name given as a string."""
+    """Name of a persistent in the program, or the name passed as a string."""
     if isinstance(flag, str):
         return flag
     return controller.clock.place.arguments.get("flag", "")

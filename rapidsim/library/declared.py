@@ -1,10 +1,10 @@
-r"""Routines that are known but not simulated: `declared.txt`, read when first needed.
+r"""Routines that are declared but not simulated: `declared.txt`, read on first use.
 
-The file gives each its header as RAPID would write it, or `...` for parameters that no source
-gives; after `=>` what is done instead. Without `=>` an instruction is skipped and a function
-returns the value data of its type start with. After `@` stands what the header does not say of what
-it does, in the words of `Trait`, or what puts back what it sets. Each use is reported to the
-controller.
+Each line contains the header of a routine as RAPID declares it, with `...` for parameters that no
+source documents; after `=>` the routine that replaces it. Without `=>` an instruction is skipped
+and a function returns the initial value of its type. After `@` follow the effects that the header
+does not show, in the words of `Trait`, or the routine that restores the setting. Each use is
+reported to the controller.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ from rapidsim.library.text import value_text
 from rapidsim.library.traits import NO_TRAITS, Trait
 
 BUILT_IN = "built in"
-"""What stands after `=>` for routines that the interpreter itself carries out."""
+"""Replacement after `=>` of routines that the interpreter itself executes."""
 
 _HEADING = "! == "
 _OPEN = "..."
-"""Stands for the parameters where no source gives them."""
+"""Placeholder for parameters that no source documents."""
 _LINE = re.compile(
     r"(?:PROC|FUNC (?P<result>\w+)) (?P<name>\w+)\((?P<parameters>[^)]*)\)"
     r"(?: => (?P<instead>[^@]+?))?(?: @ (?:back: (?P<back>\w+)|(?P<does>[A-Z_ ]+)))?"
@@ -112,7 +112,7 @@ def _row(line: str) -> LibraryRoutine:
 
 
 def _stated(words: str, replacement: str | None) -> Trait:
-    """What a line says that a routine does; a move in its stead does the same."""
+    """Traits that a line declares for a routine, joined with those of the move that replaces it."""
     substitute = MOTION.get((replacement or "").lower())
     does = NO_TRAITS if substitute is None else substitute.stated
     for word in words.split():
@@ -138,7 +138,7 @@ def _by_name(signature: Signature, arguments: tuple[object, ...]) -> dict[str, o
 
 
 def _read_parameters(text: str) -> list[Parameter]:
-    """Required parameters are divided by commas, options begin with a backslash."""
+    """Parse parameters: commas separate required ones, a backslash begins an option."""
     parameters: list[Parameter] = []
     group = 0
     for item in re.findall(r"\\?[^\\,{]+(?:\{[*,]+\}[^\\,{]*)*", text):
@@ -154,7 +154,10 @@ def _read_parameters(text: str) -> list[Parameter]:
 
 
 def _merged(alternatives: list[Parameter]) -> Parameter:
-    """One required parameter that takes either type: `VAR signaldi Signal | PERS bool PersBool`."""
+    """Merge alternatives into one required parameter of either type.
+
+    Example: `VAR signaldi Signal | PERS bool PersBool`.
+    """
     first = alternatives[0]
     modes = {alternative.mode for alternative in alternatives}
     mode = (

@@ -1,6 +1,6 @@
 r"""Dialogs of the FlexPendant: message boxes, entries, lists.
 
-Answered as all questions are, see `operator`. Icons, images and line wrapping are looks only.
+All questions are answered as in `operator`. Icons, images and line wrapping have no effect.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "UIMsgBox",
 "UIMessageBox", "UINumEntry", "UINumTune", "UIAlphaEntry", "UIListView".
@@ -55,7 +55,7 @@ _BUTTONS: tuple[tuple[tuple[str, float], ...], ...] = (
 
 
 class Options(QuestionBreakOptions, total=False):
-    """What every dialog may have besides."""
+    """Options of every dialog."""
 
     icon: IconData
     ui_active_signal: Var[SignalDo]
@@ -71,7 +71,7 @@ class Text(TypedDict, total=False):
 
 
 class DialogOptions(Options, Text, total=False):
-    """A dialog with a text and everything else."""
+    """Text and options of a dialog."""
 
 
 def ui_msg_box(
@@ -304,7 +304,7 @@ def _number(
         return initial or 0.0
     taken = min(max(float(round(answer)) if is_integer else answer, low), high)
     if taken != answer:
-        # The operator could not have pressed OK with such a number.
+        # A FlexPendant would not accept such a number.
         controller.fidelity.not_simulated(f"{name} with the answer {answer:g}", f"{taken:g}")
     return taken
 

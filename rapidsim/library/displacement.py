@@ -1,7 +1,7 @@
 """Program displacement and offsets of external axes: setting, applying, removing.
 
-A displaced target is given in a frame that stands in the object frame; the displacement in force is
-a setting of the task.
+The coordinates of a displaced target refer to a frame within the object frame; the active
+displacement is a setting of the task.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PDispOn",
 "EOffsOn", "ORobT".
@@ -39,7 +39,7 @@ def in_object(controller: Motion, point: RobTarget) -> RobTarget:
 
 
 def in_program(controller: Motion, point: RobTarget) -> RobTarget:
-    """A target in the object frame as the program would have to give it."""
+    """Target in the object frame, converted to the coordinates that the program would use."""
     settings = controller.settings
     if settings.displacement is None and settings.axis_offsets is None:
         return point
@@ -77,7 +77,7 @@ def p_disp_on(
     exe_p: RobTarget | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> None:
-    r"""Displace the program by the difference between a target and where the robot is, or \ExeP."""
+    r"""Displace the program by the difference of a target and the robot's position, or \ExeP."""
     if exe_p is None:
         exe_p = controller.current_target(tool.value, None if wobj is None else wobj.value)
     if rot:
@@ -100,7 +100,7 @@ def p_disp_off(controller: Motion) -> None:
 
 
 def e_offs_on(controller: Motion, prog_point: RobTarget, *, exe_p: RobTarget | None = None) -> None:
-    r"""Offset the external axes by the difference between a target and where they are, or \ExeP."""
+    r"""Offset the external axes by the difference of a target and their position, or \ExeP."""
     axes = controller.current_joints().extax if exe_p is None else exe_p.extax
     offsets = without_axis_offsets(axes, prog_point.extax)
     controller.settings = replace(controller.settings, axis_offsets=offsets)
@@ -123,7 +123,7 @@ def o_rob_t(
     in_p_disp: Switch = False,
     in_e_offs: Switch = False,
 ) -> RobTarget:
-    r"""A programmed target in the object frame, offsets removed, but for what a switch keeps."""
+    r"""A programmed target in the object frame, without offsets unless a switch keeps them."""
     settings = controller.settings
     moved = org_point if in_p_disp else _displaced(org_point, settings.displacement)
     if in_e_offs:

@@ -1,8 +1,8 @@
 """Interrupts on entries of the event log, and reading the entry in the trap.
 
 Entries come from ErrWrite and ErrLog of any task and from corner path failures. An error that stops
-the program comes too late for a trap of this task, as on a controller; where the others go on, as
-on a controller that stays on, it raises theirs.
+the program is too late for a trap of its own task, as on a controller; tasks that continue receive
+it, as on a controller that stays on.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "IError",
 "GetTrapData", "ReadErrData".
@@ -32,7 +32,7 @@ def i_error(
 
 
 def get_trap_data(controller: Interrupts, trap_event: Var[TrapData]) -> None:
-    """Store what caused the trap."""
+    """Store the event that caused the trap."""
     if not controller.in_trap:
         raise NotAllowed("GetTrapData can be used in a trap only")
     trap_event.value = controller.trap_cause()
@@ -51,7 +51,7 @@ def read_err_data(
     str4: Var[String] | None = None,
     str5: Var[String] | None = None,
 ) -> None:
-    """Read the parts of what caused the trap."""
+    """Read the parts of the event that caused the trap."""
     entry = trap_event.value
     if entry is None:
         raise rapid_error(

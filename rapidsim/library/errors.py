@@ -28,7 +28,7 @@ from rapidsim.library.traits import Trait
 
 
 def book_err_no(controller: ErrorNumbers, error_name: Var[ErrNum]) -> None:
-    """Give a variable a unique error number; one that it already has is kept."""
+    """Assign a unique error number to a variable, unless it already has one."""
     if error_name.value == -1.0:
         error_name.value = controller.book_error_number()
 
@@ -65,7 +65,7 @@ def err_log(
     w: Switch = False,
     i: Switch = False,
 ) -> None:
-    """Show a message of the program's own text file by its number, with what fills its blanks."""
+    """Show a numbered message of the program's own text file, with its placeholders filled."""
     given = (argument1, argument2, argument3, argument4, argument5)
     arguments = error_texts(controller, given)
     controller.operator.show(f"{_kind(w, i)} {number_text(error_id)}: {' / '.join(arguments)}")
@@ -83,9 +83,9 @@ def err_raise(
     argument4: ErrStr,
     argument5: ErrStr,
 ) -> None:
-    """Log a warning as ErrLog does, and raise an error that the program has booked, by its name.
+    """Log a warning as ErrLog does, and raise a booked error by its name.
 
-    In an ERROR clause it goes on to the caller, as with RAISE.
+    In an ERROR clause the error propagates to the caller, as with RAISE.
     """
     number = controller.symbols.read(error_name, TYPES["errnum"], None)
     given = (argument1, argument2, argument3, argument4, argument5)
@@ -103,7 +103,7 @@ def skip_warn() -> None:
 
 
 def error_texts(controller: Controller, texts: Sequence[str]) -> list[str]:
-    """The texts of an error, with the task and the place in the program that asks."""
+    """Texts of an error, with placeholders replaced by the task and the position in the program."""
     place = controller.clock.place
     file_name = PurePath(place.span.file).name
     meant = {
@@ -120,7 +120,7 @@ def reset_retry_count(controller: Controller) -> None:
 
 
 def remaining_retries(controller: ErrorNumbers) -> Num:
-    """How many more retries the ERROR clause may make."""
+    """The number of retries that remain for the ERROR clause."""
     return max(0.0, float(MAX_RETRIES - controller.retries))
 
 
@@ -138,7 +138,8 @@ def raise_to_user(
 ) -> None:
     r"""Pass an error on to the ERROR clause of the first routine whose module is not NOSTEPIN.
 
-    With \Continue that clause would go on inside; a run leaves the routines as with \BreakOff.
+    With \Continue that clause would continue inside the NOSTEPIN routines; a run leaves them as
+    with \BreakOff.
     """
     if not (continue_ or break_off):
         raise rapid_error(ERR_ARGVALERR, r"RaiseToUser needs \Continue or \BreakOff")

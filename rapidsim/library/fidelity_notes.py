@@ -1,4 +1,4 @@
-"""Saying which options of an instruction a run does not heed, and refusing it in UNDO clauses."""
+"""Reports of ignored options, and the rejection of instructions in UNDO clauses."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from rapidsim.language.errors import NotAllowed
 def note_ignored_options(
     controller: FidelityReporter, routine: str, options: Mapping[str, object]
 ) -> None:
-    r"""Report the options that were given and change nothing.
+    r"""Report options that are present but have no effect.
 
     Args:
-        controller: Takes the report.
+        controller: Receives the report.
         routine: The instruction.
-        options: Value by RAPID name, such as `\Corr`; None and FALSE are not given.
+        options: Value by RAPID name, such as `\Corr`; absent if None or False.
     """
     for name, value in options.items():
         if value is not None and value is not False:
@@ -25,7 +25,7 @@ def note_ignored_options(
 
 
 def reject_in_undo(controller: Controller, routine: str) -> None:
-    """Refuse what may not stand in an UNDO clause: whatever moves the robot, and Stop.
+    """Reject an instruction in an UNDO clause: moves of the robot, and Stop.
 
     Source: Technical reference manual RAPID Overview, "UNDO": limitations; of Stop from memory.
     """

@@ -1,7 +1,7 @@
 r"""Files and folders as a whole: copying, renaming, removing, listing, sizes.
 
-Everything stays inside the home folder. The disk is one of 1 GB that holds that folder alone, so
-that free space does not depend on whose computer the run is on.
+Everything stays inside the home folder. The disk is modelled as one of 1 GB that contains only that
+folder, so that free space does not depend on the host computer.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CopyFile",
 "IsFile", "ReadDir", "FSSize" and their like.
@@ -42,12 +42,12 @@ _DISK_NOTE = "a disk of 1 GB that holds the home folder alone"
 
 
 def copy_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Copy a file; the new one must not exist yet."""
+    """Copy a file; the target must not exist."""
     controller.copy_file(old_path, new_path)
 
 
 def rename_file(controller: Files, old_path: String, new_path: String) -> None:
-    """Rename or move a file; there must be none of that name yet."""
+    """Rename or move a file; the target must not exist."""
     controller.rename_file(old_path, new_path)
 
 
@@ -74,7 +74,7 @@ def open_dir(controller: Files, dev: Var[Dir], path: String) -> None:
 
 
 def read_dir(dev: Var[Dir], file_name: InOut[String]) -> Bool:
-    """The next name in an open folder, `.` and `..` first; FALSE when there is none left."""
+    """The next name in an open folder, `.` and `..` first; FALSE after the last."""
     if dev.value is None:
         raise rapid_error(ERR_FILEACC, "the folder is not open; OpenDir comes first")
     if not dev.value:
@@ -98,7 +98,7 @@ def is_file(
     block_spec: Switch = False,
     char_spec: Switch = False,
 ) -> Bool:
-    """Whether a file exists, of the kind that the switch says if there is one."""
+    """Whether a file exists and, if a switch selects a kind, is of that kind."""
     is_regular = controller.file_size(path) is not None
     is_folder = not is_regular and controller.is_folder(path)
     is_there = is_regular or is_folder
@@ -148,7 +148,7 @@ def read_any_bin(
     time: Num | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Read what WriteAnyBin wrote, into data of the same type."""
+    """Read data that WriteAnyBin wrote, into data of the same type."""
     del time
     line = opened_device(io_device).read_line()
     if line is None:

@@ -1,8 +1,8 @@
-r"""When files were written, including those that modules were loaded from.
+r"""Modification times of files, including the files of loaded modules.
 
-Times are virtual, as those of CDate: what a run finds there was written when the run began, and it
-makes no difference whether a time is that of writing, reading or of a change of state. A `num` has
-them to 64 s; \StrDig and the functions that give a `dnum` to the second.
+Times are virtual, as those of CDate: files that exist at the start of a run have the time of that
+start, and modification, access and status times are equal. A `num` resolves them to 64 s; \StrDig
+and the functions that return a `dnum` resolve them to 1 s.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "FileTime",
 "ModTime".

@@ -31,14 +31,16 @@ from rapidsim.library.traits import Trait
 
 _ENCODING = "iso-8859-1"
 END_OF_FILE = "EOF"
-"""What ReadStr gives at the end of a file: the constant EOF."""
+"""Return value of ReadStr at the end of a file: the constant EOF."""
 REMAIN = "REMAIN"
-r"""What \Status of ReadStr becomes where a line is longer than a string; as ABB's own RobotWare 7
-packages compare it."""
+r"""\Status of ReadStr for a line longer than a string.
+
+Source: ABB's own RobotWare 7 packages compare it with this value.
+"""
 END_OF_NUMBERS = single(9.998e36)
-"""What ReadNum gives at the end of a file: the constant EOF_NUM."""
+"""Return value of ReadNum at the end of a file: the constant EOF_NUM."""
 END_OF_BYTES = -1.0
-"""What ReadBin gives at the end of a file: the constant EOF_BIN."""
+"""Return value of ReadBin at the end of a file: the constant EOF_BIN."""
 
 
 def open_(
@@ -52,9 +54,9 @@ def open_(
     append: Switch = False,
     bin_: Switch = False,
 ) -> None:
-    r"""Open a file for writing unless a switch says otherwise; a binary one for appending.
+    r"""Open a file: for writing by default, for appending if binary, or as a switch selects.
 
-    Otherwise binary and text files are the same here: what is written decides.
+    Apart from that, binary and text files do not differ: the write instructions decide the format.
     """
     if io_device.value is not None:
         raise rapid_error(ERR_FILEOPEN, "the device is open already; Close it first")
@@ -65,24 +67,24 @@ def open_(
 
 
 def joined_path(path: str, file: str | None) -> str:
-    r"""A path, and what `\File` names in it."""
+    r"""Path with the part that `\File` adds."""
     return path if file is None else f"{path.rstrip('/')}/{file}"
 
 
 def close(io_device: Var[IoDev]) -> None:
-    """Close a file; one that is not open is not an error."""
+    """Close a file; a file that is not open is no error."""
     if io_device.value is not None:
         io_device.value.close()
         io_device.value = None
 
 
 def rewind(io_device: Var[IoDev]) -> None:
-    """Go back to the beginning of a file."""
+    """Rewind to the beginning of a file."""
     opened_device(io_device).rewind()
 
 
 def clear_io_buff(io_device: Var[IoDev]) -> None:
-    """Discard what a serial line has received, which a file does not have."""
+    """Discard the input buffer of a serial line; has no effect on a file."""
     opened_device(io_device)
 
 
@@ -132,8 +134,8 @@ def read_str(
     r"""The text up to the end of the line or a delimiter; EOF at the end of the file.
 
     A string holds 80 characters; the next call reads the rest of a longer line, and \Status is
-    then "REMAIN". What it is else no source gives: "", and the run says so. \Time limits a wait
-    that a file never causes.
+    then "REMAIN". No source documents its other value: it is "", which the run reports. \Time
+    limits a wait, and a file never causes one.
     """
     del time
     file = opened_device(io_device)
@@ -197,7 +199,7 @@ def read_bin(io_device: Var[IoDev], *, time: Num | None = None) -> Num:
 
 
 def read_str_bin(io_device: Var[IoDev], no_of_chars: Num, *, time: Num | None = None) -> String:
-    """The next characters, as many as asked for; EOF at the end of the file."""
+    """The next characters, at most the number requested; EOF at the end of the file."""
     del time
     count = int(no_of_chars)
     if not 0 <= count <= MAX_STRING:
@@ -207,10 +209,10 @@ def read_str_bin(io_device: Var[IoDev], no_of_chars: Num, *, time: Num | None = 
 
 
 def opened_device(io_device: Reference[OpenFile | None]) -> OpenFile:
-    """The file behind a device.
+    """Open file of a device.
 
     Raises:
-        RapidError: ERR_FILEACC, if it is not open.
+        RapidError: ERR_FILEACC, if the device is not open.
     """
     if io_device.value is None:
         raise rapid_error(ERR_FILEACC, "the device is not open")

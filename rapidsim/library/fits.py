@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from rapidsim.frames.transform import Array
 
 _FLAT_MM = 1e-3
-"""Points that lie closer to a line than this have no plane, and closer to a plane no sphere."""
+"""Tolerance: closer points define a line instead of a plane, or a plane instead of a sphere."""
 _MOST_POINTS = 100
-"""The most points that a circle or a sphere may be fitted to."""
+"""Maximum number of points for a circle or a sphere."""
 
 
 @value_class(frozen=True, slots=True)
@@ -40,7 +40,7 @@ class _Circle:
     normal: Array
     radius: float
     errors: Array
-    """Shape (k,) [mm]: how far each point is from the circle."""
+    """Distances (k,) [mm] of the points from the circle."""
 
 
 def def_acc_frame(
@@ -50,7 +50,7 @@ def def_acc_frame(
     max_err: Var[Num],
     mean_err: Var[Num],
 ) -> Pose:
-    """The frame that takes the positions of the first list to those of the second best.
+    """The frame that best maps the positions of the first list to those of the second.
 
     Raises:
         RapidError: ERR_FRAME for fewer than three positions, or positions on a line.
@@ -154,13 +154,13 @@ def m_tool_tcp_calib(
     max_err: Var[Num],
     mean_err: Var[Num],
 ) -> None:
-    """The tool centre point that is at one place in all four positions; into `tframe.trans`."""
+    """The tool centre point that coincides in all four positions, stored in `tframe.trans`."""
     import numpy as np
 
     flanges = [controller.target_at(one, TOOL0, WOBJ0) for one in (pos1, pos2, pos3, pos4)]
     rotations = np.stack([_rotation(one) for one in flanges])
     places = np.array([one.trans for one in flanges])
-    # R_i t - p = -x_i, for the tool centre point t in the flange and the place p in the base.
+    # R_i t - p = -x_i, for the tool centre point t in the flange and the point p in the base.
     rows = np.concatenate([np.hstack([one, -np.eye(3)]) for one in rotations])
     solution, _, rank, _ = np.linalg.lstsq(rows, -places.reshape(-1), rcond=1e-9)
     if rank < rows.shape[1]:
@@ -178,7 +178,7 @@ def _positions(targets: Sequence[RobTarget], count: float) -> Array:
 
 
 def _fitted(points: Sequence[Pos], count: float | None, least: int) -> Array:
-    """The points that a circle or a sphere is to go through, shape (k, 3)."""
+    """Points (k, 3) to fit a circle or a sphere to."""
     import numpy as np
 
     wanted = len(points) if count is None else count
@@ -191,7 +191,7 @@ def _fitted(points: Sequence[Pos], count: float | None, least: int) -> Array:
 
 
 def _counted(count: float, positions: Sequence[object]) -> int:
-    """The number of positions of a list that are used."""
+    """Number of positions of a list that are used."""
     if not 3 <= count <= len(positions):
         raise rapid_error(
             ERR_FRAME, f"{count:g} positions of a list of {len(positions)}; at least 3"
@@ -200,7 +200,7 @@ def _counted(count: float, positions: Sequence[object]) -> int:
 
 
 def _plane(points: Array, on_line: float = ERR_FRAME) -> tuple[Array, Array]:
-    """Two directions in the plane of points and its normal, as rows (3, 3); the points centred."""
+    """Rows (3, 3): two directions in the plane of points and its normal; and the centred points."""
     import numpy as np
 
     centred = points - points.mean(0)

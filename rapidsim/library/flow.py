@@ -1,4 +1,4 @@
-"""Stopping the program, and what a program asks about the system it runs on.
+"""Instructions that stop the program, and queries of the system that it runs on.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -59,7 +59,7 @@ def op_mode() -> SymNum:
 
 
 def run_mode(*, main: Switch = False) -> SymNum:
-    """How the program runs; a run is continuous."""
+    """The run mode; a run is continuous."""
     del main
     return RUNNING_CONTINUOUSLY
 

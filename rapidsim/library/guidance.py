@@ -1,7 +1,6 @@
-r"""Externally guided motion (EGM): a sensor moves the robot, every few milliseconds.
+r"""Externally guided motion (EGM): a sensor moves the robot every few milliseconds.
 
-Who the sensor is, the controller knows: a program over the network where a run may use it, signals,
-or nobody.
+The controller knows the sensor: a program over the network if the run permits it, signals, or none.
 
 Source: Application manual Externally Guided Motion; Technical reference manual RAPID Instructions,
 Functions and Data types, "EGMActJoint" and its like.
@@ -78,7 +77,7 @@ def egm_get_id(controller: Guidance, egmid: Var[EgmIdent]) -> None:
 
 
 def egm_reset(controller: Guidance, egmid: Var[EgmIdent]) -> None:
-    """End what an identity does and release it."""
+    """Stop the activity of an identity and release it."""
     if egmid.value is not None:
         controller.give_back(egmid.value)
         egmid.value = None
@@ -103,7 +102,7 @@ def egm_setup_uc(
     latr: Switch = False,
     comm_timeout: Num | None = None,
 ) -> None:
-    """Connect an identity with a sensor that talks UDP; without a switch it only listens."""
+    """Connect an identity with a sensor over UDP; without a switch it only receives positions."""
     del mec_unit, aptr, latr
     silence_s = TIMEOUT_S if comm_timeout is None else _positive("CommTimeout", comm_timeout)
     setup = SensorSetup(
@@ -128,7 +127,7 @@ def egm_setup_ai(
     latr: Switch = False,
     **signals: Unpack[AnalogInputs],
 ) -> None:
-    """Let analog inputs guide: of joints [deg], or of a pose [mm, deg]; external axes stay."""
+    """Let analog inputs guide joints [deg] or a pose [mm, deg]; external axes do not move."""
     del mec_unit, aptr, latr
     purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
     _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupAI", signals)
@@ -147,7 +146,7 @@ def egm_setup_ao(
     latr: Switch = False,
     **signals: Unpack[AnalogOutputs],
 ) -> None:
-    """Let analog outputs guide, as EGMSetupAI does inputs."""
+    """Let analog outputs guide, as EGMSetupAI does with inputs."""
     del mec_unit, aptr, latr
     purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
     _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupAO", signals)
@@ -166,7 +165,7 @@ def egm_setup_gi(
     latr: Switch = False,
     **signals: Unpack[GroupInputs],
 ) -> None:
-    """Let group inputs guide, as EGMSetupAI does analog ones."""
+    """Let group inputs guide, as EGMSetupAI does with analog inputs."""
     del mec_unit, aptr, latr
     purpose = _purpose(joint=joint, pose=pose, path_corr=path_corr)
     _guide_by(controller, egmid, ext_config_name, purpose, "EGMSetupGI", signals)
@@ -187,7 +186,7 @@ def egm_act_joint(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[JointBands],
 ) -> None:
-    """Make the sensor's goals joints, with the bands within which they are reached."""
+    """Let the sensor send joint goals, with the bands within which they are reached."""
     del tload
     note_ignored_options(
         controller.fidelity,
@@ -230,7 +229,7 @@ def egm_act_pose(
     max_speed_deviation: Num | None = None,
     **bands: Unpack[PoseBands],
 ) -> None:
-    """Make the sensor's goals poses of the TCP, with their frames and bands."""
+    """Let the sensor send poses of the TCP as goals, with their frames and bands."""
     del tload
     note_ignored_options(
         controller.fidelity,
@@ -318,7 +317,7 @@ def egm_stop(
     *,
     ramp_out_time: Num | None = None,
 ) -> None:
-    """End the guidance: the robot stays where it is, or goes back to where it began."""
+    """End the guidance; the robot stays, or returns to the position where the guidance began."""
     ramp_s = RAMP_S if ramp_out_time is None else _positive("RampOutTime", ramp_out_time)
     controller.end_guidance(
         identity_number(egmid, "EGMStop"), moves_back=mode == RAMP_DOWN, ramp_out_s=ramp_s
@@ -345,7 +344,7 @@ def _guide_by(
     routine_name: str,
     signals: Mapping[str, object],
 ) -> None:
-    """Let signals guide; they are known at any time, so there is no silence."""
+    """Let signals guide; their values are always available, so no communication timeout applies."""
     kind = routine_name[-2:]
     given = {name: signals.get(f"{kind.lower()}_{name}") for name in (*SIGNALS, *EXTERNAL)}
     external = {rf"\{kind.lower()}{name.upper()}": given[name] for name in EXTERNAL}
@@ -356,7 +355,7 @@ def _guide_by(
 
 
 def _name_of(signal: object) -> str:
-    """The signal that an argument means; empty where there is none."""
+    """Name of the signal that an argument refers to; empty without an argument."""
     return "" if signal is None else connected(cast("Reference[Signal]", signal))
 
 
@@ -399,7 +398,7 @@ def _positive(name: str, value: float) -> float:
 
 
 def _exchanged(options: Exchange) -> Mapping[str, object]:
-    """The options whose values a run neither sends to the sensor nor takes from it."""
+    """Options whose values a run does not exchange with the sensor."""
     return {spelled: options.get(name) for name, spelled in _EXCHANGED.items()}
 
 
@@ -411,7 +410,7 @@ _EXCHANGED: Mapping[str, str] = MappingProxyType(
         "data_from_sensor": r"\DataFromSensor",
     }
 )
-"""Not yet on the wire, apart from what EGMActJoint and EGMActPose take from the sensor."""
+"""Options not yet sent on the wire, except the values that EGMActJoint and EGMActPose receive."""
 
 _SOURCE = r"MecUnit EGMid ExtConfigName"
 _PURPOSE = r"\Joint|\Pose|\PathCorr \APTR|\LATR"

@@ -1,4 +1,4 @@
-"""What EGM instructions are given: identity, sample time; bands, switches, signals by the dozen.
+"""Arguments of EGM instructions: identity, sample time, bands, switches and signals.
 
 Source: Application manual Externally Guided Motion.
 """
@@ -36,7 +36,7 @@ POSE_AXES: Final = ("x", "y", "z", "rx", "ry", "rz")
 
 
 class Exchange(TypedDict, total=False):
-    """Data and signals of the program that go to the sensor or come from it."""
+    """Data and signals of the program that are exchanged with the sensor."""
 
     data_to_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
     do_to_sensor: Var[SignalDo]
@@ -44,13 +44,13 @@ class Exchange(TypedDict, total=False):
 
 
 class RunExchange(Exchange, total=False):
-    """The same of EGMRunJoint and EGMRunPose."""
+    """Data and signals that EGMRunJoint and EGMRunPose exchange with the sensor."""
 
     data_from_sensor: Annotated[list[Dnum], ParameterMode.INOUT]
 
 
 class JointBands(Exchange, total=False):
-    """How near each axis is to its goal where it is there [deg]."""
+    """Convergence band [deg] of each axis around its goal."""
 
     j1: EgmMinMax
     j2: EgmMinMax
@@ -62,7 +62,7 @@ class JointBands(Exchange, total=False):
 
 
 class PoseBands(Exchange, total=False):
-    """The same of the TCP [mm, deg]."""
+    """Convergence band [mm, deg] of each direction of the TCP around its goal."""
 
     x: EgmMinMax
     y: EgmMinMax
@@ -73,7 +73,7 @@ class PoseBands(Exchange, total=False):
 
 
 class CorrectedOptions(MoveOptions, total=False):
-    """What EGMMoveL and EGMMoveC may have beside target, speed, zone and tool."""
+    """Options of EGMMoveL and EGMMoveC in addition to target, speed, zone and tool."""
 
     no_corr: Switch
 
@@ -147,7 +147,7 @@ class PoseSwitches(RunExchange, total=False):
 
 
 def identity_number(egmid: Reference[int | None], instruction: str) -> int:
-    """The number that EGMGetId has given."""
+    """Number of an identity that EGMGetId created."""
     if egmid.value is None:
         raise NotAllowed(f"{instruction}: the EGM identity is not there; EGMGetId makes it")
     return egmid.value
@@ -156,7 +156,7 @@ def identity_number(egmid: Reference[int | None], instruction: str) -> int:
 def sample_s(
     milliseconds: float | None, default_ms: float = SAMPLE_MS, step_ms: float = SAMPLE_MS
 ) -> float:
-    """How often a sensor is talked to [s]; SampleRate is a time."""
+    """Sample time [s] of the sensor; SampleRate is a time as well."""
     value = default_ms if milliseconds is None else milliseconds
     if not step_ms <= value <= _LONGEST_SAMPLE_MS or value % step_ms:
         raise rapid_error(

@@ -1,7 +1,7 @@
-"""Independent axes: turntables and the like that turn while the robot does something else.
+"""Independent axes: turntables and similar axes that turn while the robot executes other moves.
 
-Their times are simulated, and what IndInpos and IndSpeed say of them. In path and recording such an
-axis stands where it was, and each run says so.
+Their times and the results of IndInpos and IndSpeed are simulated. In path and recording such an
+axis keeps its position, which each run reports.
 
 Source: Application manual Controller software, "Independent Axes"; Technical reference manual RAPID
 Instructions, Functions and Data types, "IndAMove" to "IndSpeed".
@@ -81,7 +81,7 @@ def ind_d_move(
     *,
     ramp: Num | None = None,
 ) -> None:
-    """Move an independent axis by so much, from where it is."""
+    """Move an independent axis by a distance from its position."""
     moved, _, now_s = _make_independent(controller, "IndDMove", mec_unit, axis)
     moved.move_to(
         moved.position(now_s) + delta,
@@ -99,7 +99,7 @@ def ind_c_move(
     *,
     ramp: Num | None = None,
 ) -> None:
-    """Let an independent axis move on and on, backwards at a negative speed."""
+    """Let an independent axis move continuously, backwards at a negative speed."""
     moved, _, now_s = _make_independent(controller, "IndCMove", mec_unit, axis)
     moved.move_at(speed, _acceleration(moved, ramp), now_s)
 
@@ -116,7 +116,7 @@ def ind_reset(
     bwd: Switch = False,
     old: Switch = False,
 ) -> None:
-    """Let the path move an axis again, which must stand."""
+    """Return an axis, which must be at rest, to the control of the path."""
     del ref_pos, ref_num, short, fwd, bwd, old
     unit, one = _axis(controller, "IndReset", mec_unit, axis)
     now_s = controller.clock.now()
@@ -127,7 +127,7 @@ def ind_reset(
 
 
 def ind_inpos(controller: Controller, mec_unit: Var[MecUnit], axis: Num) -> Bool:
-    """Whether an independent axis stands where it was sent."""
+    """Whether an independent axis has reached its target."""
     return _independent(controller, "IndInpos", mec_unit, axis).is_at_target(controller.clock.now())
 
 
@@ -139,7 +139,7 @@ def ind_speed(
     in_speed: Switch = False,
     zero_speed: Switch = False,
 ) -> Bool:
-    """Whether an independent axis moves at its speed or, with ZeroSpeed, stands."""
+    """Whether an independent axis moves at its speed or, with ZeroSpeed, is at rest."""
     del in_speed
     one = _independent(controller, "IndSpeed", mec_unit, axis)
     now_s = controller.clock.now()
@@ -149,7 +149,7 @@ def ind_speed(
 def _make_independent(
     controller: Controller, name: str, mec_unit: Var[MecUnit], axis: float
 ) -> tuple[IndependentAxis, MechanicalUnitFacts, float]:
-    """The axis, independent from now on; its unit; and what time it is [s]."""
+    """Return the axis, now independent; its unit; and the time [s]."""
     unit, one = _axis(controller, name, mec_unit, axis)
     controller.fidelity.not_simulated(name, _TREATED_AS)
     joints = controller.motion.current_joints()
@@ -163,7 +163,7 @@ def _make_independent(
 def _leave_out(
     controller: Controller, unit: MechanicalUnitFacts, at: int, *, left_out: bool
 ) -> None:
-    """Let targets say nothing about an axis, or say where it goes."""
+    """Exclude an axis from targets, or include it again."""
     if unit.is_robot:
         return
     settings = controller.motion.settings

@@ -1,7 +1,7 @@
 r"""Interrupts: ordering, stopping, removing. CONNECT is a statement of the language.
 
-\SingleSafe orders like \Single, and ISleep refuses such an interrupt; that it also waits while the
-program is stopped has no meaning in a run, which never stops half-way.
+\SingleSafe orders like \Single, and ISleep refuses such an interrupt; its delay while the program
+is stopped has no effect, because a run does not stop between instructions.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -194,7 +194,7 @@ def i_pers(
 
 
 def _keep(controller: Interrupts, interrupt: Reference[float], single_safe: bool) -> None:
-    r"""Let an interrupt that was ordered with \SingleSafe not be put to sleep."""
+    r"""Exempt an interrupt that was ordered with \SingleSafe from ISleep."""
     if single_safe:
         controller.make_safe(interrupt.value)
 
@@ -215,12 +215,12 @@ def i_watch(controller: Interrupts, interrupt: Var[IntNum]) -> None:
 
 
 def i_disable(controller: Interrupts) -> None:
-    """Make all interrupts wait."""
+    """Defer all interrupts."""
     controller.hold_interrupts(hold=True)
 
 
 def i_enable(controller: Interrupts) -> None:
-    """Let interrupts through again, first those that waited."""
+    """Enable interrupts again; deferred ones run first."""
     controller.hold_interrupts(hold=False)
 
 

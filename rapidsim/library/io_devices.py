@@ -1,7 +1,7 @@
 r"""I/O devices and buses: their states, and switching devices on and off.
 
-All run from the start. IODisable takes no time here and never fails; the signals of a device that
-is switched off keep their values.
+All devices run from the start. IODisable takes no time here and never fails; the signals of a
+device that is switched off keep their values.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "IOUnitState",
 "IOBusState", "IODisable", "GetSignalOrigin".

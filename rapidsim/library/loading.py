@@ -1,9 +1,9 @@
-r"""Loading modules: parts of the program that come and go while it runs.
+r"""Loading modules: parts of the program that are added and removed while it runs.
 
-Files are those of the home folder. Loading and saving take no virtual time. `\Dynamic` makes no
-difference within a run: it says what happens to a module when the program pointer is set to main by
-hand, which no run does. Only the program text counts as a change of a module, and no run changes
-it, so that ERR_NOTSAVED does not come up.
+Files are in the home folder. Loading and saving take no virtual time. `\Dynamic` has no effect
+within a run: it concerns modules when an operator sets the program pointer to main, which no run
+does. Only a change of the program text counts as a change of a module, and no run changes it, so
+ERR_NOTSAVED is never raised.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "Load", "UnLoad",
 "StartLoad", "WaitLoad", "CancelLoad", "EraseModule", "CheckProgRef", "Save", "ModExist".
@@ -32,7 +32,7 @@ from rapidsim.library.task_arguments import means_another
 from rapidsim.library.traits import Trait
 
 LARGEST_FILE = 10_000_000
-"""Bytes of one program file; a larger one does not fit into the program memory."""
+"""Maximum size [bytes] of a program file; a larger one exceeds the program memory."""
 
 
 def load(
@@ -59,7 +59,7 @@ def start_load(
     dynamic: Switch = False,
     file: String | None = None,
 ) -> None:
-    """Read a module's file; WaitLoad makes it part of the program, or raises why it cannot."""
+    """Read a module's file; WaitLoad adds it to the program, or raises the error of the attempt."""
     del dynamic
     if load_no.value is not None:
         raise rapid_error(
@@ -80,7 +80,7 @@ def wait_load(
     unload_file: String | None = None,
     check_ref: Switch = False,
 ) -> None:
-    """Unload another module if asked to, then add the module that StartLoad has read."""
+    """Add the module that StartLoad has read, after unloading another one if a path names it."""
     session = _session(load_no.value, ERR_UNKPROC)
     if unload_path is not None:
         with controller.clock.long_work():

@@ -1,6 +1,6 @@
 """Mathematics: numbers, trigonometry in degrees, counters, bits.
 
-What functions of `num` return is rounded where it leaves them (`precision.py`); functions of `dnum`
+Results of functions of `num` are rounded when they return (`precision.py`); functions of `dnum`
 keep double precision.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
@@ -26,16 +26,16 @@ from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Trait
 
 LARGEST_EXACT_DNUM = 4503599627370496.0
-"""2**52: the largest whole number that dnum functions take."""
+"""2**52: the largest whole number that dnum functions accept."""
 
 
 def abs_(value: Num) -> Num:
-    """The value without its sign."""
+    """The absolute value."""
     return abs(value)
 
 
 def abs_dnum(value: Dnum) -> Dnum:
-    """The value without its sign."""
+    """The absolute value."""
     return abs(value)
 
 
@@ -105,32 +105,32 @@ def tan_dnum(angle: Dnum) -> Dnum:
 
 
 def a_sin(value: Num) -> Num:
-    """The angle [deg] in -90..90 whose sine is given."""
+    """The angle [deg] in -90..90 with this sine."""
     return a_sin_dnum(value)
 
 
 def a_sin_dnum(value: Dnum) -> Dnum:
-    """The angle [deg] in -90..90 whose sine is given."""
+    """The angle [deg] in -90..90 with this sine."""
     return math.degrees(math.asin(_within_one(value, "arcsine")))
 
 
 def a_cos(value: Num) -> Num:
-    """The angle [deg] in 0..180 whose cosine is given."""
+    """The angle [deg] in 0..180 with this cosine."""
     return a_cos_dnum(value)
 
 
 def a_cos_dnum(value: Dnum) -> Dnum:
-    """The angle [deg] in 0..180 whose cosine is given."""
+    """The angle [deg] in 0..180 with this cosine."""
     return math.degrees(math.acos(_within_one(value, "arccosine")))
 
 
 def a_tan(value: Num) -> Num:
-    """The angle [deg] in -90..90 whose tangent is given."""
+    """The angle [deg] in -90..90 with this tangent."""
     return math.degrees(math.atan(value))
 
 
 def a_tan_dnum(value: Dnum) -> Dnum:
-    """The angle [deg] in -90..90 whose tangent is given."""
+    """The angle [deg] in -90..90 with this tangent."""
     return math.degrees(math.atan(value))
 
 
@@ -145,22 +145,22 @@ def a_tan2_dnum(y: Dnum, x: Dnum) -> Dnum:
 
 
 def round_(val: Num, *, dec: Num | None = None) -> Num:
-    """The nearest number with so many decimals, halves away from zero."""
+    """The nearest number with `Dec` decimals, halves away from zero."""
     return round_dnum(val, dec=dec)
 
 
 def round_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
-    """The nearest number with so many decimals, halves away from zero."""
+    """The nearest number with `Dec` decimals, halves away from zero."""
     return _to_decimals(val, dec, lambda scaled: math.floor(scaled + 0.5))
 
 
 def trunc(val: Num, *, dec: Num | None = None) -> Num:
-    """The number with its decimals cut off after so many."""
+    """The number truncated to `Dec` decimals."""
     return trunc_dnum(val, dec=dec)
 
 
 def trunc_dnum(val: Dnum, *, dec: Num | None = None) -> Dnum:
-    """The number with its decimals cut off after so many."""
+    """The number truncated to `Dec` decimals."""
     return _to_decimals(val, dec, math.floor)
 
 
@@ -175,7 +175,7 @@ def min_(value1: Num, value2: Num) -> Num:
 
 
 def num_to_dnum(value: Num) -> Dnum:
-    """The same number."""
+    """The number as a dnum, unchanged."""
     return value
 
 

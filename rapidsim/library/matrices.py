@@ -1,6 +1,6 @@
 r"""Systems of equations and factors of matrices, in double precision.
 
-`A` is {m,n}; \A_m and \A_n take its first rows and columns alone.
+`A` is {m,n}; \A_m and \A_n select its first rows and columns.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "MatrixSolve",
 "MatrixSolveQR", "MatrixSVD".
@@ -29,10 +29,10 @@ def matrix_solve(
     a_m: Num | None = None,
     a_n: Num | None = None,
 ) -> None:
-    """Solve A x = b; with more equations than unknowns, with least squares of what is left.
+    """Solve A x = b; with more equations than unknowns, with least squares of the residuals.
 
     Raises:
-        RapidError: ERR_ARRAY_SIZE for sizes that do not fit, ERR_ARGVALERR if there is no one
+        RapidError: ERR_ARRAY_SIZE for sizes that do not fit, ERR_ARGVALERR without a unique
             solution.
     """
     import numpy as np
@@ -92,7 +92,7 @@ def matrix_svd(
 
 
 def _matrix(a: list[list[float]], a_m: float | None, a_n: float | None) -> Array:
-    """The rows and columns that are wanted, shape (m, n)."""
+    """Selected rows and columns of a matrix, shape (m, n)."""
     import numpy as np
 
     rows, columns = len(a), len(a[0])
@@ -104,7 +104,7 @@ def _matrix(a: list[list[float]], a_m: float | None, a_n: float | None) -> Array
 
 
 def _fill(target: list[list[float]], matrix: Array, name: str) -> None:
-    """Put a matrix into the first rows and columns of an array."""
+    """Copy a matrix into the first rows and columns of an array."""
     rows, columns = matrix.shape
     if len(target) < rows or len(target[0]) < columns:
         raise rapid_error(

@@ -1,6 +1,6 @@
-r"""Mechanical units: which there are, and where their axes are.
+r"""Mechanical units: their names, and the positions of their axes.
 
-A robot of a run has no motors: torques are 0, and the run says so.
+A robot of a run has no motors: torques are 0, which the run reports.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetNextMechUnit",
 "GetMecUnitName", "GetJointData".
@@ -75,7 +75,7 @@ def get_joint_data(
     torque: Var[Num] | None = None,
     ext_torque: Var[Num] | None = None,
 ) -> None:
-    """Where an axis is [deg or mm] and how fast it turns; its torques are not simulated."""
+    """The position [deg or mm] and speed of an axis; its torques are not simulated."""
     unit = unit_named(controller, mech_unit)
     if not 1 <= axis <= len(unit.axes):
         raise rapid_error(
@@ -99,7 +99,7 @@ def _of_axis(joints: JointTarget, unit: MechanicalUnitFacts, at: int) -> float:
 def unit_named(
     controller: Controller, reference: Reference[object] | None, parameter: str = "mechunit"
 ) -> MechanicalUnitFacts:
-    """The unit that an argument means; the robot where it is not given."""
+    """Mechanical unit that an argument names; the robot without an argument."""
     units = controller.equipment.mechanical_units()
     name = _THE_ROBOT
     if reference is not None:
@@ -114,7 +114,7 @@ def unit_named(
 def system_unit_named(
     controller: Controller, reference: Reference[object], parameter: str = "mechunit"
 ) -> MechanicalUnitFacts:
-    """The unit of any task that an argument names; without axes if no task has it."""
+    """Unit of any task that an argument names; without axes if no task has it."""
     own = unit_named(controller, reference, parameter)
     wanted = own.name.lower()
     units = (unit for unit in controller.equipment.system_units() if unit.name.lower() == wanted)

@@ -1,13 +1,13 @@
 r"""RAPID message queues: messages between tasks, by interrupts or in turn.
 
 A task takes messages in interrupt mode or in synchronous mode; an instruction of the other mode
-stops the program. Where neither SYS.cfg nor the station file says which, both work, and the first
-use of RMQReadWait says so. \Index is not heeded.
+stops the program. If neither SYS.cfg nor the station file selects the mode, both work, which the
+first use of RMQReadWait reports. \Index has no effect.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "RMQFindSlot",
 "RMQSendMessage", "RMQSendWait", "RMQGetMessage", "RMQGetMsgHeader", "RMQGetMsgData",
-"RMQReadWait", "RMQEmptyQueue", "IRMQMessage". That RMQSendWait takes the next message of the type
-from the slot it has sent to as the answer is our reading.
+"RMQReadWait", "RMQEmptyQueue", "IRMQMessage". No source states that RMQSendWait takes the next
+message of the type from the slot that it sent to as the answer; this is our interpretation.
 """
 
 from __future__ import annotations
@@ -195,7 +195,7 @@ def i_rmq_message(
 
 
 def _require(controller: Controller, name: str, *, synchronous: bool, in_trap: bool) -> None:
-    """Stop where a controller does: in the wrong mode, or on the wrong level."""
+    """Stop as a controller does if the mode or the execution level is wrong."""
     mode = controller.messages.is_synchronous
     if mode is not None and mode != synchronous:
         is_mode = "synchronous" if mode else "interrupt"
@@ -227,7 +227,7 @@ def _kind(data: Annotated[Any, "data"], of: Type) -> MessageKind:
 
 
 def _element(of: Type) -> Atomic | Record:
-    """A type behind aliases, without array dimensions."""
+    """Element type behind aliases and array dimensions."""
     found = resolved(of)
     return _element(found.element) if isinstance(found, ArrayOf) else found
 
@@ -240,12 +240,12 @@ def _has_value(of: Type) -> bool:
 
 
 def _value_of(data: Any) -> Any:
-    """What a reference refers to; an array is its own, but for that of a constant."""
+    """Value that a reference refers to; an array is its own value, unless it is a constant."""
     return data if isinstance(data, list) else data.value
 
 
 def _copy(value: Any) -> Any:
-    """A value that shares nothing that can change."""
+    """Copy of a value that shares no mutable data."""
     return [_copy(one) for one in value] if isinstance(value, list) else value
 
 

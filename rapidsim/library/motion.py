@@ -1,10 +1,10 @@
-r"""Move instructions: they make a `Move` of their arguments and give it to the controller.
+r"""Move instructions: they build a `Move` from their arguments and pass it to the controller.
 
-All moves are made here (`build_move`), also those of other chapters, which do more on their way.
+`build_move` builds all moves, including the moves of other chapters with additional effects.
 
-Program displacement and offsets of external axes are applied here, so that the controller sees
-targets in the work object. \V, \T and \Z replace what speed and zone say; \Inpos makes any zone a
-stop point, with the times it gives.
+Program displacement and offsets of external axes are applied here, so that the controller receives
+targets in the work object. \V, \T and \Z override the speed and zone data; \Inpos turns any zone
+into a stop point with its times.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "MoveAbsJ",
 "MoveC", "MoveExtJ", "MoveJ", "MoveL". That \Z scales the whole zone is our reading of "zonedata".
@@ -40,7 +40,7 @@ from rapidsim.library.traits import NO_TRAITS, Trait
 
 
 class MoveOptions(TypedDict, total=False):
-    """What a move may have beside target, speed, zone and tool."""
+    """Options of a move in addition to target, speed, zone and tool."""
 
     cir_point: RobTarget
     conc: Switch
@@ -67,18 +67,18 @@ def build_move(
     options: MoveOptions,
     sync_id: float | None = None,
 ) -> Move:
-    """The move that an instruction asks for; options that change nothing are reported.
+    r"""Build the move of an instruction; options without effect are reported.
 
     Args:
-        controller: Of the task.
+        controller: Controller of the task.
         name: The instruction.
-        interpolation: How it moves.
-        to: The target as the program gives it; axis positions with the offsets that count for them.
-        speed: Without its option.
-        zone: Likewise.
-        tool: None where the instruction has none: then tool and work object in force count.
-        options: All others that were given.
-        sync_id: What the instruction makes of its option to move in step with other robots.
+        interpolation: Interpolation of the move.
+        to: The target as programmed; axis positions with the offsets that apply to them.
+        speed: Speed data before \V is applied.
+        zone: Zone data before \Z is applied.
+        tool: None if the instruction has none: the active tool and work object apply.
+        options: The remaining optional arguments.
+        sync_id: The ID of the move for synchronized motion, from the option of the instruction.
     """
     reject_in_undo(controller, name)
     left_out = {
@@ -118,7 +118,7 @@ def build_move(
 
 
 def move(name: str, interpolation: Interpolation) -> Callable[..., None]:
-    """The body of a move to a pose that does nothing else."""
+    """Build the function of a move to a pose without further effects."""
 
     def body(
         controller: Controller,
@@ -161,7 +161,7 @@ def move_ext_j(
     zone: ZoneData,
     **options: Unpack[MoveOptions],
 ) -> None:
-    """Move the external axes only; the robot stays where it is on them."""
+    """Move the external axes only; the robot keeps its position on them."""
     to = with_offsets(controller.motion, to_joint_pos, wanted=options.get("use_eoffs", False))
     how, sync_id = Interpolation.EXTERNAL_AXES, options.pop("id_", None)
     controller.motion.move(
@@ -170,13 +170,13 @@ def move_ext_j(
 
 
 def with_offsets(controller: Motion, to: JointTarget, *, wanted: bool) -> JointTarget:
-    """Axis positions as the program gives them, with the offsets of external axes if wanted."""
+    """Programmed axis positions, with the offsets of external axes if wanted."""
     offsets = controller.settings.axis_offsets if wanted else None
     return JointTarget(to.robax, with_axis_offsets(to.extax, offsets))
 
 
 def _stop(controller: FidelityReporter, inpos: StopPointData | None) -> StopTime | None:
-    r"""What \Inpos asks for beside the stop itself."""
+    r"""Waiting times that \Inpos requests at the stop point; None if it requests none."""
     if inpos is None:
         return None
     match inpos.type:
@@ -190,12 +190,12 @@ def _stop(controller: FidelityReporter, inpos: StopPointData | None) -> StopTime
 
 
 def _speed(speed: SpeedData, v: float | None) -> SpeedData:
-    r"""The speed of a move, with \V in it."""
+    r"""Speed data of a move with \V applied."""
     return speed if v is None else SpeedData(v, *speed[1:])
 
 
 def _zone(zone: ZoneData, z: float | None, inpos: StopPointData | None) -> ZoneData:
-    r"""The zone of a move, with \Z and \Inpos in it."""
+    r"""Zone data of a move with \Z and \Inpos applied."""
     if inpos is not None:
         zone = ZoneData(True, *zone[1:])
     if z is None:
@@ -215,7 +215,7 @@ PLAIN_MOVES: Mapping[Interpolation, str] = MappingProxyType(
         Interpolation.CIRCLE: "MoveC",
     }
 )
-"""The instruction that moves so and does nothing else."""
+"""Plain move instruction by interpolation."""
 _WAYS: Mapping[str, tuple[Interpolation, str]] = MappingProxyType(
     {
         "J": (Interpolation.JOINT, "Move all axes together to a pose"),
@@ -223,7 +223,7 @@ _WAYS: Mapping[str, tuple[Interpolation, str]] = MappingProxyType(
         "C": (Interpolation.CIRCLE, "Move the TCP on an arc through a circle point to a pose"),
     }
 )
-"""By the letter in an instruction's name."""
+"""Interpolation and description by the letter in an instruction's name."""
 
 
 def move_variants(
@@ -235,16 +235,16 @@ def move_variants(
     does: Trait = NO_TRAITS,
     treated_as: str | None = None,
 ) -> Iterator[LibraryRoutine]:
-    r"""The rows of an instruction that moves to a pose, one a way to move.
+    r"""Yield the rows of an instruction that moves to a pose, one per interpolation.
 
     Args:
-        name: With `*` for the letter of the way, as in `Move*DO`.
-        body_of: Makes the function, of the name and the way.
-        order: That of the move on a line; an arc has a CirPoint more, a joint move no \Corr.
-        suffix: What it does beside, to stand after how it moves.
+        name: Name with `*` for the letter of the interpolation, as in `Move*DO`.
+        body_of: Builds the function from the name and the interpolation.
+        order: Parameters of the linear move; an arc adds CirPoint, a joint move has no \Corr.
+        suffix: Suffix of the description: what the move does in addition.
         interpolations: The letters.
-        does: The same for whoever asks, on all ways.
-        treated_as: What is done instead, where they are not simulated with all they do.
+        does: Traits of all variants.
+        treated_as: The replacement, if the instructions are not simulated completely.
     """
     for letter in interpolations:
         own = name.replace("*", letter)

@@ -1,4 +1,4 @@
-r"""Motion settings: what VelSet, AccSet, ConfL and their like change until PP to main.
+r"""Motion settings that VelSet, AccSet, ConfL and similar instructions change until PP to main.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -55,9 +55,9 @@ def vel_set(controller: Motion, override: Num, max_: Num) -> None:
 
 
 def acc_set(controller: Motion, acc: Num, ramp: Num, *, fine_point_ramp: Num | None = None) -> None:
-    """Reduce acceleration and its rise [%]; the controller goes no lower than 20 and 10.
+    """Reduce acceleration and its rise [%]; the controller's minimum is 20 and 10.
 
-    At stop points the rise is that of both ramps together, Ramp times FinePointRamp.
+    At stop points both ramps apply to the rise: Ramp times FinePointRamp.
     """
     if not (0.0 < acc <= 100.0 and 0.0 < ramp <= 100.0):
         raise NotAllowed(f"AccSet {acc:g},{ramp:g}: both must be greater than 0 and at most 100")
@@ -71,9 +71,9 @@ def acc_set(controller: Motion, acc: Num, ramp: Num, *, fine_point_ramp: Num | N
 
 
 def speed_refresh(controller: Controller, override: Num) -> None:
-    """Scale the speed of the moves to come [%]; those under way keep theirs, and the run says so.
+    """Scale the speed [%] of later moves; active moves keep their speed, which the run reports.
 
-    Beside VelSet, as the operator's override.
+    It multiplies with VelSet, as the operator's override does.
     """
     if not 0.0 <= override <= 100.0:
         raise rapid_error(
@@ -126,7 +126,7 @@ def _require_limit(name: str, speed: float) -> None:
 
 
 def path_resol(controller: Controller, path_sample_time: Num) -> None:
-    """Change how finely the path is computed: can be read back, without effect."""
+    """Change the sample time of path planning: can be read back, without effect."""
     _without_effect(controller, "PathResol", "the path is exact")
     controller.motion.settings = replace(
         controller.motion.settings, path_resolution_percent=path_sample_time
@@ -190,7 +190,7 @@ def cir_path_mode(
     wrist46: Switch = False,
     wrist56: Switch = False,
 ) -> None:
-    r"""Choose how the tool turns on arcs, or which two wrist axes lead them; else \PathFrame."""
+    r"""Choose the reorientation on arcs, or two wrist axes for it; \PathFrame by default."""
     del path_frame
     chosen = {
         CirclePathMode.OBJECT_FRAME: object_frame,
@@ -249,7 +249,7 @@ def act_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
 
 
 def deact_unit(controller: Controller, mech_unit: Var[MecUnit]) -> None:
-    """Deactivate a mechanical unit: its axes stay where they are."""
+    """Deactivate a mechanical unit: its axes keep their position."""
     name = _unit_name(controller.clock)
     inactive = controller.motion.settings.inactive_units | {name}
     controller.motion.settings = replace(controller.motion.settings, inactive_units=inactive)
@@ -268,9 +268,9 @@ def _unit_name(controller: ClockService) -> str:
 
 
 def grip_load(controller: Controller, load: Pers[LoadData]) -> None:
-    """Tell the controller the load in the gripper.
+    """Set the load in the gripper.
 
-    It slows accelerations as far as the motion model says; by default loads change nothing.
+    It reduces accelerations as far as the motion model depends on loads; by default it does not.
     """
     controller.motion.settings = replace(
         controller.motion.settings,

@@ -1,7 +1,7 @@
 """The named numbers of RobotWare: type, the number of the first name, names in order.
 
-ABB publishes few of the numbers; where it does they are those, and the others keep the order in
-which the manuals list the names.
+ABB publishes few of the numbers; those are used, and the others follow the order in which the
+manuals list the names.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "Data types";
 application manuals of the options; "iounit_state" and "busstate" as programs compare with them.
@@ -70,7 +70,7 @@ _SYSTEM = (
     ("tsp_status", 16, "TSP_SEMISTATIC_CHECKED"),
 )
 _OPTIONS = (
-    # Programs have data called `speed` without meaning this one.
+    # Programs have unrelated data with the name `speed`.
     ("testsignal", 1, "resolver_angle"),
     ("testsignal", 4, "speed_ref"),
     ("testsignal", 6, "speed"),
@@ -98,7 +98,7 @@ _OPTIONS = (
     ("css_offset_dir", 1, "CSS_POSX CSS_NEGX CSS_POSY CSS_NEGY CSS_POSZ CSS_NEGZ"),
     ("css_soft_dir", 1, "CSS_X CSS_Y CSS_Z CSS_XY CSS_XZ CSS_YZ CSS_XYZ CSS_XYRZ CSS_ARM_ANGLE"),
     ("css_ref_frame", 0, "CSS_REFFRAME_TOOL CSS_REFFRAME_WOBJ"),
-    # What happens while a process of the Continuous Application Platform runs.
+    # Events of a process of the Continuous Application Platform.
     ("num", 0, "CAP_START START_PRE PRE_STARTED START_MAIN MAIN_STARTED STOP_WEAVESTART"),
     ("num", 6, "WEAVESTART_REGAIN MOTION_DELAY STARTSPEED_TIME MAIN_MOTION MOVE_STARTED RESTART"),
     ("num", 12, "NEW_INSTR AT_POINT AT_RESTARTPOINT LAST_SEGMENT PROCESS_END_POINT END_MAIN"),
@@ -115,6 +115,6 @@ ENUMERATIONS: tuple[tuple[str, int, str], ...] = (
     *_SYSTEM,
     *_OPTIONS,
 )
-"""Type, the number of the first name, the names with numbers from there on."""
+"""Type, the number of the first name, and the names, numbered consecutively from it."""
 OF_OPTIONS = frozenset(name.lower() for _, _, names in _OPTIONS for name in names.split())
-"""Folded; a controller without the option does not have them."""
+"""Folded names that only a controller with the option has."""

@@ -1,7 +1,7 @@
-r"""The FlexPendant: writing lines, asking for numbers, keys and texts.
+r"""The FlexPendant: writing lines, and asking for numbers, keys and texts.
 
-A question is answered from the run's answers at once. Where nobody answers, it is a default with a
-warning, or what `questions` says where the question has an end of its own.
+The answers of the run answer a question at once. Without an answer the result is a default with a
+warning, or the outcome that `questions` defines for a question with an end condition.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -91,7 +91,7 @@ def _read_number(
     prompt: str,
     breaks: QuestionBreakOptions,
 ) -> None:
-    """The number stays what it was where nobody gives one."""
+    """Ask for a number; it keeps its value without an answer."""
 
     def ask(ends: bool) -> float | None:
         return controller.operator.ask_number(prompt, ends=ends)
@@ -106,7 +106,7 @@ def option_text(
     orient: Orient | None,
     dnum: float | None,
 ) -> str:
-    r"""The text of the one value that TPWrite and Write take after their text; "" without."""
+    r"""Text of the one value that TPWrite and Write append to their text; "" without a value."""
     if num is not None:
         return number_text(num)
     if bool_ is not None:

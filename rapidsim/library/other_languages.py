@@ -1,4 +1,4 @@
-"""Words of other robot languages, or that look like RAPID, and what RAPID calls the same."""
+"""Words of other robot languages or similar to RAPID's, with the corresponding RAPID words."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ _OF_OTHER_LANGUAGES: Mapping[str, str] = MappingProxyType(
         "currentpos": "CRobT",
     }
 )
-"""By folded word, RAPID's routine for the same."""
+"""Corresponding RAPID routine by folded word."""
 
 
 def rapid_word_for(key: str) -> str | None:
-    """RAPID's routine for a folded word that it does not have; None if unknown."""
+    """Return RAPID's routine for a folded foreign word; None if unknown."""
     return _OF_OTHER_LANGUAGES.get(key)
 
 
@@ -69,11 +69,11 @@ _OPTIONS: Mapping[str, tuple[str, ...]] = MappingProxyType(
         **dict.fromkeys(("concurrent", "async", "asynchronous"), ("conc",)),
     }
 )
-"""By folded word, the options that may be meant by it."""
+"""Folded options that may be intended, by folded word."""
 
 
 def option_for(key: str, names: Collection[str]) -> str | None:
-    r"""The option of a routine that a folded word means, as it is written, such as `\WObj`.
+    r"""Return the option of a routine for a folded foreign word, such as `\WObj`; else None.
 
     Args:
         key: The word.

@@ -32,7 +32,7 @@ from rapidsim.library.traits import Trait
 
 
 class GroupValue(MoveOptions, total=False):
-    """The value of a group, as one or the other number."""
+    """Value of a group, as a num or a dnum."""
 
     value: Num
     d_value: Dnum

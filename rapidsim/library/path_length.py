@@ -1,7 +1,7 @@
 """The counter of the path that the TCP travels.
 
-PP to main begins with the counter off and at 0. Unverified: no source says what a controller does
-with it there.
+At PP to main the counter is off and 0. Unverified: no source documents the state of a controller's
+counter there.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathLengthGet",
 "PathLengthReset", "PathLengthStart", "PathLengthStop".
@@ -16,7 +16,7 @@ from rapidsim.library.traits import Trait
 
 
 def path_length_get(controller: PathLength) -> Num:
-    """The length [mm] that the TCP has travelled while the counter was on, with corners cut."""
+    """The length [mm] that the TCP has travelled while the counter was on, along corner paths."""
     return controller.length()
 
 

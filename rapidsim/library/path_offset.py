@@ -1,10 +1,10 @@
-r"""The offset of a path with \Corr: what all correction generators add, in path coordinates.
+r"""Path offset of moves with \Corr: the sum of all correction generators, in path coordinates.
 
-x is along the path, y the cross product of the tool's z and x, z that of x and y. What is connected
-when the instruction executes moves the end of the path, and the circle point of an arc; the path
-begins where the one before it ended. A controller heeds what is written while the robot is under
-way as well, and lets it in through a filter: neither is simulated, and moves that are offset say
-so.
+x is along the path, y the cross product of the tool's z and x, z that of x and y. The generators
+connected when the instruction executes shift the end of the path, and the circle point of an arc;
+the path begins at the end of the previous one. A controller also applies corrections that are
+written while the robot moves, through a filter: neither is simulated, which moves with an offset
+report.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CorrCon".
 """
@@ -21,13 +21,13 @@ from rapidsim.language.data import Pos, RobTarget, ToolData, WobjData
 from rapidsim.library.poses import normalised, single_pos
 
 _LEAST_MM = 1e-3
-"""Shorter than this nothing has a direction."""
+"""Length [mm] below which a vector has no direction."""
 _LEAST_SINE = 1e-6
-"""A tool that points along its path does not say which way y is."""
+"""Sine below which the tool points along its path, so that y is undefined."""
 
 
 def sum_of(corrections: dict[int, Pos]) -> Vector:
-    """What all generators correct together [mm]."""
+    """Sum [mm] of the corrections of all generators."""
     x, y, z = zip(*corrections.values(), strict=True)
     return (math.fsum(x), math.fsum(y), math.fsum(z))
 
@@ -39,14 +39,14 @@ def offset(
     tool: ToolData,
     wobj: WobjData,
 ) -> tuple[RobTarget, RobTarget | None]:
-    """End and circle point of a path, moved by what the generators correct.
+    """Shift the end and the circle point of a path by the corrections of the generators.
 
     Args:
-        controller: Knows the generators, and where the programmed path begins.
+        controller: Provides the generators and the start of the programmed path.
         to: The programmed end, in the object frame.
-        circle_point: Likewise, of an arc.
-        tool: Of the move.
-        wobj: Likewise.
+        circle_point: The programmed circle point of an arc, in the object frame.
+        tool: Tool of the move.
+        wobj: Work object of the move.
     """
     way = sum_of(controller.corrections)
     start = controller.programmed_end(tool, wobj).trans
@@ -57,7 +57,7 @@ def offset(
 
 
 def _moved(point: RobTarget, tangent: Vector, way: Vector) -> RobTarget:
-    """A point moved in path coordinates; where it stands if path or tool say no direction."""
+    """Shift a point in path coordinates; unchanged if path or tool define no direction."""
     if length(tangent) < _LEAST_MM:
         return point
     x = scaled(tangent, 1.0 / length(tangent))
@@ -72,12 +72,12 @@ def _moved(point: RobTarget, tangent: Vector, way: Vector) -> RobTarget:
 
 
 def _tangents(start: Vector, via: Vector, end: Vector) -> tuple[Vector, Vector]:
-    """Along an arc through three points: at the second and at the third."""
+    """Tangents of an arc through three points, at the second and at the third."""
     to_start, to_via = minus(start, end), minus(via, end)
     normal = crossed(to_start, to_via)
     if length(normal) < _LEAST_MM * length(to_start):
         return minus(via, start), minus(end, via)
-    # The centre of the circle, seen from its end.
+    # The centre of the circle, relative to its end.
     mixed = minus(scaled(to_via, dot(to_start, to_start)), scaled(to_start, dot(to_via, to_via)))
     centre = scaled(crossed(mixed, normal), 0.5 / dot(normal, normal))
     return crossed(normal, minus(to_via, centre)), crossed(normal, scaled(centre, -1.0))

@@ -1,4 +1,4 @@
-"""The path recorder: moving back along the path that was made, and forward again.
+"""The path recorder: moving back along the executed path, and forward again.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "PathRecStart",
 "PathRecStop", "PathRecMoveBwd", "PathRecMoveFwd", "PathRecValidBwd", "PathRecValidFwd".
@@ -15,7 +15,7 @@ from rapidsim.library.traits import Trait
 
 
 def path_rec_start(controller: PathRecorder, id_: Var[PathRecId]) -> None:
-    """Record the path from here on; the identifier marks this place."""
+    """Record the path from here on; the identifier marks this position."""
     id_.value = controller.start_recording()
 
 
@@ -31,7 +31,7 @@ def path_rec_move_bwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Move back along the recorded path, to an identifier or to where the recorder was started."""
+    """Move back along the recorded path, to an identifier or to the start of the recording."""
     controller.move_backward(_number(id_), tool_offs, speed)
 
 
@@ -42,22 +42,22 @@ def path_rec_move_fwd(
     tool_offs: Pos | None = None,
     speed: SpeedData | None = None,
 ) -> None:
-    """Move forward again, to an identifier or to where PathRecMoveBwd began."""
+    """Move forward again, to an identifier or to the start of PathRecMoveBwd."""
     controller.move_forward(_number(id_), tool_offs, speed)
 
 
 def path_rec_valid_bwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
-    """Whether PathRecMoveBwd can move back to there."""
+    """Whether PathRecMoveBwd can move back to an identifier."""
     return controller.can_move_backward(_number(id_))
 
 
 def path_rec_valid_fwd(controller: PathRecorder, *, id_: Var[PathRecId] | None = None) -> Bool:
-    """Whether PathRecMoveFwd can move forward to there."""
+    """Whether PathRecMoveFwd can move forward to an identifier."""
     return controller.can_move_forward(_number(id_))
 
 
 def _number(identifier: Reference[int | None] | None) -> int | None:
-    """The number of a place; 0, which none has, for an identifier that nobody has set."""
+    """Number of a recorded position; 0, which is never used, for an unset identifier."""
     return None if identifier is None else identifier.value or 0
 
 

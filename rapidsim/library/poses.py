@@ -1,6 +1,6 @@
-"""Frames and vectors as plain tuples: what the position functions compute with.
+"""Frames and vectors as plain tuples, on which the position functions compute.
 
-Nothing is rounded until a value goes back to the program.
+Rounding happens only when a value returns to the program.
 """
 
 from __future__ import annotations
@@ -13,42 +13,42 @@ from rapidsim.language.error_numbers import ERR_ILLQUAT, rapid_error
 from rapidsim.language.single_precision import single
 
 ILLEGAL_NORM_ERROR = 0.1
-"""How far from 1 the length of a quaternion may be for functions to compute with it."""
+"""Tolerance for the length of a quaternion, as its deviation from 1."""
 
 
 def composed(a_from_b: Pose, b_from_c: Pose) -> Pose:
-    """a_from_c, not rounded."""
+    """Compose two frames to a_from_c, without rounding."""
     rotation = unit(a_from_b.rot)
     trans = plus(a_from_b.trans, quaternion.rotate(rotation, b_from_c.trans))
     return Pose(Pos(*trans), Orient(*quaternion.multiply(rotation, unit(b_from_c.rot))))
 
 
 def inverted(a_from_b: Pose) -> Pose:
-    """b_from_a, not rounded."""
+    """Invert a frame to b_from_a, without rounding."""
     back = quaternion.conjugate(unit(a_from_b.rot))
     return Pose(Pos(*scaled(quaternion.rotate(back, a_from_b.trans), -1.0)), Orient(*back))
 
 
 def rounded(pose: Pose) -> Pose:
-    """The frame with all numbers rounded to single."""
+    """The frame with all numbers rounded to single precision."""
     return Pose(single_pos(pose.trans), single_orient(pose.rot))
 
 
 def unit(rotation: Orient) -> Quaternion:
-    """An orientation, normalised: its digits are rounded.
+    """Normalise an orientation, whose digits are rounded.
 
     Raises:
-        RapidError: ERR_ILLQUAT, if its length is not about 1.
+        RapidError: ERR_ILLQUAT, if its length deviates from 1 by more than the tolerance.
     """
     require_unit(rotation)
     return normalised(rotation)
 
 
 def require_unit(rotation: Orient) -> None:
-    """Refuse a quaternion that is no orientation.
+    """Check that a quaternion is an orientation.
 
     Raises:
-        RapidError: ERR_ILLQUAT, if its length is not about 1.
+        RapidError: ERR_ILLQUAT, if its length deviates from 1 by more than the tolerance.
     """
     length = quaternion.norm(rotation)
     if abs(length - 1.0) > ILLEGAL_NORM_ERROR:
@@ -59,10 +59,10 @@ def require_unit(rotation: Orient) -> None:
 
 
 def normalised(rotation: Orient) -> Quaternion:
-    """An orientation with unit length, whatever length it had.
+    """Normalise an orientation of any length.
 
     Raises:
-        RapidError: ERR_ILLQUAT, if it is all zero, as in a target nobody taught.
+        RapidError: ERR_ILLQUAT, if it is all zero, as in a target that was never taught.
     """
     if quaternion.norm(rotation) < 1e-6:
         raise rapid_error(
@@ -73,13 +73,13 @@ def normalised(rotation: Orient) -> Quaternion:
 
 
 def single_pos(vector: Vector) -> Pos:
-    """A vector as a position, rounded."""
+    """A vector as a position, rounded to single precision."""
     x, y, z = vector
     return Pos(single(x), single(y), single(z))
 
 
 def single_orient(q: Quaternion) -> Orient:
-    """A quaternion as an orientation, rounded."""
+    """A quaternion as an orientation, rounded to single precision."""
     q1, q2, q3, q4 = q
     return Orient(single(q1), single(q2), single(q3), single(q4))
 

@@ -1,4 +1,4 @@
-r"""Positions and frames: displacing, composing, asking where the robot is.
+r"""Positions and frames: displacing, composing and mirroring them.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types. The order of
 RelTool's rotations (x, then the new y, then the new z) is the customary reading of its text.
@@ -63,7 +63,7 @@ def orient_zyx(z_angle: Num, y_angle: Num, x_angle: Num) -> Orient:
 def euler_zyx(rotation: Orient, *, x: Switch = False, y: Switch = False, z: Switch = False) -> Num:
     """One of the angles [deg] of `orient_zyx`; y is within -90..90.
 
-    With y at 90 or -90 only the sum or difference of the others counts; then x is 0.
+    With y at 90 or -90 only the sum or difference of the others is defined; then x is 0.
     """
     if not (x or y or z):
         raise rapid_error(ERR_ARGVALERR, r"EulerZYX needs one of \X, \Y and \Z")
@@ -75,7 +75,8 @@ def euler_zyx(rotation: Orient, *, x: Switch = False, y: Switch = False, z: Swit
     cosine = math.hypot(along_x, along_y)
     if y:
         return math.degrees(math.atan2(sine, cosine))
-    # Singles carry 7 digits: a cosine below this is 0 with the noise of its components.
+    # Single precision has 7 digits: a cosine below this is 0 apart from the rounding of its
+    # components.
     if cosine < 1e-6:
         turned = math.atan2(-2.0 * (q2 * q3 - q1 * q4), 1.0 - 2.0 * (q2 * q2 + q4 * q4))
         return 0.0 if x else math.degrees(turned)
@@ -90,17 +91,17 @@ def n_orient(rotation: Orient) -> Orient:
 
 
 def pose_mult(pose1: Pose, pose2: Pose) -> Pose:
-    """The second frame, given in the first, in the first's reference: a_from_b b_from_c."""
+    """The composition of two frames: a_from_b b_from_c, the second relative to the first."""
     return rounded(composed(pose1, pose2))
 
 
 def pose_inv(pose: Pose) -> Pose:
-    """The reference seen from the frame: b_from_a of a_from_b."""
+    """The inverse of a frame: b_from_a of a_from_b."""
     return rounded(inverted(pose))
 
 
 def pose_vect(pose: Pose, pos: Pos) -> Pos:
-    """A position given in a frame, in the frame's reference [mm]."""
+    """A position [mm] in a frame, transformed to the frame's reference."""
     return Pos(*plus(pose.trans, quaternion.rotate(unit(pose.rot), pos)))
 
 
@@ -117,7 +118,7 @@ def def_frame(
     reach = length(along)
     aside = crossed(along, minus(p3, p1))
     area = length(aside)
-    # The angle between the two arms decides, not the area: 1e-4 rad is what singles can tell.
+    # The test uses the angle of the two arms, not the area: single precision resolves 1e-4 rad.
     if reach == 0.0 or area <= 1e-4 * reach * length(minus(p3, p1)):
         raise rapid_error(ERR_FRAME, "the three points lie on one line and define no frame")
     x_axis = scaled(along, 1.0 / reach)
@@ -143,7 +144,7 @@ def def_d_frame(
     new_p2: RobTarget,
     new_p3: RobTarget,
 ) -> Pose:
-    """The displacement that takes three old points to three new ones."""
+    """The displacement that maps three old points to three new ones."""
     old, new = def_frame(old_p1, old_p2, old_p3), def_frame(new_p1, new_p2, new_p3)
     return rounded(composed(new, inverted(old)))
 
@@ -157,8 +158,8 @@ def mir_pos(
 ) -> RobTarget:
     r"""A target mirrored in the xy plane of a work object.
 
-    A mirrored tool frame is left-handed; turning its x axis round (with \MirY its y axis) makes it
-    a frame again.
+    A mirrored tool frame is left-handed; inverting its x axis (with \MirY its y axis) makes it
+    right-handed again.
     """
     object_ = WOBJ0 if wobj is None else wobj
     world_from_object = composed(object_.uframe, object_.oframe)

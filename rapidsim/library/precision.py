@@ -1,9 +1,9 @@
-"""Where the results of installed routines pass single precision, as every `num` does.
+"""Rounding of the results of installed routines to single precision, as for every `num`.
 
-Routines compute in Python's floats. What leaves them as a `num`, alone or in a record or an array,
-by value or by reference, is rounded here and nowhere else; routines whose results have no `num` are
-called directly. Data that may be of several types (`anytype`, `num` or `dnum`) are rounded by the
-routine that writes them, which is told their type.
+Routines compute in Python's floats. A `num` that they return or write, by itself or in a record or
+an array, by value or by reference, is rounded here and nowhere else; routines without a `num` in
+their results are called directly. Data that may be of several types (`anytype`, `num` or `dnum`)
+are rounded by the routine that writes them, which receives their type.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Key = TypeVar("Key")
 
 
 def rounding_of(of: Type) -> Rounding | None:
-    """How values of a type pass single precision; None where there is no `num` in them."""
+    """Rounding of values of a type to single precision; None if the type contains no `num`."""
     of = resolved(of)
     match of:
         case ArrayOf(element=element):
@@ -44,14 +44,14 @@ def in_single(
     positional: Sequence[Type | None],
     options: Mapping[str, Type | None],
 ) -> Callable[..., Any]:
-    """A routine's function, so that its results have passed single precision.
+    """Wrap a routine's function so that its results are rounded to single precision.
 
     Args:
-        function: As it is written.
+        function: The function as written.
         result: The type of its value; None without one.
         positional: For each argument by position, the type of the data that the function writes;
-            None where it writes none.
-        options: The same for each argument by keyword.
+            None if it writes none.
+        options: For each argument by keyword, the type of the data that the function writes.
     """
     given_back = _roundings(enumerate(positional))
     optional = _roundings(options.items())
@@ -73,7 +73,7 @@ def _returning_number(function: Callable[..., Any]) -> Callable[..., Any]:
         x: float = function(*arguments, **options)
         if not -LARGEST_SINGLE <= x <= LARGEST_SINGLE:
             return single(x)
-        # As `single` does it; a call less in what programs compute with most.
+        # The rounding of `single`, inlined to save a call for the most frequent results.
         t = x * SPLIT
         return t - (t - x)
 
@@ -105,7 +105,7 @@ def _giving_back(
 
 
 class _Rounded:
-    """Data by reference: what is written to it passes single precision."""
+    """Data by reference that rounds values written to it to single precision."""
 
     __slots__ = ("_data", "_rounding")
 
@@ -115,7 +115,7 @@ class _Rounded:
 
     @property
     def value(self) -> Any:
-        """The value the data have."""
+        """The value of the data."""
         return self._data.value
 
     @value.setter
@@ -124,9 +124,9 @@ class _Rounded:
 
 
 def _of_numbers(record: Record) -> Rounding | None:
-    """For a record of numbers, or of records of numbers: all of them at once.
+    """Rounding of a record of numbers, or of records of numbers, in one step.
 
-    Positions and targets are what programs compute with most.
+    Programs compute mostly with positions and targets.
     """
     inner = [resolved(one.type) for one in record.components]
     if all(of == NUM for of in inner):
@@ -147,13 +147,13 @@ def _of_numbers(record: Record) -> Rounding | None:
 def _at_once(
     record: Record, count: int, parts: Sequence[tuple[type[tuple[object, ...]], slice]]
 ) -> Rounding:
-    """The rounding of a record.
+    """Build the rounding of a record.
 
     Args:
         record: Its type.
-        count: How many numbers are in it.
-        parts: The components and where among the numbers they stand; none where the numbers are
-            the components.
+        count: Number of its numbers.
+        parts: The components and their positions among the numbers; empty if the numbers are the
+            components.
     """
     packing = Struct(f"{count}f")
     python = record.python

@@ -37,14 +37,15 @@ from rapidsim.values import value_class
 
 ERRSTR_TASK: Final = "ERRSTR_TASK"
 ERRSTR_CONTEXT: Final = "ERRSTR_CONTEXT"
-"""What the texts of errors have their task, and the place in the program, written for."""
+"""Placeholders that error texts replace by the task and by the position in the program."""
 
 SET_BY_CONTROLLER: Final[Mapping[str, str]] = MappingProxyType(
     {"ERRNO": "errnum", "INTNO": "intnum", "C_MOTSET": "motsetdata", "C_PROGDISP": "progdisp"}
 )
 """Variables that programs only read: errors, traps and instructions such as VelSet change them.
 
-They may stand in expressions, nowhere else. Their types; `codegen.data_access` finds the values.
+They are valid in expressions only. The table has their types; `codegen.data_access` finds the
+values.
 """
 
 _ALIASES = {
@@ -89,7 +90,7 @@ OF_OPTIONS: Final = frozenset(
         *("fcspherevol", "fctorquevector", "fcxyznum"),
     }
 )
-"""Types of options that differ from site to site: their data are what their values show."""
+"""Types of options that differ between installations: their data have the type of their value."""
 
 
 @value_class(frozen=True, slots=True)
@@ -135,7 +136,7 @@ _INTEGER_TYPES = {
 }
 
 _LOWER = "abcdefghijklmnopqrstuvwxyzàáâãäåæçèéêëìíîïðñòóôõöøùúûüýþ"
-# Of ISO 8859-1 those letters that have capitals there, so that StrMap takes one for the other.
+# Lowercase letters of ISO 8859-1 that have an uppercase form there, so that StrMap can map them.
 
 _CONSTANTS: tuple[tuple[str, str, object], ...] = (
     ("num", "pi", 3.1415926),

@@ -1,9 +1,9 @@
 r"""Questions that end without an answer: \MaxTime, \DIBreak, \DOBreak, \PersBoolBreak.
 
-Who answers does so at once; at a controller that stays on, whenever somebody comes. Where nobody
-does, the question stands until what ends it happens; then
-\BreakFlag says what did, or without one it is an error. A condition that holds already ends the
-question before it is asked.
+An operator answers at once; in a served controller that stays on, at any later time. Without an
+answer the question remains open until one of its end conditions holds; \BreakFlag then receives the
+reason, and without \BreakFlag it is an error. A condition that holds already ends the question
+before it is shown.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TPReadNum",
 "UIMessageBox".
@@ -41,7 +41,7 @@ T = TypeVar("T")
 
 
 class QuestionBreakOptions(TypedDict, total=False):
-    """What may end a question before the operator answers."""
+    """Conditions that end a question before the operator answers."""
 
     max_time: Num
     di_break: Var[SignalDi]
@@ -54,13 +54,13 @@ class QuestionBreakOptions(TypedDict, total=False):
 
 
 _End = tuple[float, str, Callable[[], bool]]
-"""The error, what happened in words, and whether it has happened."""
+"""Error number, description of the event, and a test whether it has happened."""
 
 _LOOKS_EVERY_S = 0.02
 BREAKS = (
     r"\MaxTime \DIBreak \DIPassive \DOBreak \DOPassive \PersBoolBreak \PersBoolPassive \BreakFlag"
 )
-"""The options, as rows order them."""
+"""The options in the order of the table's rows."""
 
 
 def answered(
@@ -70,18 +70,18 @@ def answered(
     put_question: Callable[[bool], T | None],
     default: T,
 ) -> T:
-    r"""What the operator answers, or `default` where \BreakFlag tells that nobody did.
+    r"""The operator's answer, or `default` with the reason in \BreakFlag if a condition ended it.
 
     Args:
-        controller: Of the task.
+        controller: Controller of the task.
         name: The instruction or function.
-        breaks: What may end the question.
-        put_question: Asks the operator; its argument is whether anything else may end the
-            question. None if there is no operator and something may.
+        breaks: The conditions that may end the question.
+        put_question: Asks the operator; its argument is whether a condition may end the question.
+            Returns None if no operator is there and a condition may end it.
         default: The value without an answer.
 
     Raises:
-        RapidError: ERR_TP_MAXTIME and its like, without \BreakFlag.
+        RapidError: ERR_TP_MAXTIME or the error of another condition, without \BreakFlag.
     """
     flag, max_time = breaks.get("break_flag"), breaks.get("max_time")
     ends = list(_ends(controller.signals, breaks))

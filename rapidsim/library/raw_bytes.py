@@ -1,7 +1,7 @@
-r"""Raw bytes: packing numbers and texts into them, and reading them out again.
+r"""Raw bytes: packing numbers and texts into them, and unpacking them.
 
-Raw bytes are up to 1024 bytes; their length is the highest byte that was written. Numbers stand
-with their lowest byte first, with \Network with their highest.
+Raw bytes are up to 1024 bytes; their length is the highest byte that was written. Numbers are
+little-endian, with \Network big-endian.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "rawbytes",
 "PackRawBytes", "UnpackRawBytes".
@@ -115,7 +115,7 @@ def copy_raw_bytes(
     *,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Copy bytes, a given number or all that follow."""
+    """Copy a number of bytes, or all bytes from a position on."""
     source = from_raw_data.value
     count = len(source) - _index(from_index) if no_of_bytes is None else int(no_of_bytes)
     _put(to_raw_data, to_index, _take(source, from_index, count))
@@ -129,7 +129,7 @@ def raw_bytes_len(raw_data: Var[RawBytes]) -> Num:
 def write_raw_bytes(
     io_device: Var[IoDev], raw_data: Var[RawBytes], *, no_of_bytes: Num | None = None
 ) -> None:
-    """Write raw bytes to a file, a given number or all."""
+    """Write raw bytes to a file, all of them or only the first ones."""
     count = len(raw_data.value) if no_of_bytes is None else int(no_of_bytes)
     opened_device(io_device).write(_take(raw_data.value, 1.0, count))
 
@@ -137,7 +137,7 @@ def write_raw_bytes(
 def read_raw_bytes(
     io_device: Var[IoDev], raw_data: Var[RawBytes], *, time: Num | None = None
 ) -> None:
-    r"""Read what a file holds, 1024 bytes at most; \Time limits a wait that a file never causes."""
+    r"""Read a file, 1024 bytes at most; \Time limits a wait, and a file never causes one."""
     del time
     raw_data.value = opened_device(io_device).read(MOST_BYTES)
 

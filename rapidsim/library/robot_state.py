@@ -1,6 +1,6 @@
-r"""Where the robot is, and what its kinematics say about positions.
+r"""The position of the robot, and its forward and inverse kinematics.
 
-Positions are those the program would have to give: program displacement is taken away again.
+Positions are in program coordinates: the program displacement is removed.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "CRobT", "CJointT",
 "CPos", "CTool", "CWObj", "CalcRobT", "CalcJointT".
@@ -31,7 +31,7 @@ from rapidsim.library.task_arguments import named_task
 from rapidsim.library.traits import Trait
 
 _NOISE = 1e-9
-"""[mm, deg], or of a quaternion."""
+"""Rounding noise, in mm, deg or components of a quaternion."""
 
 
 def c_rob_t(
@@ -42,7 +42,7 @@ def c_rob_t(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
-    """Where the TCP is; by default, of the tool and work object of the last move."""
+    """The position of the TCP, by default with the tool and work object of the last move."""
     of_tool = None if tool is None else tool.value
     of_wobj = None if wobj is None else wobj.value
     other = _other_task(controller.tasks, task_ref, task_name)
@@ -58,7 +58,7 @@ def c_joint_t(
     task_ref: Var[TaskId] | None = None,
     task_name: String | None = None,
 ) -> JointTarget:
-    """Where the axes are."""
+    """The positions of the axes."""
     other = _other_task(controller.tasks, task_ref, task_name)
     if other is not None:
         return controller.tasks.joints_of(other)
@@ -74,7 +74,7 @@ def c_pos(
     tool: Pers[ToolData] | None = None,
     wobj: Pers[WobjData] | None = None,
 ) -> Pos:
-    """Where the TCP is, without its orientation [mm]."""
+    """The position [mm] of the TCP, without its orientation."""
     return c_rob_t(controller, tool=tool, wobj=wobj).trans
 
 
@@ -111,7 +111,7 @@ def calc_rob_t(
     *,
     wobj: Pers[WobjData] | None = None,
 ) -> RobTarget:
-    """Where the TCP would be with the axes at given positions."""
+    """The position of the TCP at axis positions."""
     of_wobj = WOBJ0 if wobj is None else wobj.value
     stands = controller.target_at(joint_target, tool.value, of_wobj)
     return _without_noise(in_program(controller, stands))
@@ -128,8 +128,8 @@ def calc_joint_t(
 ) -> JointTarget:
     r"""Axis positions that reach a target in its configuration.
 
-    Configuration and limits are held to as by a move: with ConfJ off the nearest will do. With
-    \ErrorNumber a target that cannot be reached gives the number there and all axes at 0.
+    Configuration and limits apply as in a move: with ConfJ off the nearest solution is used. With
+    \ErrorNumber an unreachable target stores the error number there and returns all axes at 0.
     """
     note_ignored_options(controller.fidelity, "CalcJointT", {r"\UseCurWObjPos": use_cur_wobj_pos})
     of_wobj = WOBJ0 if wobj is None else wobj.value
@@ -150,13 +150,13 @@ def calc_joint_t(
 
 
 def c_speed_override(controller: Motion, *, c_task: Switch = False) -> Num:
-    """The speed override of the operator [%]: that of SpeedRefresh."""
+    """The speed override [%] of the operator, set by SpeedRefresh."""
     del c_task
     return controller.settings.speed_refresh_percent
 
 
 def _without_noise(position: RobTarget) -> RobTarget:
-    """Where the TCP is, with 0 where rounding leaves next to nothing: programs print it."""
+    """Position of the TCP with rounding noise replaced by 0, because programs print it."""
     return position._replace(
         trans=Pos(*map(_flushed, position.trans)), rot=Orient(*map(_flushed, position.rot))
     )
@@ -169,9 +169,9 @@ def _flushed(value: float) -> float:
 def _other_task(
     controller: TaskService, task_ref: Reference[object] | None, task_name: str | None
 ) -> str | None:
-    """The task whose robot is meant, if that is not the one that asks.
+    """Name of another task whose robot an argument means; None for the calling task's own.
 
-    A task without a robot asks for that of the task it belongs to.
+    For a task without a robot the default is the robot task that it belongs to.
     """
     meant = named_task(task_ref, task_name) or controller.robot_task
     return None if meant.lower() == controller.task_name.lower() else meant

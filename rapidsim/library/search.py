@@ -1,8 +1,8 @@
 r"""Searching on a move: SearchL, SearchC and SearchExtJ.
 
 The position found is that of the TCP at the instant of the flank, without the delays of a real
-input. \Stop brakes as fast as the axes can, \SStop more gently, and \PStop takes its time. All of
-them keep to the path, which on a controller a \Stop leaves by a millimetre or two.
+input. \Stop brakes as fast as the axes can, \SStop more gently, and \PStop most gently. All of
+them stay on the path, which a controller's \Stop leaves by a millimetre or two.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SearchL",
 "SearchExtJ".
@@ -25,7 +25,7 @@ from rapidsim.library.table import routine, table
 from rapidsim.library.traits import Trait
 
 STIFF_STOP_MM_S = 100.0
-r"""The fastest search [mm/s] that \Stop may end.
+r"""Maximum speed [mm/s] of a search that \Stop may end.
 
 Source: event 41539 of RobotWare 5.15 stops the program above a speed; the number is from memory of
 "SearchL", unverified.
@@ -38,7 +38,7 @@ _STOPS = {
 
 
 class SearchOptions(MoveOptions, total=False):
-    """How a search stops and what it waits for."""
+    """Options of a search: its stop mode and the flank that it waits for."""
 
     stop: Switch
     p_stop: Switch
@@ -78,7 +78,7 @@ def search_ext_j(
     speed: SpeedData,
     **options: Unpack[SearchOptions],
 ) -> None:
-    """Move the external axes only and store where all axes were when a signal changed."""
+    """Move the external axes only and store the positions of all axes when a signal changes."""
     name, way = "SearchExtJ", Interpolation.EXTERNAL_AXES
     offsets = controller.motion.settings.axis_offsets if options.get("use_eoffs") else None
     to = JointTarget(to_joint_pos.robax, with_axis_offsets(to_joint_pos.extax, offsets))
@@ -89,7 +89,7 @@ def search_ext_j(
 
 
 def _stop_condition(signal: Reference[Signal] | Reference[bool]) -> Callable[[], float] | str:
-    """What is watched: a signal by its name, or a persistent by a function that reads it."""
+    """Condition of a search: the name of a signal, or a function that reads a persistent."""
     if isinstance(signal.value, Signal):
         return signal.value.name
     return lambda: float(bool(signal.value))
@@ -106,7 +106,7 @@ def _flank(options: SearchOptions) -> Flank:
 
 
 def _require_slow(name: str, move: Move, options: SearchOptions) -> None:
-    """A stop that leaves the path is for slow searches."""
+    """Check that a search is slow enough for a stop that leaves the path."""
     if options.get("stop") and move.speed.v_tcp > STIFF_STOP_MM_S:
         raise NotAllowed(
             rf"{name} \Stop at {move.speed.v_tcp:g} mm/s: at most {STIFF_STOP_MM_S:g} are allowed; "

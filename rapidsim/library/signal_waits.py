@@ -1,7 +1,7 @@
 r"""Waiting for inputs and outputs.
 
-A wait ends at the very instant the signal has the value. \Visualize and what belongs to it show a
-window on the FlexPendant; nobody looks at it in a run.
+A wait ends at the instant when the signal has the value. \Visualize and its options show a window
+on the FlexPendant, which a run does not need.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "WaitDI", "WaitAI",
 "WaitGI".
@@ -106,7 +106,7 @@ def wait_gi(
     dvalue_at_timeout: Var[Dnum] | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a group of inputs stands in a relation to a value."""
+    """Wait until a group of inputs equals a value, differs from it, is below it, or above it."""
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller, "WaitGI", signal, condition, max_time, at_timeout, window)
@@ -125,7 +125,7 @@ def wait_go(
     dvalue_at_timeout: Var[Dnum] | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a group of outputs stands in a relation to a value."""
+    """Wait until a group of outputs equals a value, differs from it, is below it, or above it."""
     condition = _within(controller.signals, signal, value, lt=lt, gt=gt, noteq=noteq)
     at_timeout = dvalue_at_timeout if value_at_timeout is None else value_at_timeout
     _wait_value(controller, "WaitGO", signal, condition, max_time, at_timeout, window)
@@ -140,7 +140,7 @@ def _within(
     gt: bool,
     noteq: bool = False,
 ) -> Callable[[float], bool]:
-    """What is waited for; a value that the signal never has is refused."""
+    """Condition of a wait; a value out of the signal's range is rejected."""
     controller.require_within(connected(signal), value)
     return _relation(value, lt=lt, gt=gt, noteq=noteq)
 

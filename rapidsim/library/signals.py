@@ -1,7 +1,6 @@
 r"""Inputs and outputs: reading, setting, pulsing, waiting.
 
-Setting an output takes no time; \Sync, which waits until the hardware has followed, therefore
-changes nothing.
+Setting an output takes no time; \Sync, which waits until the hardware has followed, has no effect.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -166,7 +165,7 @@ def test_di(controller: Signals, signal: Var[SignalDi]) -> Bool:
 
 
 def valid_io(signal: Var[AnySignal]) -> Bool:
-    """Whether a signal can be used: one that is connected can."""
+    """Whether a signal can be used, which every connected signal can."""
     return isinstance(signal.value, Signal) and bool(signal.value.name)
 
 
@@ -178,7 +177,7 @@ def alias_io(
     of: ArgumentType = STRING,
     to: ArgumentType = STRING,
 ) -> None:
-    """Make a signal variable an alias of a signal, given itself or by its name."""
+    """Make a signal variable an alias of a signal, passed as the data or by its name."""
     source = from_signal if isinstance(from_signal, str | Signal) else from_signal.value
     name = source.name if isinstance(source, Signal) else source
     if not isinstance(name, str) or not isinstance(to_signal.value, Signal):
@@ -202,10 +201,10 @@ def alias_io_reset(signal: Var[AnySignal]) -> None:
 
 
 def connected(signal: Reference[Signal]) -> str:
-    """The name of the signal that a variable means.
+    """Name of the signal that a variable refers to.
 
     Raises:
-        RapidError: ERR_NO_ALIASIO_DEF, if it means none.
+        RapidError: ERR_NO_ALIASIO_DEF, if it refers to none.
     """
     if not signal.value.name:
         raise rapid_error(ERR_NO_ALIASIO_DEF, "the signal variable is connected to no signal")
@@ -227,7 +226,7 @@ def _write(
 
 
 def _digital(value: float) -> float:
-    # RAPID's own rule: 0 is low, everything else is high.
+    # RAPID's rule: 0 is low, every other value is high.
     return 0.0 if value == 0.0 else 1.0
 
 

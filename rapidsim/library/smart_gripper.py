@@ -1,15 +1,17 @@
 """The servo gripper of the two-armed IRB 14000 and the IRB 14050.
 
-`g_GripIn` and `Hand_GripInward` are two names of one routine, and so on. A program that declares a
-name itself means its own. Fingers go from 0 mm (closed) to 25 mm (open) at the speed of `maxSpd`,
-without ramps; the force has no effect. At the start of a run they are closed and calibrated, and
-until `maxSpd` is given they move at 25 mm/s: unverified, no public source gives the defaults.
+`g_GripIn` and `Hand_GripInward` are two names of one routine, and so on. A declaration of the
+program hides an installed name. The fingers travel from 0 mm (closed) to 25 mm (open) at the speed
+of `maxSpd`, without ramps; the force has no effect. At the start of a run they are closed and
+calibrated, and their speed is 25 mm/s until `maxSpd` is set: unverified, no public source documents
+the defaults.
 
-What the fingers meet is known only if the station file describes it in `[[smart_gripper]]`. Else
-they close fully, or to `targetPos`, and the run says so. Suction cups set the outputs
-`hand_CmdVacuum1_R` and so on, where the cell has them; pressures are not simulated.
+The position of an object between the fingers is known only if the station file describes it in
+`[[smart_gripper]]`. Otherwise they close fully, or to `targetPos`, which the run reports. Suction
+cups set the outputs `hand_CmdVacuum1_R` and so on, if the cell has them; pressures are not
+simulated.
 
-Source: programs for these robots. Names, options and units agree in several of them.
+Source: public programs for these robots; several agree on names, options and units.
 """
 
 from __future__ import annotations
@@ -37,7 +39,7 @@ def initialize(
     phy_limit: Num | None = None,
     calibrate: Switch = False,
 ) -> None:
-    r"""Set speed [mm/s], force [N] and the limit of opening [mm]; with \Calibrate, close too."""
+    r"""Set speed [mm/s], force [N] and opening limit [mm]; with \Calibrate, also close."""
     _require_above_0("maxSpd", max_spd)
     _require_above_0("phyLimit", phy_limit)
     controller.adjust(speed_mm_s=max_spd, force_n=hold_force, limit_mm=phy_limit)
@@ -61,7 +63,7 @@ def grip_inward(
     pos_allowance: Num | None = None,
     no_wait: Switch = False,
 ) -> None:
-    """Close the fingers until they hold an object, or are closed."""
+    """Close the fingers until they hold an object or are closed."""
     gripper = controller.smart_gripper
     gripper.adjust(force_n=hold_force)
     meets_mm = gripper.object_mm
@@ -72,7 +74,7 @@ def grip_inward(
             "what the fingers of the gripper meet",
             f"{instead}; [[smart_gripper]] in the station file describes an object",
         )
-    # Fingers that are nearer already have the object beside them.
+    # Fingers that are closer already touch the object.
     meets_mm = min(meets_mm, gripper.finger_position())
     _move(gripper, meets_mm, no_wait=no_wait)
     allowed_mm = _ALLOWANCE_MM if pos_allowance is None else pos_allowance
@@ -126,12 +128,12 @@ def set_max_speed(controller: SmartGripper, max_spd: Num) -> None:
 
 
 def set_hold_force(controller: SmartGripper, hold_force: Num) -> None:
-    """Set the force [N] of the fingers, which has no effect."""
+    """Set the force [N] of the fingers; it has no effect."""
     controller.adjust(force_n=hold_force)
 
 
 def stop_fingers(controller: SmartGripper) -> None:
-    """Stop the fingers where they are."""
+    """Stop the fingers at their position."""
     controller.stop_fingers()
 
 
@@ -151,7 +153,7 @@ def actual_speed(controller: SmartGripper) -> Num:
 
 
 def is_calibrated(controller: ClockService) -> Bool:
-    """Whether the gripper is calibrated, which it is in a run."""
+    """Whether the gripper is calibrated, which is always true in a run."""
     del controller
     return True
 
@@ -163,7 +165,7 @@ def _move(gripper: SmartGripper, to_mm: float, *, no_wait: bool = False) -> None
 
 
 def _air(signal: str, value: float, doing: str) -> Callable[..., None]:
-    """The routine that switches an air line by its output."""
+    """Build the routine that switches an air line by its output."""
 
     def switch(controller: Controller) -> None:
         task = controller.tasks.task_name.upper()

@@ -1,11 +1,11 @@
-r"""Sockets: talking to another computer over TCP, or over UDP in datagrams.
+r"""Sockets: communication with another computer over TCP, or over UDP in datagrams.
 
-Who is at the other end is the controller's affair: a script of the station, another task, or the
-network where a run may use it. Text is bytes in ISO 8859-1. Waits end after 60 s unless \Time says
-otherwise; WAIT_MAX waits for ever.
+The controller provides the peer: a script of the station, another task, or the network if the run
+permits it. Text is bytes in ISO 8859-1. Waits end after 60 s by default or after \Time; WAIT_MAX
+waits indefinitely.
 
-Unverified: that a datagram which is longer than what takes it loses the rest, and that instructions
-for streams raise ERR_SOCK_UNSPEC at a socket of datagrams, and the other way round.
+Unverified: a datagram longer than its destination loses the rest, and stream instructions on a
+datagram socket, and vice versa, raise ERR_SOCK_UNSPEC.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "SocketCreate",
 "SocketReceive" and their like; Application manual Controller software, "Socket Messaging".
@@ -59,7 +59,7 @@ from rapidsim.library.traits import Trait
 
 DEFAULT_TIME_S = 60.0
 WAIT_FOR_EVER_S = 8388608.0
-r"""The constant WAIT_MAX: given as \Time, a wait has no end."""
+r"""The constant WAIT_MAX: as \Time, it disables the time limit of a wait."""
 _ENCODING = "iso-8859-1"
 _LARGEST_PORT = 65535
 
@@ -67,7 +67,7 @@ _Device = Reference[SocketState | None]
 
 
 def socket_create(controller: Sockets, socket: Var[SocketDev], *, udp: Switch = False) -> None:
-    r"""Make a socket of streams (TCP), or with \UDP one of datagrams."""
+    r"""Create a stream socket (TCP) or, with \UDP, a datagram socket."""
     if socket.value is not None:
         raise rapid_error(ERR_SOCK_IS_CONN, "the socket is there already; SocketClose it first")
     socket.value = SocketState(datagrams=controller.open_datagrams() if udp else None)
@@ -76,7 +76,7 @@ def socket_create(controller: Sockets, socket: Var[SocketDev], *, udp: Switch = 
 def socket_bind(
     controller: Sockets, socket: Var[SocketDev], local_address: String, local_port: Num
 ) -> None:
-    """Give a socket an address and a port of the controller."""
+    """Bind a socket to an address and a port of the controller."""
     state = _created(socket)
     if state.port:
         raise rapid_error(ERR_SOCK_IS_BOUND, f"the socket is bound to port {state.port} already")
@@ -92,7 +92,7 @@ def socket_bind(
 
 
 def socket_listen(controller: Sockets, socket: Var[SocketDev]) -> None:
-    """Let clients connect to the port of a socket."""
+    """Accept connections of clients to the port of a socket."""
     state = _stream_socket(socket, "SocketListen")
     if state.listener is None:
         raise rapid_error(ERR_SOCK_NOT_BOUND, "the socket has no port; SocketBind gives it one")
@@ -109,7 +109,7 @@ def socket_accept(
     client_address: Var[String] | None = None,
     time: Num | None = None,
 ) -> None:
-    """Wait for a client; `ClientSocket` talks to it."""
+    """Wait for a client; `ClientSocket` is the connection to it."""
     state = _stream_socket(socket, "SocketAccept")
     if state.listener is None or state.status != LISTENING:
         raise rapid_error(
@@ -160,7 +160,7 @@ def socket_send(
     data: list[Byte] | None = None,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Send a text, raw bytes or an array of bytes, all of it or so many bytes."""
+    """Send a text, raw bytes or an array of bytes, completely or the first bytes only."""
     connection = _connected(socket)
     given = _bytes_to_send("SocketSend", str_, raw_data, data, no_of_bytes)
     controller.send_bytes(connection, given)
@@ -173,7 +173,7 @@ def _bytes_to_send(
     data: list[float] | None,
     no_of_bytes: float | None,
 ) -> bytes:
-    """The bytes that an instruction is to send."""
+    """Bytes that an instruction sends."""
     if str_ is not None:
         given = str_.encode(_ENCODING, "replace")
     elif raw_data is not None:
@@ -199,7 +199,7 @@ def socket_receive(
     no_rec_bytes: Var[Num] | None = None,
     time: Num | None = None,
 ) -> None:
-    """Wait for bytes: as many as are there then, or exactly so many."""
+    """Wait for bytes: for any, or for an exact number."""
     connection = _connected(socket)
     most = MAX_STRING if str_ is not None else MOST_BYTES if data is None else len(data)
     wanted = 1
@@ -226,7 +226,7 @@ def _store(
     raw_data: Reference[bytes] | None,
     data: list[float] | None,
 ) -> None:
-    """Give a program the bytes that an instruction has received."""
+    """Store received bytes in the argument of a program."""
     if str_ is not None:
         str_.value = received.decode(_ENCODING)
     elif raw_data is not None:
@@ -238,7 +238,7 @@ def _store(
 
 
 def socket_peek(controller: Sockets, socket: Var[SocketDev]) -> Num:
-    """How many bytes could be received without waiting."""
+    """The number of bytes that can be received without waiting."""
     connection = _connected(socket)
     controller.await_bytes(connection, 1, max_time=0.0)
     return float(len(connection.received))
@@ -255,7 +255,7 @@ def socket_send_to(
     data: list[Byte] | None = None,
     no_of_bytes: Num | None = None,
 ) -> None:
-    """Send a datagram; a socket without a port gets one."""
+    """Send a datagram; an unbound socket is bound to a free port."""
     port = _datagram_port(socket, "SocketSendTo")
     given = _bytes_to_send("SocketSendTo", str_, raw_data, data, no_of_bytes)
     if not remote_address:
@@ -275,7 +275,7 @@ def socket_receive_from(
     no_rec_bytes: Var[Num] | None = None,
     time: Num | None = None,
 ) -> None:
-    """Wait for a datagram, and say who has sent it."""
+    """Wait for a datagram, and store its sender."""
     port = _datagram_port(socket, "SocketReceiveFrom")
     most = MAX_STRING if str_ is not None else MOST_BYTES if data is None else len(data)
     datagram = controller.await_datagram(port, max_time=_limit(time))
@@ -289,7 +289,7 @@ def socket_receive_from(
 
 
 def socket_close(controller: Sockets, socket: Var[SocketDev]) -> None:
-    """End a connection or stop listening; a socket that is closed already stays so."""
+    """End a connection or stop listening; a closed socket is no error."""
     state = socket.value
     if state is None:
         return
@@ -301,7 +301,7 @@ def socket_close(controller: Sockets, socket: Var[SocketDev]) -> None:
 
 
 def socket_get_status(socket: Var[SocketDev]) -> SocketStatus:
-    """How far a socket has come: SOCKET_CREATED, SOCKET_CONNECTED and so on."""
+    """The status of a socket: SOCKET_CREATED, SOCKET_CONNECTED and so on."""
     return CLOSED if socket.value is None else socket.value.status
 
 
@@ -337,7 +337,7 @@ def _connected(socket: _Device) -> Connection:
 
 
 def _limit(time: float | None) -> float | None:
-    """How long to wait [s]; None for ever."""
+    """Time limit [s] of a wait; None without a limit."""
     seconds = DEFAULT_TIME_S if time is None else time
     return None if seconds >= WAIT_FOR_EVER_S else max(0.0, seconds)
 
@@ -355,7 +355,7 @@ def _port(value: float) -> int:
 
 
 def _host(address: str) -> str:
-    """An address as controllers take them: four numbers, no name; empty is any of its own."""
+    """Check an address as controllers do: four numbers, no host name; empty for any own address."""
     numbers = address.split(".")
     if address in ("", "localhost") or (
         len(numbers) == 4 and all(one.isdecimal() and int(one) <= 255 for one in numbers)

@@ -1,13 +1,14 @@
-r"""Stopping the robot on its path, restarting it, and other paths in between.
+r"""Stopping the robot on its path, restarting it, and paths in between.
 
-ProcerrRecovery in a trap raises its error at the statement that the trap interrupts, or at the next
-that can fail where that is a loop that computes: \SyncOrgMoveInst and \SyncLastMoveInst are one.
+ProcerrRecovery in a trap raises its error at the statement that the trap interrupts or, if that is
+a computing loop, at the next statement that can fail: \SyncOrgMoveInst and \SyncLastMoveInst are
+equal.
 
-StopMove brakes as a program that is stopped, \Quick as fast as the axes can; both keep to the
+StopMove brakes as a stopped program does, \Quick as fast as the axes can; both stay on the
 path.
 
-A run of its own ends where its program stops: the robot then makes the moves it has, so that
-TriggStopProc notes that it does not stand on its path.
+A run without a server ends when its program stops: the robot then executes its queued moves, so
+that TriggStopProc notes a robot that is off its path.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "StopMove",
 "StartMove", "StorePath", "RestoPath", "ClearPath", "TriggStopProc".
@@ -53,12 +54,12 @@ def start_move(controller: Controller, *, all_motion_tasks: Switch = False) -> N
 
 
 def start_move_retry(controller: PathControl) -> None:
-    """Restart the robot; the ERROR clause that calls it then does what RETRY does."""
+    """Restart the robot; the ERROR clause that calls it then behaves as with RETRY."""
     controller.start_move()
 
 
 def stop_move_reset(controller: Controller, *, all_motion_tasks: Switch = False) -> None:
-    """Take a StopMove back: the robot goes on."""
+    """Cancel a StopMove: the robot continues."""
     if all_motion_tasks and controller.tasks.robot_number:
         controller.fidelity.not_simulated(r"StopMoveReset \AllMotionTasks", _OWN_ROBOT)
         all_motion_tasks = False
@@ -75,7 +76,7 @@ def procerr_recovery(
     sync_last_move_inst: Switch = False,
     proc_signal: Var[SignalDo] | None = None,
 ) -> None:
-    """Stop the robot as a failing process does: ERR_PATH_STOP, and StartMoveRetry goes on."""
+    """Stop the robot as a failing process does: ERR_PATH_STOP; StartMoveRetry continues."""
     if not (sync_org_move_inst or sync_last_move_inst):
         raise NotAllowed(r"ProcerrRecovery needs \SyncOrgMoveInst or \SyncLastMoveInst")
     if proc_signal is not None and not controller.signals.read_signal(proc_signal.value.name):
@@ -86,7 +87,7 @@ def procerr_recovery(
 
 
 def _is_watching(controller: Controller, instruction: str, all_motion_tasks: bool) -> bool:
-    """Whether the task has no robot of its own to stop and to start."""
+    """Whether the task supervises other tasks because it has no robot."""
     if not controller.tasks.robot_number:
         return True
     if all_motion_tasks:
@@ -106,8 +107,8 @@ def _path_of(controller: Controller, instruction: str) -> PathControl:
 def clear_path(controller: Controller) -> None:
     """Drop the rest of the path.
 
-    A controller goes on where the task has no robot, as servers that watch rely on; what it clears
-    then no source says.
+    In a task without a robot a controller continues, as supervising servers rely on; no source
+    documents what it clears there.
     """
     if controller.tasks.robot_number:
         controller.path_control.clear_path()
@@ -116,7 +117,7 @@ def clear_path(controller: Controller) -> None:
 
 
 def store_path(controller: Controller, *, keep_sync: Switch = False) -> None:
-    r"""Store the rest of the path and begin a new one; \KeepSync together with the team."""
+    r"""Store the rest of the path and begin a new one; with \KeepSync together with the team."""
     _path_of(controller, "StorePath").store_path(keep_sync=keep_sync)
 
 
@@ -126,14 +127,14 @@ def resto_path(controller: Controller) -> None:
 
 
 def path_level(controller: PathControl) -> Num:
-    """1 on the program's own path, one more for each StorePath."""
+    """The path level: 1 on the program's own path, one more for each StorePath."""
     return controller.path_level
 
 
 def is_stop_move_act(
     controller: TaskService, *, from_move_task: Switch = False, from_non_move_task: Switch = False
 ) -> Bool:
-    """Whether StopMove of the robot's own task, or of one without a robot, is holding the robot."""
+    """Whether StopMove of the robot's own task, or of a task without a robot, is in force."""
     by_own, by_watcher = controller.is_robot_held()
     if from_move_task or from_non_move_task:
         return by_own if from_move_task else by_watcher
@@ -151,7 +152,7 @@ def trigg_stop_proc(
     go3: Var[SignalGo] | None = None,
     go4: Var[SignalGo] | None = None,
 ) -> None:
-    """Let each stop of the program set process signals to 0, and note what they were."""
+    """Set process signals to 0 at each stop of the program, and store their values."""
     process = tuple(None if one is None else connected(one) for one in (do1, go1, go2, go3, go4))
     controller.supervise(restart_ref, process, connected(shadow_do))
 

@@ -1,8 +1,8 @@
 """String functions. Characters are counted from 1; a string holds at most 80.
 
-Source: Technical reference manual RAPID Instructions, Functions and Data types. How NumToStr rounds
-halves and what StrMatch finds for an empty pattern was measured on RobotStudio's controller
-(CrossArm, a public project, probe of strings).
+Source: Technical reference manual RAPID Instructions, Functions and Data types. The rounding of
+halves by NumToStr and the result of StrMatch for an empty pattern were measured on RobotStudio's
+controller (CrossArm, a public project, probe of strings).
 """
 
 from __future__ import annotations
@@ -41,18 +41,18 @@ _PLACE = re.compile(r"\{(\d+)\}")
 _LATIN_1 = "iso-8859-1"
 MAX_DECIMALS = 15
 _DIVISION, _MODULUS = 3, 4
-"""Places of OpDiv and OpMod among the operations."""
+"""Indices of OpDiv and OpMod among the operations."""
 _MAX_DIGITS_VALUE = 2**32 - 1
 """The largest value of a `stringdig`."""
 
 
 def num_to_str(val: Num, dec: Num, *, exp: Switch = False) -> String:
-    """A number with so many decimals, halves to the even digit; with an exponent if asked for."""
+    """A number with `Dec` decimals, halves to the even digit; in exponent notation if requested."""
     return dnum_to_str(val, dec, exp=exp)
 
 
 def dnum_to_str(val: Dnum, dec: Num, *, exp: Switch = False) -> String:
-    """A number with so many decimals, halves to the even digit; with an exponent if asked for."""
+    """A number with `Dec` decimals, halves to the even digit; in exponent notation if requested."""
     decimals = int(dec)
     if not 0 <= decimals <= MAX_DECIMALS:
         raise rapid_error(ERR_ARGVALERR, f"{decimals} decimals; 0 to {MAX_DECIMALS} are possible")
@@ -71,7 +71,7 @@ def str_format(
     arg7: String | None = None,
     arg8: String | None = None,
 ) -> String:
-    """A text with arguments in the places of {1} to {8}; a place without one is refused."""
+    """A text with its placeholders {1} to {8} replaced; one without an argument is an error."""
     given = (arg1, arg2, arg3, arg4, arg5, arg6, arg7, arg8)
 
     def argument(place: re.Match[str]) -> str:
@@ -85,12 +85,12 @@ def str_format(
 
 
 def val_to_str(val: AnyType, *, of: ArgumentType = NUM) -> String:
-    """A value as it would stand in a program; a string with its quotes."""
+    """A value in RAPID source notation; a string with its quotes."""
     return checked(value_text(val, of))
 
 
 def str_to_val(str_: String, val: InOut[AnyType], *, of: ArgumentType = NUM) -> Bool:
-    """Read a value from text; FALSE if the text holds no such value, which leaves `val` alone."""
+    """Read a value from text; FALSE if the text is no such value, and `val` is unchanged."""
     # An array is its own reference.
     value = parsed_value(str_, of, val if isinstance(val, list) else val.value)
     if value is None:
@@ -104,13 +104,13 @@ def str_to_val(str_: String, val: InOut[AnyType], *, of: ArgumentType = NUM) -> 
 
 
 def str_len(str_: String) -> Num:
-    """How many characters a string has."""
+    """The number of characters in a string."""
     return float(len(str_))
 
 
 def str_part(str_: String, ch_pos: Num, len_: Num) -> String:
-    """The part from a position, so many characters long."""
-    # Loops over characters call this most, so what is in order is seen by two comparisons.
+    """The part of a string that begins at a position and has `Len` characters."""
+    # Loops over characters call this most, so valid arguments cost only two comparisons.
     start = int(ch_pos) - 1
     end = start + int(len_)
     if 0 <= start == ch_pos - 1.0 and start <= end <= len(str_) > start:
@@ -123,7 +123,7 @@ def str_part(str_: String, ch_pos: Num, len_: Num) -> String:
 
 
 def str_find(str_: String, ch_pos: Num, set_: String, *, not_in_set: Switch = False) -> Num:
-    """Position of the first character that is in a set; length + 1 if there is none."""
+    """The position of the first character that is in a set; length + 1 without one."""
     for index in range(_position(str_, ch_pos, len(str_) + 1), len(str_)):
         if (str_[index] in set_) != not_in_set:
             return float(index + 1)
@@ -131,13 +131,13 @@ def str_find(str_: String, ch_pos: Num, set_: String, *, not_in_set: Switch = Fa
 
 
 def str_match(str_: String, ch_pos: Num, pattern: String) -> Num:
-    """Position where a pattern begins; length + 1 if it does not occur, or is empty."""
+    """The position where a pattern begins; length + 1 if it does not occur, or is empty."""
     found = str_.find(pattern, _position(str_, ch_pos, len(str_) + 1))
     return float(len(str_) + 1 if found < 0 or not pattern else found + 1)
 
 
 def str_map(str_: String, from_map: String, to_map: String) -> String:
-    """The string with the characters of one map replaced by those of the other."""
+    """The string with the characters of one map replaced by those in the other map."""
     if len(from_map) != len(to_map):
         raise rapid_error(
             ERR_ARGVALERR, f"the maps have {len(from_map)} and {len(to_map)} characters"
@@ -151,7 +151,7 @@ def str_memb(str_: String, ch_pos: Num, set_: String) -> Bool:
 
 
 def str_order(str1: String, str2: String, order: String) -> Bool:
-    """Whether two strings stand in order; characters missing in `order` come after it."""
+    """Whether two strings are in order; characters missing in `order` follow it."""
 
     def rank(text: str) -> list[tuple[int, int]]:
         places = [order.find(character) for character in text]
@@ -171,7 +171,7 @@ def str_to_byte(
     bin_: Switch = False,
     char: Switch = False,
 ) -> Byte:
-    """Read a byte: decimal, or as the switch says."""
+    """Read a byte in decimal notation, or in the notation of a switch."""
     if char:
         if len(con_str) != 1:
             raise rapid_error(ERR_ARGVALERR, f'"{con_str}" is not one character')
@@ -191,7 +191,7 @@ def byte_to_str(
     bin_: Switch = False,
     char: Switch = False,
 ) -> String:
-    """Write a byte: decimal, or as the switch says, with leading zeros."""
+    """Write a byte in decimal notation, or with leading zeros in the notation of a switch."""
     if not (0 <= bit_data <= 255 and bit_data == math.floor(bit_data)):
         raise rapid_error(ERR_ARGVALERR, f"{bit_data:.7g} is not a byte; bytes are 0..255")
     value = int(bit_data)
@@ -201,12 +201,12 @@ def byte_to_str(
 
 
 def dec_to_hex(str_: String) -> String:
-    """A whole number in decimal digits, in hexadecimal digits."""
+    """A whole number, converted from decimal to hexadecimal digits."""
     return format(_whole(str_, 10), "X")
 
 
 def hex_to_dec(str_: String) -> String:
-    """A whole number in hexadecimal digits, in decimal digits."""
+    """A whole number, converted from hexadecimal to decimal digits."""
     return str(_whole(str_, 16))
 
 
@@ -245,7 +245,7 @@ def _position(text: str, position: float, last: int) -> int:
 def _whole(text: str, base: int, default: float = ERR_ARGVALERR) -> int:
     digits = text.strip()
     try:
-        # Python would take underscores, signs and prefixes as well.
+        # Python would also accept underscores, signs and prefixes.
         if digits.isalnum() and digits.isascii():
             return int(digits, base)
     except ValueError:

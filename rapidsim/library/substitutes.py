@@ -1,4 +1,4 @@
-r"""What is done instead of moves that are not simulated with all they do.
+r"""Substitutes of moves that are not simulated completely.
 
 Arguments are found by their folded RAPID names, which these instructions share: `ToPoint`, `Speed`,
 `Zone`, `Tool`, `WObj`.
@@ -30,7 +30,7 @@ def _substitute(name: str, interpolation: Interpolation) -> Substitute:
 
 
 def _options(arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """The options of a move that these instructions may have too, and its circle point."""
+    """Options of a move that these instructions may have too, and its circle point."""
     options = {name: arguments[name] for name in ("conc", "v", "t", "wobj") if arguments.get(name)}
     return options | ({"cir_point": arguments["cirpoint"]} if "cirpoint" in arguments else {})
 
@@ -42,4 +42,4 @@ SUBSTITUTES: Mapping[str, Substitute] = MappingProxyType(
         "MoveC": _substitute("MoveC", Interpolation.CIRCLE),
     }
 )
-"""By what stands after `=>` in `declared.txt`."""
+"""Substitute by the name after `=>` in `declared.txt`."""

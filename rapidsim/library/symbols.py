@@ -1,7 +1,7 @@
-r"""Data by name: reading and writing them, and searching for names.
+r"""Data by name: reading, writing and searching.
 
-Only data that modules of the task declare are found; routine data, parameters and what the system
-predefines are not. Patterns are regular expressions and must match the whole name, in any case.
+Only data that modules of the task declare are found; routine data, parameters and predefined data
+are not. Patterns are regular expressions and must match the whole name, in any case.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetDataVal",
 "SetDataSearch", "GetNextSym" and their like.
@@ -121,7 +121,7 @@ def get_next_sym(
     *,
     recursive: Switch = False,
 ) -> Bool:
-    """The next name found by SetDataSearch, and where it is; FALSE if there is none."""
+    """The next name that matches SetDataSearch, and its position; FALSE if none remains."""
     del recursive
     found = controller.symbols.next_match()
     if found is None:

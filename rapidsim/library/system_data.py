@@ -1,4 +1,4 @@
-r"""What a program can ask about the controller and the active tool.
+r"""Queries about the controller and the active tool.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "GetSysInfo",
 "GetSysData", "SetSysData", "EventType", "UIClientExist", "IsSysId", "ProgMemFree".
@@ -37,7 +37,7 @@ from rapidsim.library.traits import Trait
 NORMAL_LEVEL, TRAP_LEVEL = 0.0, 1.0
 """The constants LEVEL_NORMAL and LEVEL_TRAP."""
 NO_EVENT = 0.0
-"""The constant EVENT_NONE: the program runs by itself, not for an event such as power on."""
+"""The constant EVENT_NONE: the program runs normally, not for an event such as power on."""
 
 FREE_MEMORY_BYTES = 2.0**26
 _MEMORY_NOTE = "64 MB, whatever is loaded"
@@ -56,7 +56,7 @@ def get_sys_info(
     ctrl_lang: Switch = False,
     system_name: Switch = False,
 ) -> String:
-    """What a virtual controller says of itself: it is no cabinet with numbers of its own."""
+    """System data of a virtual controller, which has no serial number or other hardware data."""
     answers = (
         (serial_no or sw_version or robot_type, _VIRTUAL),
         (sw_version_name or ctrl_id or system_name, _NAME),
@@ -72,7 +72,7 @@ def is_sys_id(system_id: String) -> Bool:
 
 
 def prog_mem_free(controller: FidelityReporter) -> Num:
-    """The free program memory in bytes, which is always the same."""
+    """The free program memory in bytes, a constant in a run."""
     controller.not_simulated("ProgMemFree", _MEMORY_NOTE)
     return FREE_MEMORY_BYTES
 
@@ -86,7 +86,7 @@ def get_sys_data(
     object_name: InOut[String] | None = None,
     of: ArgumentType = NUM,
 ) -> None:
-    """Copy the active tool, work object or load of the gripper, and tell its name."""
+    """Copy the active tool, work object or load of the gripper, and store its name."""
     if means_another(controller.tasks, task_ref, task_name):
         note_ignored_options(
             controller.fidelity, "GetSysData", {r"\TaskRef": task_ref, r"\TaskName": task_name}
@@ -116,7 +116,7 @@ def set_sys_data(
 ) -> None:
     """Activate a tool, a work object or a load, as a move or GripLoad does.
 
-    A name counts instead of the source object, which then only says of which type the data are.
+    A name replaces the source object, which then only determines the type of the data.
     """
     value = source_object.value
     name = controller.clock.place.arguments.get("sourceobject", "")
@@ -134,7 +134,7 @@ def set_sys_data(
 
 
 def _named(controller: Controller, name: str, of: Type) -> object:
-    """Data by name: those of the program, else predefined ones."""
+    """Data by name: predefined, otherwise of the program."""
     predefined = DATA.get(name.lower())
     if predefined is not None and predefined.type == of:
         return predefined.value
@@ -148,12 +148,12 @@ def _no_active(of: str) -> RapidError:
 
 
 def event_type() -> EventTypeNum:
-    """Which event routine runs: none."""
+    """The event whose routine runs: none in a run."""
     return NO_EVENT
 
 
 def ui_client_exist() -> Bool:
-    """Whether there is a FlexPendant: the answers of a run stand for one."""
+    """Whether a FlexPendant is connected; scripted answers count as one."""
     return True
 
 
@@ -163,28 +163,28 @@ def exec_level(controller: Interrupts) -> ExecLevelNum:
 
 
 def pp_moved_in_man_mode() -> Bool:
-    """Whether the program pointer was moved by hand, which it never is."""
+    """Whether the program pointer was moved by hand, which never happens in a run."""
     return False
 
 
 def reset_pp_moved() -> None:
-    """Forget that somebody has moved the program pointer."""
+    """Clear the note that the program pointer was moved; has no effect in a run."""
 
 
 def is_stop_state_event(*, pp_moved: Switch = False, pp_to_main: Switch = False) -> Bool:
-    """Whether the program pointer was moved while the program stood: it never was."""
+    """Whether the program pointer was moved during a stop, which never happens in a run."""
     del pp_moved, pp_to_main
     return False
 
 
 def pf_restart(*, base: Switch = False, irpt: Switch = False) -> Bool:
-    """Whether the program goes on after a power failure: there are none."""
+    """Whether the program continues after a power failure, which never happens in a run."""
     del base, irpt
     return False
 
 
 def tp_show(window: TpNum) -> None:
-    """Choose what the FlexPendant shows; every text is in the events of the run anyway."""
+    """Choose the view of the FlexPendant; every text is in the events of the run anyway."""
     del window
 
 

@@ -1,10 +1,10 @@
-r"""The table of installed routines: one row a routine, read by checker, interpreter and docs.
+r"""Table of installed routines: one row per routine, read by checker, interpreter and docs.
 
 A row names a typed Python function; its annotations are the RAPID signature (see
-`language.annotations`). What Python cannot say, that options stand before required arguments or
-exclude each other, a row says in `order`, in RAPID's own spelling: `\SDelay|\Sync Signal Value`.
-Of the options that a group of them stands for (`**options`), a row has those that its order names.
-Reading annotations costs time, so a signature is read when first asked.
+`language.annotations`). Python cannot express options before required arguments, or options that
+exclude each other; a row declares these in `order`, in RAPID's own spelling:
+`\SDelay|\Sync Signal Value`. From a group of options (`**options`) a row has the ones in its
+order. Reading annotations costs time, so a signature is read on first use.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ _SPELLINGS = {
     "no_eoffs": "NoEOffs",
     "io_device": "IODevice",
 }
-"""RAPID names that are not their Python name with capitals."""
+"""RAPID names that differ from the capitalised Python name."""
 WHOLE = "controller"
-"""Stands for all concerns of the controller."""
+"""Marker for the whole controller instead of one of its concerns."""
 
 
 @value_class(frozen=True, slots=True)
@@ -44,50 +44,51 @@ class Parameter:
     """One parameter of an installed routine."""
 
     name: str
-    """As RAPID spells it: `MaxTime`."""
+    """Name in RAPID: `MaxTime`."""
     python: str
-    """As the Python function spells it: `max_time`."""
+    """Name in Python: `max_time`."""
     types: tuple[Type, ...]
-    """The types it takes; several where RAPID has alternatives such as `Name | Dname`."""
+    """The accepted types; several for RAPID's alternatives such as `Name | Dname`."""
     mode: ParameterMode = ParameterMode.IN
     optional: bool = False
     by_keyword: bool = False
-    """The Python function takes it by keyword, as it does all that is optional."""
+    """Whether the Python function takes the parameter by keyword, as all optional ones."""
     is_switch: bool = False
     group: int = 0
-    """Optional parameters with the same number above 0 exclude each other."""
+    """Group of an optional parameter: those with the same number above 0 exclude each other."""
     deferred: bool = False
-    """The Python function wants a function that evaluates the argument."""
+    """Whether the Python function takes a function that evaluates the argument."""
     only: Only | None = None
-    """What it takes, where its type is anytype and that is too much."""
+    """Restriction of the accepted types if `anytype` is too general."""
     also: str = ""
-    """The other name of a required argument that may have one of two types: `Dvalue`."""
+    """Second name of a required argument that may have one of two types: `Dvalue`."""
 
 
 @value_class(frozen=True, slots=True)
 class Signature:
     """Parameters in call order; `result` is None for an instruction.
 
-    The Python function is given arguments by position, in this order, but those `by_keyword`.
+    The Python function takes its arguments by position in this order, except those `by_keyword`.
     """
 
     parameters: tuple[Parameter, ...]
     result: Type | None
     concern: str = ""
-    """What the Python function wants first: a concern of the controller by its name, `controller`
-    for all of it; empty for nothing."""
+    """Controller service that the Python function takes first, by name; `controller` for the whole
+    controller; empty for none.
+    """
     types_of: tuple[tuple[str, Parameter], ...] = ()
-    """The Python function wants the types of these parameters' arguments, by these keywords."""
+    """Keywords under which the Python function takes the types of these parameters' arguments."""
     is_open: bool = False
-    """Nobody knows its parameters: it is given none, whatever the call holds."""
+    """Whether the parameters are undocumented: the function is called without any argument."""
 
     @property
     def takes_controller(self) -> bool:
-        """Whether the Python function wants the controller, or a concern of it, first."""
+        """Whether the Python function takes the controller, or a service of it, first."""
         return bool(self.concern)
 
     def concern_of(self, controller: Controller) -> object:
-        """What of a task's controller the Python function wants first."""
+        """First argument of the Python function: the controller or one of its services."""
         return controller if self.concern == WHOLE else getattr(controller, self.concern)
 
 
@@ -97,25 +98,28 @@ class LibraryRoutine:
 
     name: str
     function: Callable[..., Any]
-    """As it is written; `body` is what is called."""
+    """The function as written; `body` is called instead."""
     order: str = ""
-    """The parameters as RAPID orders and spells them, options with a backslash, alternatives with
-    a bar; needed only where options come first, exclude each other, or names are unusual or two."""
+    """The parameters in RAPID's order and spelling, options with a backslash, alternatives with a
+    bar; needed only if options come first, exclude each other, or a name is unusual or has a
+    second.
+    """
     treated_as: str | None = None
-    """What is done instead where the routine is not simulated; None where it is."""
+    """Replacement of a routine that is not simulated; None if it is simulated."""
     stated: Trait = NO_TRAITS
-    """What the row says that it does; `traits` is all."""
+    """Traits that the row states; `traits` has all."""
     sets: tuple[str, ...] = ()
-    """The fields of `MotionSettings` that it sets."""
+    """Fields of `MotionSettings` that the routine sets."""
     takes_anything: bool = False
-    """Whether arguments that no source gives may stand in a call; the function gets none."""
+    """Whether a call may have undocumented arguments; the function gets none."""
     back: str = ""
-    """The call that puts a mode back to what it is at the start, if it changes one that it may
-    leave behind: the switch or the percentages in it count, else the routine of that name."""
+    """The call that restores the initial mode, if the routine changes a mode that can outlast the
+    caller: the switch or the percentages in it count, otherwise the routine of that name.
+    """
 
     @property
     def simulated(self) -> bool:
-        """Whether the routine does what the controller's does."""
+        """Whether the routine is simulated as on a controller."""
         return self.treated_as is None
 
     @cached_property
@@ -126,19 +130,19 @@ class LibraryRoutine:
 
     @cached_property
     def traits(self) -> Trait:
-        """What a call of it does."""
+        """All traits of a call."""
         names = frozenset(p.name.lower() for p in self.signature.parameters)
         return derived(self.stated, names)
 
     @property
     def limit(self) -> str | None:
-        """The option that limits how long it waits, as RAPID spells it; None without one."""
+        """Option that limits the waiting time, in RAPID's spelling; None without one."""
         found = (p.name for p in self.signature.parameters if p.optional)
         return next((name for name in found if name.lower() in LIMITS), None)
 
     @cached_property
     def body(self) -> Callable[..., Any]:
-        """The Python function, with results that have passed single precision."""
+        """The Python function, with results rounded to single precision."""
         signature = self.signature
         required = [_written(p) for p in signature.parameters if not p.by_keyword]
         if signature.takes_controller:
@@ -158,12 +162,12 @@ def routine(
     back: str = "",
     takes_anything: bool = False,
 ) -> LibraryRoutine:
-    """One row of a table; what its parameters say that it does need not be stated."""
+    """Build a row of a table; traits that follow from its parameters need not be stated."""
     return LibraryRoutine(name, body, order, treated_as, does, sets, takes_anything, back)
 
 
 def table(*rows: LibraryRoutine) -> Mapping[str, LibraryRoutine]:
-    """A read-only table by folded name."""
+    """Build a read-only table by folded name."""
     by_name = {row.name.lower(): row for row in rows}
     assert len(by_name) == len(rows), "a routine stands twice in its table"
     return MappingProxyType(by_name)
@@ -202,9 +206,9 @@ def _read_signature(body: Callable[..., Any], order: str) -> Signature:
 
 
 def _written(parameter: Parameter) -> Type | None:
-    """The type of the data that a routine may write through a parameter; None where it has none.
+    """Type of the data that a routine may write through a parameter; None if it writes none.
 
-    Nor where it may be one of several, or is an array, whose elements are written one by one.
+    None also for several types, and for an array, whose elements are written one by one.
     """
     writes = parameter.mode in (ParameterMode.INOUT, ParameterMode.VAR) and not _is_open(parameter)
     of = parameter.types[0]
@@ -212,7 +216,7 @@ def _written(parameter: Parameter) -> Type | None:
 
 
 def _ordered(read: dict[str, Parameter], order: str) -> tuple[Parameter, ...]:
-    """The parameters in RAPID's order and spelling, alternatives grouped."""
+    """Parameters in RAPID's order and spelling, alternatives grouped."""
     parameters = []
     group = 0
     for item in re.sub(r"\s*\|\s*", "|", order).split():
@@ -253,14 +257,14 @@ def _read_parameter(python: str, hint: object, by_keyword: bool) -> Parameter:
 
 
 def _metadata(hint: object) -> Iterator[object]:
-    """What stands beside the type in an annotation, inside of references and options too."""
+    """Yield the metadata next to the type in an annotation, also inside references and options."""
     yield from getattr(hint, "__metadata__", ())
     for inner in get_args(hint):
         yield from _metadata(inner)
 
 
 def _read_type(hint: object) -> tuple[Type, ParameterMode, bool]:
-    """Type, mode, and whether the evaluation is deferred, of one annotation."""
+    """Parse an annotation into type, mode, and whether its evaluation is deferred."""
     if isinstance(hint, type) and issubclass(hint, tuple):
         return record_of(hint), ParameterMode.IN, False
     origin = get_origin(hint)
@@ -292,7 +296,7 @@ def _array_of(hint: object) -> types.ArrayOf:
 
 
 def _concern(hint: object) -> str:
-    """What of the controller an annotation asks for; empty where it is no protocol of it."""
+    """Name of the controller service that an annotation requests; empty if it requests none."""
     if hint is Controller:
         return WHOLE
     return CONCERNS.get(hint, "") if isinstance(hint, type) else ""
@@ -303,5 +307,5 @@ def _is_open(parameter: Parameter) -> bool:
 
 
 def _folded(name: str) -> str:
-    """What a RAPID name and its Python name have in common."""
+    """Common form of a RAPID name and its Python name."""
     return name.replace("_", "").lower()

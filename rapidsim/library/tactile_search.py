@@ -1,13 +1,13 @@
 r"""Searching with the torch: Search_1D and Search_Groove.
 
-The station file says where a part is. Its surface at a taught search point is a plane across the
-direction of the search, and moves with the part. The torch stops exactly there.
+The station file defines the positions of parts. The surface of a part at a taught search point is a
+plane perpendicular to the direction of the search, and moves with the part. The torch stops exactly
+on it.
 
 Source: Application manual SmarTac (3HAC024845), "Search_1D": the search continues up to twice the
 distance between its points; Result is the difference between the point found and the search point;
-Speed counts up to the start point, and the search itself is made at 20 mm/s unless the
-configuration says otherwise. No source that we have says what Search_Groove finds of the depth of a
-groove.
+Speed applies up to the start point, and the search itself is made at 20 mm/s by default, subject to
+the configuration. No available source documents what Search_Groove finds of the depth of a groove.
 """
 
 from __future__ import annotations
@@ -51,11 +51,11 @@ _SEARCH_SPEED = 20.0
 _FARTHEST = 2.0
 """Length of the search, as a multiple of the distance between its points."""
 _LEAST_COSINE = 0.1
-"""A surface that is turned farther away from the direction of the search is not met."""
+"""Cosine below which a surface is too oblique to the direction of the search to be hit."""
 
 
 class TactileOptions(MoveOptions, total=False):
-    """What a search with the torch may have beside what moves have."""
+    """Options of a search with the torch in addition to those of moves."""
 
     not_off: Switch
     wire: Switch
@@ -75,7 +75,7 @@ def search_1d(
     tool: Pers[ToolData],
     **options: Unpack[TactileOptions],
 ) -> None:
-    """Search a surface from one point towards another; the result is how far it is displaced."""
+    """Search a surface from one point towards another; the result is its displacement."""
     part = controller.searches.part_pose(options.get("search_name") or "")
     if part is None:
         controller.fidelity.not_simulated("Search_1D", INSTEAD)
@@ -95,7 +95,7 @@ def search_groove(
     tool: Pers[ToolData],
     **options: Unpack[TactileOptions],
 ) -> None:
-    """Search the centre of a groove; the result is how far it is displaced along the search."""
+    """Search the centre of a groove; the result is its displacement along the search."""
     part = controller.searches.part_pose(options.get("search_name") or "")
     controller.fidelity.not_simulated("Search_Groove", _GROOVE_INSTEAD if part is None else _ACROSS)
     result.value = _search(
@@ -114,13 +114,13 @@ def _search(
     tool: Pers[ToolData],
     options: TactileOptions,
 ) -> Pose:
-    """Move to the start point, to the place that the search finds, and back; the displacement."""
+    """Move to the start point, to the surface and back; return the displacement found."""
     before = options.get("pre_p_disp") or IDENTITY_POSE
     start, towards = (_moved(before, point) for point in (start_point, search_point))
     found = towards
     if part is not None:
         found = _found(controller, name, part, (start_point, search_point), (start, towards))
-    # Without a station entry the duration is that of the moves as they are written.
+    # Without a station entry the search takes the time of the programmed moves.
     slow = speed if part is None else speed._replace(v_tcp=_SEARCH_SPEED)
     for point, pace in ((start, speed), (found, slow), (start, speed)):
         move = build_move(controller, name, Interpolation.LINE, point, pace, FINE, tool, options)
@@ -144,14 +144,14 @@ def _found(
     taught: tuple[RobTarget, RobTarget],
     searched: tuple[RobTarget, RobTarget],
 ) -> RobTarget:
-    """Where a search meets the surface of a part, as the program would write it.
+    """Point where a search meets the surface of a part, in program coordinates.
 
     Args:
-        controller: Of the task.
+        controller: Controller of the task.
         name: The instruction.
         part: Pose of the part in the work object in which it was taught.
-        taught: Start point and search point as they were taught on the part.
-        searched: The same points, displaced, between which the torch searches.
+        taught: Start point and search point as taught on the part.
+        searched: Displaced points between which the torch searches.
 
     Raises:
         NotAllowed: If the surface is behind the start point or beyond the end of the search.

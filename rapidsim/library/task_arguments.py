@@ -1,4 +1,4 @@
-r"""Which task an instruction means by its \TaskRef or \TaskName."""
+r"""Task that an instruction names by its \TaskRef or \TaskName."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rapidsim.language.tasks import TaskService
 
 
 def named_task(task_ref: Reference[object] | None, task_name: str | None) -> str | None:
-    """The name of the task; None where neither argument is given."""
+    """Name of the task; None without either argument."""
     if task_name is None and task_ref is not None and isinstance(task_ref.value, Signal):
         # A controller has a `taskid` for each task, named after it: T_ROB1Id.
         return re.sub(r"Id$", "", task_ref.value.name, flags=re.IGNORECASE)
@@ -21,7 +21,7 @@ def named_task(task_ref: Reference[object] | None, task_name: str | None) -> str
 def means_another(
     controller: TaskService, task_ref: Reference[object] | None, task_name: str | None
 ) -> bool:
-    """Whether another task is meant than the one that asks.
+    """Whether the arguments name a task other than the calling one.
 
     Raises:
         RapidError: ERR_TASKNAME, if the run has no task of that name.

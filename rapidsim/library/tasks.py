@@ -1,6 +1,6 @@
-r"""Several tasks: waiting for each other, asking about each other, moving together.
+r"""Several tasks: waiting for each other, queries about each other, and synchronized motion.
 
-A task that a list names and that is not in the run is not waited for; the run says so.
+Tasks in a list that are not in the run are not waited for, which the run reports.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "WaitSyncTask",
 "SyncMoveOn", "SyncMoveOff", "SyncMoveUndo", "SyncMoveSuspend", "SyncMoveResume", "GetTaskName",
@@ -70,7 +70,7 @@ def sync_move_on(
     *,
     time_out: Num | None = None,
 ) -> None:
-    """Wait for all tasks of a list at a stop point; from then on their robots move together."""
+    """Wait for all tasks of a list at a stop point; then their robots move together."""
     tasks = _in_the_run(controller, "SyncMoveOn", task_list)
     name = _name_of(controller.clock)
     if len(tasks) > 1 and not controller.sync_moves.sync_move_on(name, tasks, max_time=time_out):
@@ -80,7 +80,7 @@ def sync_move_on(
 def sync_move_off(
     controller: Controller, sync_id: Var[SyncIdent], *, time_out: Num | None = None
 ) -> None:
-    """Wait for the tasks that move together at a stop point; from then on each moves alone."""
+    """Wait for the tasks that move together at a stop point; then each moves alone."""
     name = _name_of(controller.clock)
     if controller.sync_moves.team and not controller.sync_moves.sync_move_off(
         name, max_time=time_out
@@ -89,12 +89,12 @@ def sync_move_off(
 
 
 def sync_move_undo(controller: SyncMoves) -> None:
-    """Move alone again without waiting for the others."""
+    """Return to independent moves without waiting for the others."""
     controller.leave_team()
 
 
 def sync_move_suspend(controller: SyncMoves) -> None:
-    """Move alone for a while, on another path level."""
+    """Move alone temporarily, on another path level."""
     controller.suspend_team()
 
 
@@ -111,7 +111,7 @@ def is_sync_move_on(controller: SyncMoves) -> Bool:
 def tasks_in_sync(
     controller: SyncMoves, task_list: Annotated[list[Tasks], ParameterMode.INOUT]
 ) -> Num:
-    """How many tasks move together; their names go into the list."""
+    """The number of tasks that move together; their names are stored in the list."""
     team = controller.team
     for index in range(len(task_list)):
         task_list[index] = Tasks(team[index] if index < len(team) else "")
@@ -153,12 +153,12 @@ def task_is_active(controller: Controller, task_ref: TaskId | String) -> Bool:
 
 
 def task_is_executing(controller: Controller, task_ref: TaskId | String) -> Bool:
-    """Whether a task of the system runs; in a run all do until it ends."""
+    """Whether a task of the system runs; in a run all tasks run until it ends."""
     return _is_in_the_run(controller, "TaskIsExecuting", task_ref)
 
 
 def get_tsp_status(controller: Controller, task_ref: TaskId | String) -> TspStatus:
-    """Whether a task is chosen in the task selection panel: all tasks of a run are."""
+    """Whether a task is selected in the task selection panel, which all tasks of a run are."""
     _is_in_the_run(controller, "GetTSPStatus", task_ref)
     return CHOSEN
 
@@ -173,7 +173,7 @@ def _is_in_the_run(controller: Controller, function: str, task: object) -> bool:
 
 
 def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) -> list[str]:
-    """The names of a list, without those that are not in the run."""
+    """Names of a list, without tasks that are not in the run."""
     names = [task.taskname for task in tasks if task.taskname]
     present = [name for name in names if controller.tasks.has_task(name)]
     if present and controller.tasks.task_name.lower() not in {name.lower() for name in names}:
@@ -192,7 +192,7 @@ def _in_the_run(controller: Controller, instruction: str, tasks: list[Tasks]) ->
 
 
 def _name_of(controller: ClockService) -> str:
-    """What the synchronization point is called where the instruction stands."""
+    """Name of the synchronization point at the instruction's call."""
     return controller.place.arguments["syncid"]
 
 

@@ -1,7 +1,7 @@
-"""How RAPID writes values as text and reads them back.
+"""Conversion of RAPID values to text and back.
 
 A `num` is written with 6 significant digits, a `dnum` with 15, exponents as `1E+06`; records and
-arrays as they stand in a program.
+arrays in source notation.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "ValToStr",
 "StrToVal", "TPWrite"; the number of digits was measured on controllers.
@@ -18,7 +18,7 @@ from rapidsim.language.single_precision import nearest_single, single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved
 
 MAX_STRING = 80
-"""The most characters a RAPID string holds."""
+"""Maximum number of characters of a RAPID string."""
 
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:E[+-]?\d+)?", re.IGNORECASE)
 _STRING = re.compile(r'"((?:[^"\\]|""|\\\\|\\[0-9A-Fa-f]{2})*)"')
@@ -28,10 +28,10 @@ _BLANKS = re.compile(r"\s*")
 
 
 def checked(text: str) -> str:
-    """The text itself.
+    """Return the text itself.
 
     Raises:
-        RapidError: ERR_STRTOOLNG, if it is longer than a string can be.
+        RapidError: ERR_STRTOOLNG, if the text is longer than a string can be.
     """
     if len(text) > MAX_STRING:
         raise rapid_error(
@@ -51,20 +51,20 @@ def dnum_text(value: float) -> str:
 
 
 def value_text(value: object, of: Type) -> str:
-    """A value of any type as it would stand in a program, numbers as ValToStr rounds them."""
+    """A value of any type in source notation, numbers rounded as by ValToStr."""
     return _text(value, of, _rounded_leaf)
 
 
 def source_text(value: object, of: Type) -> str:
-    """A value as an initial value: read back, it is the same to the last bit.
+    """A value as an initial value, which reads back as exactly the same value.
 
-    Numbers have as many digits as it takes, control characters their codes.
+    Numbers have as many digits as necessary, control characters their codes.
     """
     return _text(value, of, _exact_leaf)
 
 
 def _text(value: object, of: Type, leaf_text: Callable[[object, Type], str]) -> str:
-    """A value with its atomic parts written by `leaf_text`."""
+    """Text of a value with its atomic parts written by `leaf_text`."""
     of = resolved(of)
     match value:
         case tuple() if isinstance(of, Record):
@@ -104,23 +104,23 @@ def _exact_leaf(value: object, of: Type) -> str:
 
 
 def _digits(value: float, least: int, most: int) -> Iterator[str]:
-    """A number with more and more significant digits; the most are enough for any."""
+    """Yield a number with an increasing number of significant digits; the last is always exact."""
     return (f"{value + 0.0:.{digits}G}" for digits in range(least, most + 1))
 
 
 def parsed_number(text: str) -> float | None:
-    """The `num` that a text means, blanks around it allowed; None if it means none."""
+    """The `num` that a text represents, surrounding blanks allowed; None if it is no number."""
     value = parsed_value(text, NUM, 0.0)
     return value if isinstance(value, float) else None
 
 
 def parsed_value(text: str, of: Type, sample: object) -> object | None:
-    """The value that a text means for a type; None if it means none.
+    """The value of a type that a text represents; None if it represents none.
 
     Args:
-        text: What would stand in a program after `:=`.
+        text: Source notation, as after `:=` in a program.
         of: The type of the data.
-        sample: A value of that type; it gives arrays their sizes.
+        sample: A value of that type, which determines the sizes of arrays.
     """
     try:
         value, end = _parse(text, _skip(text, 0), of, sample)

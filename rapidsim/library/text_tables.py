@@ -1,6 +1,6 @@
-r"""Text tables: texts of a program in files, one file a language, found by name and number.
+r"""Text tables: texts of a program in files, one file per language, found by name and number.
 
-A file looks like this, and other formats are refused:
+Format of a file; other formats are rejected:
 
     # A comment.
     deburring::
@@ -33,13 +33,13 @@ from rapidsim.library.text import MAX_STRING
 LARGEST_FILE = 1_000_000
 """Bytes of a file of texts."""
 EMPTY = '""'
-"""How a file writes a text without characters."""
+"""Notation of an empty text in a file."""
 _TABLE = re.compile(r"(\w+)::\s*(?:#.*)?")
 _INDEX = re.compile(r"(\d+):\s*(?:#.*)?")
 
 
 def text_tab_install(controller: Controller, file: String) -> None:
-    """Read a file of texts and keep its tables."""
+    """Read a file of texts and install its tables."""
     opened = controller.files.open_file(file, FileMode.READ)
     data = opened.read(LARGEST_FILE + 1)
     opened.close()
@@ -78,7 +78,7 @@ def text_get(controller: Texts, table: Num, index: Num) -> String:
 
 
 def _read_tables(file: str, text: str) -> Mapping[str, Mapping[int, str]]:
-    """The tables of a file by name, each with its texts by index."""
+    """Tables of a file by name, each with its texts by index."""
     tables: dict[str, dict[int, str]] = {}
     texts: dict[int, str] | None = None
     index: int | None = None

@@ -1,7 +1,7 @@
-r"""Waiting, clocks, date and time; all of it virtual.
+r"""Waiting, clocks, date and time, all of them virtual.
 
-There is no wall clock in a run: it begins at the date and time that it was given, else at midnight
-of 2000-01-01.
+A run has no wall clock: it begins at a specified date and time, by default at midnight of
+2000-01-01.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types.
 """
@@ -34,12 +34,12 @@ from rapidsim.library.traits import Trait
 
 DEFAULT_POLL_S = 0.1
 LEAST_POLL_S = 0.04
-"""WaitUntil looks no more often than this [s]."""
+"""Minimum polling interval [s] of WaitUntil."""
 WINDOW_AFTER_S = 5.0
-"""The window of a wait is shown when it has lasted so long [s], unless it says otherwise."""
+"""Time [s] after which the window of a wait is shown, by default."""
 CLOCK_RESOLUTION_S = 0.001
 FINE_CLOCK_RESOLUTION_S = 0.000001
-"""ClkRead counts in these steps [s]; the finer ones with \\HighRes."""
+"""Resolution [s] of ClkRead; the finer one with \\HighRes."""
 
 
 class Window(TypedDict, total=False):
@@ -63,14 +63,14 @@ def waited(
     wait: Callable[[float | None], bool],
     max_time: float | None,
 ) -> bool:
-    """Wait for so long [s] at most, and show a window where it takes long; whether it was in time.
+    """Wait, show a window if it takes long, and return whether the wait ended in time.
 
     Args:
-        controller: Of the task.
+        controller: Controller of the task.
         name: The instruction.
-        window: What to show.
-        wait: Waits so long at most, None for ever.
-        max_time: The limit, None for none.
+        window: The window to show.
+        wait: Waits for at most this time [s], None without a limit.
+        max_time: The limit [s], None without one.
     """
     note_ignored_options(
         controller.fidelity, name, {r"\UIActiveSignal": window.get("ui_active_signal")}
@@ -102,7 +102,7 @@ def wait_until(
     poll_rate: Num | None = None,
     **window: Unpack[Window],
 ) -> None:
-    """Wait until a condition holds, looking again and again."""
+    """Wait until a condition holds, by polling it."""
     if in_pos:
         controller.clock.wait(0.0, in_position=True)
     poll_s = DEFAULT_POLL_S if poll_rate is None else max(poll_rate, LEAST_POLL_S)
@@ -117,7 +117,7 @@ def wait_until(
 def report_timeout(
     in_time: bool, time_flag: Reference[bool] | None, name: str, max_time: float | None
 ) -> None:
-    r"""Tell the program how a wait ended: \TimeFlag if it has one, else an error.
+    r"""Report the result of a wait to the program: in \TimeFlag if it has one, else as an error.
 
     Raises:
         RapidError: ERR_WAIT_MAXTIME, if the time ran out and there is no flag.
@@ -161,10 +161,10 @@ def clk_stop(controller: ClockService, clock: Var[Clock]) -> None:
 
 
 def clk_read(controller: ClockService, clock: Var[Clock], *, high_res: Switch = False) -> Num:
-    """What a clock shows [s]."""
+    """The reading [s] of a clock."""
     resolution = FINE_CLOCK_RESOLUTION_S if high_res else CLOCK_RESOLUTION_S
     state = clock.value
-    # Half a digit of num above the last step, so that WaitTime 1.234 still shows 1.234.
+    # Half a digit of num above the last step, so that WaitTime 1.234 still reads 1.234.
     above = (1.0 + 6e-8) / resolution
     steps = math.floor(_clock_time(controller, state) * above + 1e-6)
     if state.started_s is not None:

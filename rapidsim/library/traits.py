@@ -1,4 +1,4 @@
-"""What routines do, as far as anybody asks: the words of the rows, and what parameters say."""
+"""Traits of routines: stated in their rows or derived from their parameters."""
 
 from __future__ import annotations
 
@@ -7,90 +7,90 @@ from enum import Flag, auto
 
 
 class Trait(Flag):
-    """What a call of a routine does."""
+    """Effects and roles of a call of a routine."""
 
     MOVE = auto()
-    """Sends the robot to a target that the call names."""
+    """Moves the robot to a target that the call names."""
     CARTESIAN = auto()
-    """The TCP is led on a line or an arc."""
+    """The TCP moves on a line or an arc."""
     AXES = auto()
-    """The target is made of axis positions: no work object counts."""
+    """The target consists of axis positions: no work object applies."""
     SEARCH = auto()
-    """The move ends where a signal changes."""
+    """The move ends when a signal changes."""
     SEARCH_PART = auto()
-    """Finds a part; it is simulated where the station says where parts are."""
+    """Searches for a part; simulated if the station defines the positions of parts."""
     WAIT = auto()
-    """May let time pass, in which a fly-by corner before it becomes a stop."""
+    """May let time pass, which turns a preceding fly-by into a stop."""
     GIVE_UP = auto()
-    """The wait has an end of its own, also where no limit is given."""
+    """The wait has a time limit even if the call specifies none."""
     ASK = auto()
     """Waits for a person."""
     OUTPUT = auto()
     """Sets an output at once."""
     SWITCH_ON = auto()
-    """Sets it to 1, which the call does not say."""
+    """Sets an output to 1 implicitly."""
     SWITCH_OFF = auto()
-    """Sets it to 0, which the call does not say."""
+    """Sets an output to 0 implicitly."""
     TELL = auto()
-    """Shows or logs a text, and changes nothing."""
+    """Shows or logs a text without further effects."""
     INSTANT = auto()
-    """Takes no time: the program pointer stays where the zone began."""
+    """Takes no time: the program pointer is still at the start of the zone."""
     LEAVE = auto()
-    """The next statement is never reached."""
+    """The next statement is unreachable."""
     RETRY = auto()
     """Ends an ERROR clause as RETRY does."""
     NEXT_TURN = auto()
-    """Begins the next turn of the loop around it."""
+    """Begins the next iteration of the enclosing loop."""
     CALL_BY_NAME = auto()
-    """Calls a procedure whose name it puts together."""
+    """Calls a procedure whose name the program computes."""
     CALL_ON_THE_WAY = auto()
-    """Calls a procedure by its name when the robot is there: after later statements."""
+    """Calls a named procedure when the robot arrives, after later statements."""
     READ_BY_NAME = auto()
-    """Reaches data by a name that the program puts together."""
+    """Reads data whose name the program computes."""
     WRITE_BY_NAME = auto()
-    """Writes data by such a name."""
+    """Writes data whose name the program computes."""
     LOAD = auto()
-    """Takes other modules into the program."""
+    """Adds other modules to the program."""
     DISCONNECT = auto()
-    """Takes an interrupt away from its trap."""
+    """Disconnects an interrupt from its trap."""
     LEAVE_PATH = auto()
-    """What comes next begins where the robot stands, not at the end of the last move."""
+    """The next move starts at the robot's position, not at the end of the last move."""
     HOLD_ROBOT = auto()
-    """The robot stands still until it is told to go on."""
+    """Stops the robot until another call restarts it."""
     HOLD_INTERRUPTS = auto()
-    """Interrupts are kept until they are let through again."""
+    """Defers interrupts until they are enabled again."""
     TIME = auto()
-    """Answers how late it is: what compares it becomes true by itself."""
+    """Returns a time: a comparison with it becomes true without further action."""
     OPEN = auto()
-    """Opens a file, which can be opened again when it has been closed."""
+    """Opens a file, which can be opened again after it has been closed."""
     CLOSE = auto()
-    """Closes it."""
+    """Closes a file."""
     COUNT_UP = auto()
-    """Adds one to what it is given."""
+    """Adds one to its argument."""
     ANGLES = auto()
-    """Takes angles [deg]: its parameters Rx, Ry, Rz and those that are called angle."""
+    """Takes angles [deg]: its parameters Rx, Ry, Rz and those named angle."""
     OFFSET = auto()
-    """Answers a target beside the one it is given."""
+    """Returns a target with an offset from its argument."""
     TEST_PRESENT = auto()
-    """Answers whether an optional argument was given."""
+    """Returns whether an optional argument is present."""
     READ_ARGUMENT = auto()
-    """Only looks, at the data or signal it is given by reference."""
+    """Read-only: reads the data or signal that it gets by reference."""
     READ_TASK = auto()
-    """Only looks, at what each task has for itself."""
+    """Read-only: reads state that each task has separately."""
     READ_CELL = auto()
-    """Only looks, at what all tasks share."""
+    """Read-only: reads state that all tasks share."""
 
 
 NO_TRAITS = Trait(0)
 ONLY_LOOKS = Trait.READ_ARGUMENT | Trait.READ_TASK | Trait.READ_CELL
-"""Changes nothing."""
+"""Traits of calls without side effects."""
 LIMITS = frozenset({"maxtime", "maxwait", "timeout"})
-"""Parameters that limit how long a routine waits."""
+"""Parameters that limit the waiting time of a routine."""
 _IMPLIED = ((Trait.OUTPUT, Trait.INSTANT), (Trait.TELL, Trait.INSTANT), (Trait.ASK, Trait.WAIT))
 
 
 def derived(stated: Trait, parameters: AbstractSet[str]) -> Trait:
-    """What a row states, with what follows from it and from folded names of parameters."""
+    """Stated traits, with the traits that follow from them and from folded parameter names."""
     does = stated
     if "tojointpos" in parameters:
         does |= Trait.MOVE | Trait.AXES

@@ -1,4 +1,4 @@
-r"""Moves with places where something happens: TriggJ, TriggL, TriggC, TriggAbsJ.
+r"""Moves with triggers on their path: TriggJ, TriggL, TriggC, TriggAbsJ.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggL".
 """
@@ -22,7 +22,7 @@ Triggers = Var[TriggData] | Annotated[list[TriggData], ParameterMode.VAR]
 
 
 class TriggerOptions(MoveOptions, total=False):
-    """All triggers but the first."""
+    """Triggers after the first."""
 
     t2: Var[TriggData]
     t3: Var[TriggData]
@@ -61,7 +61,7 @@ def trigg_abs_j(
     tool: Pers[ToolData],
     **options: Unpack[TriggerOptions],
 ) -> None:
-    """Move all axes together to axis positions, with triggers on the way."""
+    """Move all axes together to axis positions, with triggers on the path."""
     name, way = "TriggAbsJ", Interpolation.AXES
     triggers, sync_id = _triggers(name, trigg_1, options), options.pop("id_", None)
     to = with_offsets(controller.motion, to_joint_pos, wanted=not options.get("no_eoffs"))
@@ -74,7 +74,7 @@ def _triggers(
     first: Reference[Trigger | None] | list[Trigger | None],
     options: TriggerOptions,
 ) -> tuple[Trigger, ...]:
-    """The triggers that are given; in an array those that mean nothing are left out."""
+    """The triggers of a call; undefined elements of an array are skipped."""
     if isinstance(first, list):
         return tuple(trigger for trigger in first if trigger is not None)
     more = (options.get(key) for key in ("t2", "t3", "t4", "t5", "t6", "t7", "t8"))

@@ -1,7 +1,7 @@
-"""Moves whose outputs are named by text: TriggJIOs, TriggLIOs.
+"""Moves with outputs that are named by text: TriggJIOs, TriggLIOs.
 
-The values are arrays of records; an element counts while its `used` is TRUE. A place of the path
-and a lag work as those of TriggEquip.
+The values are arrays of records; an element is active while its `used` is TRUE. Positions on the
+path and lags have the same meaning as in TriggEquip.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggLIOs",
 "triggios", "triggstrgo".
@@ -31,7 +31,7 @@ from rapidsim.library.table import table
 
 
 class OutputOptions(MoveOptions, total=False):
-    """The outputs on the way."""
+    """Arrays of outputs that a move sets on its path."""
 
     trigg_data1: Annotated[list[TriggIos], ParameterMode.VAR]
     trigg_data2: Annotated[list[TriggStrGo], ParameterMode.VAR]
@@ -67,7 +67,7 @@ def _triggers(name: str, rows: Iterable[TriggIos | TriggStrGo | TriggIosDnum]) -
 
 
 def _value(name: str, value: float | str) -> float:
-    """The value of an output, also where it is written in digits."""
+    """Value of an output, which may be a string of digits."""
     if not isinstance(value, str):
         return value
     if not value.isdecimal():

@@ -1,7 +1,7 @@
-r"""Trigger data: what happens where on the path of a TriggL, TriggJ or TriggC.
+r"""Trigger data: events and their positions on the path of a TriggL, TriggJ or TriggC.
 
-\Mode says what a controller does when a place is passed while the robot is stopped and started
-again; a run passes each place once. \Next is not simulated.
+\Mode selects a controller's behaviour when the robot stops at a trigger position and restarts; a
+run passes each position once. \Next is not simulated.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "TriggIO",
 "TriggEquip", "TriggInt", "TriggCheckIO", "TriggRampAO", "TriggSpeed".
@@ -48,7 +48,7 @@ from rapidsim.library.table import routine, table
 
 
 class Inhibition(TypedDict, total=False):
-    """When a trigger does nothing."""
+    """Conditions under which a trigger has no effect."""
 
     inhib: Pers[Bool]
     inhib_set_value: Pers[OutputValue]
@@ -71,7 +71,7 @@ def trigg_io(
     d_o_delay: Num | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Set an output at a place: a distance before the end or after the start, or a time before."""
+    """Set an output: a distance before the end or after the start, or a time before the end."""
     note_ignored_options(controller.fidelity, "TriggIO", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(
         controller.signals,
@@ -100,7 +100,7 @@ def trigg_equip(
     proc_id: Num | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Set an output at a place, earlier by the lag of the equipment."""
+    """Set an output at a position, earlier by the lag of the equipment."""
     note_ignored_options(controller.fidelity, "TriggEquip", {r"\Next": next_, r"\ProcID": proc_id})
     output = _output(
         controller.signals, d_op or g_op or a_op, set_value, 0.0, digital=d_op is not None
@@ -121,7 +121,7 @@ def trigg_int(
     next_: Switch = False,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Raise an interrupt at a place."""
+    """Raise an interrupt at a position."""
     note_ignored_options(controller, "TriggInt", {r"\Next": next_})
     action = RaiseInterrupt(interrupt.value)
     trigg_data.value = Trigger(
@@ -145,7 +145,7 @@ def trigg_check_io(
     inhib: Pers[Bool] | None = None,
     mode: TriggMode | None = None,
 ) -> None:
-    """Check a signal at a place, and raise an interrupt if the condition is not met."""
+    """Check a signal at a position, and raise an interrupt if the condition is not met."""
     del mode
     note_ignored_options(controller, "TriggCheckIO", {r"\Next": next_})
     compare = _RELATIONS.get(relation)
@@ -172,7 +172,7 @@ def trigg_ramp_ao(
     time: Switch = False,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    r"""Ramp an analog output from a place on, over a distance, or with \Time over a time."""
+    r"""Ramp an analog output from a position on, over a distance, or with \Time over a time."""
     note_ignored_options(controller.fidelity, "TriggRampAO", {r"\Next": next_})
     controller.signals.require_within(connected(a_output), set_value)
     action = RampOutput(connected(a_output), set_value, ramp_length, by_time=time)
@@ -194,7 +194,7 @@ def trigg_speed(
     err_do: Var[SignalDo] | None = None,
     **inhibition: Unpack[Inhibition],
 ) -> None:
-    """Make an analog output follow the TCP speed from a place on."""
+    """Make an analog output follow the TCP speed from a position on."""
     note_ignored_options(
         controller.fidelity, "TriggSpeed", {r"\DipLag": dip_lag, r"\ErrDO": err_do}
     )
@@ -256,7 +256,7 @@ _RELATIONS: Mapping[float, Callable[[float, float], bool]] = MappingProxyType(
         6.0: lambda a, b: a >= b,
     }
 )
-"""By the constants LT to GTEQ."""
+"""Relation by the constants LT to GTEQ."""
 
 _WHERE = r"TriggData Distance"
 _OUTPUT = r"\DOp|\GOp|\AOp|\ProcID SetValue|SetDvalue"

@@ -1,8 +1,8 @@
-r"""Since which RobotWare a name is known; what is not here, all versions have that anybody runs.
+r"""First RobotWare version of names; names that are absent exist in all versions in use.
 
-Until which one a name is known stands nowhere: no source lists what RobotWare 7 has no more.
+The last version of a name is not recorded: no source lists what RobotWare 7 removed.
 
-A column of the library that stands by itself, because few names have one. An option is named with
+This column of the library is a separate table, because few names need it. An option is named with
 its instruction, as `ReadStr\Status`.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, of RobotWare 6 and
@@ -17,8 +17,9 @@ from types import MappingProxyType
 from rapidsim.language.robotware import RobotWare
 
 _LATE_SIX = ("EGMWaitCond", r"EGMRunJoint\NoWaitCond", r"EGMRunPose\NoWaitCond", "StrFormat")
-"""Manuals of RobotWare 6 lack them, but public programs that were made and tried on 6.14 use them;
-since which version before there were any is not known."""
+"""Names that the manuals of RobotWare 6 lack, but that public programs written and tested for 6.14
+use; their first version is unknown.
+"""
 _SEVEN = ("CONTINUE", "Max", "Min", "MovePnP", r"ReadStr\Status", "TriggAbsJ", "iconQuestion")
 SINCE: Mapping[str, RobotWare] = MappingProxyType(
     {
@@ -26,4 +27,4 @@ SINCE: Mapping[str, RobotWare] = MappingProxyType(
         **dict.fromkeys((name.lower() for name in _SEVEN), RobotWare(7)),
     }
 )
-"""By folded name; a routine, an option of one, or data."""
+"""First version by folded name of a routine, an option or data."""

@@ -1,6 +1,6 @@
 r"""World zones: volumes of space, and ranges of the axes, that stop the robot or set an output.
 
-\Temp and \Stat differ in who may change a zone later; a run does not tell them apart.
+\Temp and \Stat determine who may change a zone later; a run does not distinguish them.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types, "WZBoxDef",
 "WZCylDef", "WZSphDef", "WZLimJointDef", "WZHomeJointDef", "WZLimSup", "WZDOSet".

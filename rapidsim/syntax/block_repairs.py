@@ -1,7 +1,7 @@
-"""Repairs of structure: blocks that are not closed, or closed without having been opened.
+"""Repairs of block structure: blocks that are not closed, or closed without having been opened.
 
-A parser notices a missing ENDIF only at the end of the routine. Which block it belongs to is told
-by the columns of the lines, as a reader would.
+A parser detects a missing ENDIF only at the end of the routine. The columns of the lines show which
+block it belongs to, as they do to a reader.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from rapidsim.syntax.violations import StrayBlockWord, UnclosedBlock
 
 _MOST_SLIPS = 2
 _MOST_APART = 8
-"""Blocks open at one place that are looked at one by one; more get one report together."""
+"""Maximum number of open blocks at one place examined individually; more get one report."""
 
 
 def unclosed_block(at: ParseFailure) -> Patch | None:
@@ -50,7 +50,7 @@ def unclosed_block(at: ParseFailure) -> Patch | None:
             break
         inner.append(block)
     else:
-        return None  # no block that is open is meant by this word
+        return None  # this word matches no open block
     if not inner:
         return None
     if len(inner) > _MOST_APART:
@@ -63,7 +63,7 @@ def unclosed_block(at: ParseFailure) -> Patch | None:
 
 
 def stray_block_word(at: ParseFailure) -> Patch | None:
-    """Find what should have opened the block that this word closes or divides, or drop it."""
+    """Insert the opening word of the block that this word closes or divides, or drop this word."""
     row, kind = at.row, at.kind
     wanted = _wanted(kind)
     if wanted is None or kind == END or not in_list(at.stack):
@@ -73,7 +73,7 @@ def stray_block_word(at: ParseFailure) -> Patch | None:
         return opener
     if kind in ITEMS or kind == "MODULE":
         return None
-    # What divides a block brings a condition or a colon along, which goes with it.
+    # A dividing word has a condition or a colon, which must be removed with it.
     brings_more = kind in {"ELSEIF", "CASE", "DEFAULT"}
     stop = row.line_stop(at.index) if brings_more else at.index + 1
     if row.kinds[stop] == "SEMICOLON":
@@ -83,7 +83,7 @@ def stray_block_word(at: ParseFailure) -> Patch | None:
 
 
 def _cut_short(at: ParseFailure, blocks: list[OpenBlock]) -> Patch:
-    """The text or the module ends with blocks open: one report, however many they are."""
+    """Close all blocks that are open at the end of the text or module, with a single report."""
     row = at.row
     start = at.index
     tokens: list[Token] = []
@@ -97,7 +97,7 @@ def _cut_short(at: ParseFailure, blocks: list[OpenBlock]) -> Patch:
 
 
 def _closing_all(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) -> Patch:
-    """Close all of some blocks, outermost first, before a token; one report for them."""
+    """Close some blocks, outermost first, before a token, with a single report."""
     place = row.place_before(index)
     tokens = tuple((CLOSERS[block.kind], place, place) for block in reversed(blocks))
     outermost = blocks[0]
@@ -113,7 +113,7 @@ def _closing_all(row: TokenBuffer, blocks: Sequence[OpenBlock], index: int) -> P
 
 
 def _wanted(kind: str) -> frozenset[str] | None:
-    """The kinds of block that must be innermost for a word to stand here."""
+    """The kinds of block that must be innermost before a word is valid; None for other words."""
     if kind in OPENERS:
         return frozenset({OPENERS[kind]})
     if kind in DIVIDERS:
@@ -132,7 +132,7 @@ def _is_divided(row: TokenBuffer, block: OpenBlock, kind: str) -> bool:
 
 
 def _misspelt_closer(at: ParseFailure, block: OpenBlock, stop: int) -> Patch | None:
-    """A line that consists of a name much like the missing word."""
+    """Correct a line that consists of a name similar to the missing word."""
     row = at.row
     word = CLOSERS[block.kind]
     for index in range(block.index + 1, stop):
@@ -149,7 +149,7 @@ def _misspelt_closer(at: ParseFailure, block: OpenBlock, stop: int) -> Patch | N
 def _by_indentation(
     row: TokenBuffer, start: int, stop: int, inner: list[OpenBlock]
 ) -> Patch | None:
-    """Blame a block one of whose words stands in the column of a block further out."""
+    """Close a block one of whose words is in the column of an enclosing block."""
     outermost = inner[-1].index
     blocks = open_blocks(row.kinds, start, stop)
     candidates = [
@@ -172,7 +172,7 @@ def _by_indentation(
 
 
 def _dedent(row: TokenBuffer, block: OpenBlock, stop: int) -> int:
-    """Where a reader would expect the closing word: the first line that stands no deeper."""
+    """Index of the likely closing word: the first line that is not indented deeper."""
     column = row.indent(block.index)
     own = set(block.dividers)
     inside = {
@@ -188,13 +188,13 @@ def _dedent(row: TokenBuffer, block: OpenBlock, stop: int) -> int:
             elif indented or row.column(index) < column:
                 return index
             else:
-                return stop  # the body is not indented, so columns tell nothing
+                return stop  # the body is not indented, so columns give no information
         index = inside.get(index, index) + 1
     return stop
 
 
 def _closing(row: TokenBuffer, block: OpenBlock, index: int, latest: int) -> Patch:
-    """Close a block before a token; if the parser does not follow there, at the latest place."""
+    """Close a block before a token; if the result does not parse there, at the latest place."""
     if index != latest and row.kinds[index - 1] not in {"SEMICOLON", *OPENERS, "THEN", "DO"}:
         index = latest
     word = CLOSERS[block.kind]
@@ -207,7 +207,7 @@ def _closing(row: TokenBuffer, block: OpenBlock, index: int, latest: int) -> Pat
 
 
 def _misspelt_opener(at: ParseFailure, wanted: frozenset[str]) -> Patch | None:
-    """A line above that would open the block, were one word of it spelt right."""
+    """Correct a line above that would open the block if one of its words were spelt right."""
     row = at.row
     words = rapid_table().words
     routine = max(

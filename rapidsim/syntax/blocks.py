@@ -1,4 +1,4 @@
-"""Match the words that open blocks with those that close them, by token kind alone."""
+"""Match the words that open and close blocks, by token kind only."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ CLOSERS = MappingProxyType(
         "TEST": "ENDTEST",
     }
 )
-"""The word that closes each block."""
+"""Closing word by kind of block."""
 OPENERS = MappingProxyType({closer: opener for opener, closer in CLOSERS.items()})
-"""The word that opens what a word closes."""
+"""Opening word by closing word."""
 ROUTINES = frozenset({"PROC", "FUNC", "TRAP"})
 DIVIDERS = MappingProxyType(
     {
@@ -36,9 +36,9 @@ DIVIDERS = MappingProxyType(
         "BACKWARD": frozenset({"PROC"}),
     }
 )
-"""Words that divide a block, and the blocks they divide."""
+"""Blocks that a dividing word may divide, by word."""
 ITEMS = frozenset({"PROC", "FUNC", "TRAP", "RECORD", "ALIAS"})
-"""Words that begin what cannot stand in a routine."""
+"""Words that begin declarations that are invalid in a routine."""
 
 
 @value_class(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class OpenBlock:
 
 @value_class(frozen=True, slots=True)
 class ClosedBlock:
-    """A block and the index of the token that closes it, with what was open around it then."""
+    """A block, the index of the token that closes it, and the blocks open around it."""
 
     block: OpenBlock
     closer: int
@@ -61,7 +61,7 @@ class ClosedBlock:
 
 
 def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[OpenBlock]:
-    """The blocks that tokens from `start` up to `stop` leave open, outermost first."""
+    """Return the blocks that tokens from `start` up to `stop` leave open, outermost first."""
     blocks: list[OpenBlock] = []
     for _ in _walk(kinds, start, stop, blocks):
         pass
@@ -69,14 +69,14 @@ def open_blocks(kinds: Sequence[str], start: int, stop: int) -> list[OpenBlock]:
 
 
 def closed_blocks(kinds: Sequence[str], start: int, stop: int) -> Iterator[ClosedBlock]:
-    """The blocks that are closed, in the order of their closing words."""
+    """Yield the closed blocks, in the order of their closing words."""
     return _walk(kinds, start, stop, [])
 
 
 def _walk(
     kinds: Sequence[str], start: int, stop: int, blocks: list[OpenBlock]
 ) -> Iterator[ClosedBlock]:
-    # Only THEN tells a block IF from a compact one, and only if no ELSEIF began its line.
+    # A THEN distinguishes a block IF from a compact one, unless an ELSEIF began its line.
     pending_if: int | None = None
     for index in range(start, stop):
         kind = kinds[index]

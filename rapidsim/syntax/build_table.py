@@ -1,7 +1,7 @@
-"""Let Lark compute the LALR table of the grammar: `python -m rapidsim.syntax.build_table`.
+"""Compute the LALR table of the grammar with Lark: `python -m rapidsim.syntax.build_table`.
 
-The only module that imports Lark, and the only place that reads Lark's internal parse table; that
-is why `pyproject.toml` pins Lark's minor version.
+The only module that imports Lark, and the only place that reads Lark's internal parse table;
+therefore `pyproject.toml` pins Lark's minor version.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class GrammarConflictError(Exception):
 
 
 def main() -> None:
-    """Write the table beside the grammar."""
+    """Write the table to the folder of the grammar."""
     folder = shipped("grammars")
     table = export((folder / GRAMMAR_FILE).read_text(encoding="utf-8"))
     (folder / TABLE_FILE).write_text(written(table), encoding="utf-8", newline="\n")
@@ -63,7 +63,7 @@ def export(grammar: str) -> Exported:
 
 
 def written(table: Exported) -> str:
-    """The table as text, one rule and one state a line, so that a change can be reviewed."""
+    """Format the table as text, one rule and one state per line, for reviews of changes."""
     lines = []
     for key, value in table.items():
         if isinstance(value, list) and key != "symbols":
@@ -75,7 +75,7 @@ def written(table: Exported) -> str:
 
 
 def _lark(grammar: str) -> lark.Lark:
-    # Lark settles a shift/reduce conflict in silence unless its debug log is read.
+    # Lark resolves a shift/reduce conflict silently, but logs it at debug level.
     log = io.StringIO()
     handler = logging.StreamHandler(log)
     level = lark.logger.level
@@ -98,7 +98,7 @@ def _lark(grammar: str) -> lark.Lark:
 def _numbered_states(
     parser: lark.Lark, rules: list[LarkRule]
 ) -> tuple[list[list[int]], list[str], list[str]]:
-    """Number states in the order a search from the start meets them.
+    """Number states in the order in which a search from the start reaches them.
 
     Lark's own numbers follow the order of sets, which differs from run to run.
 
@@ -137,7 +137,7 @@ def _numbered_states(
 
 
 def _rule(rule: LarkRule) -> tuple[str, int, str | None, list[int | None]]:
-    """A rule as origin, length, build, children; see `table.GrammarRule`."""
+    """Format a rule as origin, length, build, children; see `table.GrammarRule`."""
     origin = str(rule.origin.name)
     absent = _absent_before(rule)
     children: list[int | None] = []
@@ -156,7 +156,7 @@ def _rule(rule: LarkRule) -> tuple[str, int, str | None, list[int | None]]:
 
 
 def _absent_before(rule: LarkRule) -> list[int]:
-    """How many absent optional children stand before each symbol, and after the last."""
+    """Number of absent optional children before each symbol, and after the last."""
     if not rule.options.empty_indices:
         return [0] * (len(rule.expansion) + 1)
     flags = "".join(str(int(absent)) for absent in rule.options.empty_indices)

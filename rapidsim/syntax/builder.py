@@ -1,8 +1,8 @@
 """One function for each rule of the grammar: from the rule's children to a node of the tree.
 
-Every function takes the offsets of the first and past the last character, then the children as the
-grammar lists them. Where these are the fields of a node in order, the node's class itself is the
-function. Words and marks that the grammar keeps arrive as `tree.Name`.
+Every function takes the offsets of the first and past the last character, then the children in the
+order of the grammar. If these are the fields of a node in order, the node's class itself is the
+function. Words and marks that the grammar keeps are passed as `tree.Name`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rapidsim.diagnostics import Source
 from rapidsim.syntax import tree
 
 Build: TypeAlias = Callable[..., Any]
-"""`build(start, end, *children)`; what the children are is said by the grammar."""
+"""Signature `build(start, end, *children)`; the grammar defines the children."""
 
 T = TypeVar("T")
 Dimensions: TypeAlias = "tuple[tree.Expression, ...] | None"
@@ -41,7 +41,7 @@ def _children(start: int, end: int, *children: T) -> tuple[T, ...]:
 
 
 class Builder:
-    """Builds the modules of one source, and notes what only the builder sees."""
+    """Builds the modules of one source, and records facts that are known only while building."""
 
     def __init__(self, source: Source) -> None:
         """Build nodes of a source."""
@@ -153,7 +153,7 @@ class Builder:
         return tree.Trap(start, end, *self._routine(head, body, clauses))
 
     def _routine(self, head: Head, body: tree.Body, clauses: tuple[Clause, ...]) -> tuple[Any, ...]:
-        """The fields of a `tree.RoutineNode` after its place."""
+        """Return the fields of a `tree.RoutineNode` after its offsets."""
         found: dict[str, Any] = {}
         for keyword, place, clause in clauses:
             if keyword in found:
@@ -193,7 +193,7 @@ class Builder:
     def parameters(
         self, start: int, end: int, *parts: tree.ParameterDeclaration | tree.OptionalGroup | None
     ) -> tuple[tree.ParameterDeclaration | tree.OptionalGroup, ...]:
-        """A parameter list in its parentheses; its only part is None where it is empty."""
+        """A parameter list in its parentheses; its only part is None if it is empty."""
         return tuple(part for part in parts if part is not None)
 
     def parameter(
@@ -217,7 +217,7 @@ class Builder:
         return tree.OptionalGroup(start, end, alternatives)
 
     def placeholder(self, start: int, end: int, placeholder: tree.Placeholder) -> tree.Placeholder:
-        """A placeholder where an alias hides the terminal."""
+        """A placeholder if an alias hides the terminal."""
         return placeholder
 
     # --- statements
@@ -255,7 +255,7 @@ class Builder:
             first.start > name.end
             and type(first) is tree.RequiredArgument
             and self.text.find(self.line_end, name.end, first.start) >= 0
-            # A call that goes on in the next line is written deeper there.
+            # A call that continues on the next line is indented there.
             and self._indent(first.start) <= self._indent(start)
             and _may_be_a_statement(first, arguments[1:])
         ):
@@ -263,7 +263,7 @@ class Builder:
         return tree.Call(start, end, name, arguments)
 
     def _indent(self, at: int) -> int:
-        """How many blanks begin the line of a place."""
+        """Number of blanks at the beginning of the line of an offset."""
         begin = self.text.rfind(self.line_end, 0, at) + 1
         line = self.text[begin : at + 1]
         return len(line) - len(line.lstrip())
@@ -386,9 +386,9 @@ class Builder:
     def aggregate(
         self, start: int, end: int, elements: tuple[tree.Expression, ...] | None
     ) -> tree.Aggregate | tree.LiteralAggregate:
-        """An aggregate that the lexer did not take for one of literals.
+        """An aggregate that the lexer did not recognise as one of literals.
 
-        It may be one nevertheless: nested deep, or with a comment in it.
+        It may be one nevertheless: deeply nested, or with a comment in it.
         """
         values = tuple(_literal_value(element) for element in elements or ())
         literal = tuple(value for value in values if value is not None)

@@ -1,4 +1,4 @@
-"""The statements of a run, as the parser would have read them."""
+"""Reconstruction of bulk statements as nodes, as the parser would have built them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from rapidsim.syntax import tree
 from rapidsim.syntax.literals import aggregate
 
 _OFFSETS = frozenset({"start", "end", "operator_start"})
-"""Fields of nodes that are places in the text."""
+"""Fields of nodes that are offsets in the text."""
 _DECLARED = re.compile(r"(\w+)\s*:=\s*(\[[^;]*\])")
 
 
 def statement_of(row: tree.BulkRow, text: str) -> tree.Call:
-    """A statement of a run."""
+    """Build the node of a bulk statement."""
     moved: tree.Call = _moved(row.like, row)
     start, end = row.target.start, row.target.end
     value: tree.LiteralAggregate | tree.DataReference
@@ -29,7 +29,7 @@ def statement_of(row: tree.BulkRow, text: str) -> tree.Call:
 
 
 def declaration_of(row: tree.BulkRow, text: str) -> tuple[str, tree.Node]:
-    """The name of the target where that is declared, and the place of its value."""
+    """Return the name of a declared target and the node of its value."""
     assert row.declared is not None
     found = _DECLARED.search(text, row.declared)
     assert found is not None, "a run of declarations was matched there"
@@ -37,7 +37,7 @@ def declaration_of(row: tree.BulkRow, text: str) -> tuple[str, tree.Node]:
 
 
 def _moved(part: Any, row: tree.BulkRow) -> Any:
-    """A part of the statement in the tree, where the one of a row has it."""
+    """Copy a part of the statement in the tree, with the offsets of a row."""
     if isinstance(part, tuple):
         return tuple(_moved(one, row) for one in part)
     if not is_dataclass(part) or isinstance(part, type):

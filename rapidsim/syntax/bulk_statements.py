@@ -1,15 +1,15 @@
-"""Runs of lines in a text that are alike but for the target, found by exact text.
+"""Bulk statements: runs of lines that differ only in the target, found by exact text.
 
-What other programs export has thousands of them: moves with the numbers of their target, or
-declarations of targets and moves to them by name. A run is matched as a whole by one regular
-expression and read into columns, without an object a line. What does not match to the letter is
-left to the parser: another blank, a comment, a statement on two lines, a number that is none. So is
-a line whose numbers could be worth a word of a check, and a name that is anywhere but in its
-declaration and in one move.
+Programs exported by other software have thousands of them: moves with the numbers of their target,
+or declarations of targets and moves to them by name. A run is matched as a whole by one regular
+expression and read into columns, without an object per line. Lines that do not match exactly are
+left to the parser: another blank, a comment, a statement on two lines, an invalid number. The same
+applies to a line whose numbers a check might report, and to a name that occurs anywhere except in
+its declaration and in one move.
 
-Of each run the first two lines and the last one stay in the text that is parsed, and so do those
-beside others that stay. Whatever can be said of a line because of what it is, or of what stands
-beside it, can be said of these.
+Of each run the first two lines and the last one are parsed as well, and so are the neighbours of
+parsed lines. Findings that depend on the kind of a line or on its neighbours therefore occur at
+parsed lines.
 """
 
 from __future__ import annotations
@@ -34,29 +34,29 @@ if TYPE_CHECKING:
     Mask: TypeAlias = np.ndarray[Any, np.dtype[np.bool_]]
 
 LEAST_LINES = 12
-"""Lines of a run; shorter ones are parsed."""
+"""Minimum number of lines of a run; shorter ones are parsed."""
 TARGET_SHAPE = (3, 4, 4, 6)
-"""Numbers of the parts of a target: place, orientation, configuration, external axes."""
+"""Numbers in the parts of a target: position, orientation, configuration, external axes."""
 _WIDTH = sum(TARGET_SHAPE)
 _BLOCK = 4_000_000
-"""Characters that are read into columns at once."""
+"""Number of characters that are read into columns at once."""
 _LARGEST = 3.4e38
 _SMALLEST = 1e-30
 _ORIENTATION_ERROR = 0.9e-4
-"""A little less than any check tolerates."""
+"""Slightly below the tolerance of every check."""
 _NEAREST_MM = 10.1
-"""Targets nearer to the origin may have been written in metres."""
+"""Distance from the origin below which targets may have been written in metres."""
 _QUARTERS, _BRANCHES = 12, 7
-"""What the configuration of a declared target may be."""
+"""Largest valid quarter turn and branch in the configuration of a declared target."""
 _LEAST_STRETCH = 8
-"""Lines that stretches of names must have on average to be worth it."""
+"""Minimum average number of lines of the intervals with names, below which they do not pay."""
 
-# Possessive: what has matched is never taken back, so a line that fails at its end fails once.
+# Possessive: a match is final, so a line that fails at its end fails once.
 _NUMBER = r" *+-?+(?:[0-9]++(?:\.[0-9]*+)?+|\.[0-9]++)(?:[eE][+-]?+[0-9]++)?+ *+"
 _PARTS = ",".join(rf" *+\[{','.join([_NUMBER] * count)}\] *+" for count in TARGET_SHAPE)
 _TARGET = rf"\[{_PARTS}\] *+"
 _NAME = r"[A-Za-z][A-Za-z0-9_]*+"
-# No string, no comment, no call of a function: nothing that another line may read differently.
+# No string, comment or function call: nothing that depends on another line.
 _REST = r",[^\n;!\"(]*+;[ \t]*+\r?\n"
 _LINE = re.compile(
     rf"^(?:([ \t]*+Move[JL][ \t]++)(?:{_TARGET}|({_NAME}))({_REST})"
@@ -70,36 +70,36 @@ _TO_BLANKS = bytes.maketrans(b"[],", b"   ")
 
 @value_class(frozen=True, slots=True, eq=False)
 class SkippedSpan:
-    """Lines of a run that are not parsed."""
+    """Consecutive lines of a run that are not parsed."""
 
     like: int
-    """Offset of the line before them, which is."""
+    """Offset of the parsed line before them."""
     lines: Offsets
-    """Offset of each line, and of the one behind them, which is parsed again: shape (rows + 1,)."""
+    """Offset of each line, and of the parsed line after them: shape (rows + 1,)."""
     numbers: Numbers
-    """Of each target, as `num`: shape (rows, 17)."""
+    """Numbers of each target, as `num`: shape (rows, 17)."""
     numbers_of_like: Numbers
-    """Of the target of the line before them: shape (17,)."""
+    """Numbers of the target of the line before them: shape (17,)."""
     names: tuple[str, ...] = ()
-    """Folded names that they declare."""
+    """Folded names that the lines declare."""
     declared: Offsets | None = None
-    """Offset of the line that declares each target; None where they are written out."""
+    """Offset of the declaration of each target; None if the targets are written out."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class _BulkBlock:
-    """A whole run: of moves with their targets, of declarations, or of moves by name."""
+    """A complete run: of moves with their targets, of declarations, or of moves by name."""
 
     lines: Offsets
-    """As of a stretch, of all its lines."""
+    """Offset of each line, and of the line after them: shape (lines + 1,)."""
     numbers: Numbers | None
-    """As they are written; None of moves by name."""
+    """Numbers as written: shape (lines, 17); None for moves by name."""
     names: Sequence[str]
-    """Folded; none where targets are written out."""
+    """Folded names; empty if targets are written out."""
 
 
 def skipped_spans(text: str, *, keeps_data: bool = False) -> tuple[SkippedSpan, ...]:
-    """The runs of a text, in order; with `keeps_data` only those that declare and name nothing."""
+    """Return the skipped spans of a text, in order; `keeps_data` excludes lines with names."""
     written: list[SkippedSpan] = []
     declarations: list[_BulkBlock] = []
     by_name: list[_BulkBlock] = []
@@ -141,7 +141,7 @@ def _pattern(head: str, varying: str, rest: str) -> re.Pattern[str]:
 def _read(
     text: str, begin: int, end: int, words: tuple[str, ...], *, is_by_name: bool
 ) -> _BulkBlock | None:
-    """The columns of a run that has been matched."""
+    """Read the columns of a matched run."""
     head, *becomes, rest = words
     lines, numbers = [], []
     names: list[str] = []
@@ -171,17 +171,17 @@ def _read(
 
 
 def _numbers(targets: str) -> Numbers:
-    """The numbers of targets, shape (targets, 17); another shape where that went wrong."""
+    """Parse the numbers of targets, shape (targets, 17); the shape differs if that fails."""
     digits = targets.encode("ascii").translate(_TO_BLANKS)
     with warnings.catch_warnings():
-        # It warns of text that it does not understand, and reads no further.
+        # It warns of text that it cannot parse, and stops there.
         warnings.simplefilter("ignore", DeprecationWarning)
         read = np.fromstring(digits, dtype=np.float64, sep=" ")
     return read.reshape(-1, _WIDTH) if len(read) % _WIDTH == 0 else read
 
 
 def _is_plain(numbers: Numbers) -> Mask:
-    """The lines whose numbers, as they are written, no check objects to."""
+    """Mask of the lines whose numbers, as written, pass all checks."""
     size = np.abs(numbers)
     single = ((size <= _LARGEST) & ((size >= _SMALLEST) | (size == 0.0))).all(axis=1)
     away = np.sqrt((numbers[:, :3] ** 2).sum(axis=1)) >= _NEAREST_MM
@@ -191,7 +191,7 @@ def _is_plain(numbers: Numbers) -> Mask:
 
 
 def _is_plain_data(numbers: Numbers) -> Mask:
-    """The same of declared targets, of which a check looks at configuration and external axes."""
+    """Mask of the declared targets that also pass the checks of configuration and external axes."""
     configuration = numbers[:, 7:11]
     plain: Mask = _is_plain(numbers) & (configuration == np.rint(configuration)).all(axis=1)
     plain &= (np.abs(configuration[:, :3]) <= _QUARTERS).all(axis=1)
@@ -201,7 +201,7 @@ def _is_plain_data(numbers: Numbers) -> Mask:
 
 
 def _inner(plain: Mask) -> Mask:
-    """The plain lines with two plain ones before and one behind them; the others are parsed."""
+    """Mask of the plain lines after two plain ones and before one; the others are parsed."""
     inner = plain.copy()
     inner[:2] = inner[-1:] = False
     inner[1:] &= plain[:-1]
@@ -213,13 +213,13 @@ def _inner(plain: Mask) -> Mask:
 def _cut(
     run: _BulkBlock, left_out: Mask, numbers: Numbers, declared: Offsets | None = None
 ) -> Iterator[SkippedSpan]:
-    """The stretches of lines in a row that are left out of a run.
+    """Yield the intervals of consecutive lines of a run that are skipped.
 
     Args:
         run: The run.
-        left_out: Which of its lines.
-        numbers: Of the target of each line, shape (lines, 17).
-        declared: Offset of the line that declares it.
+        left_out: Mask of its skipped lines.
+        numbers: Numbers of the target of each line, shape (lines, 17).
+        declared: Offset of the declaration of each target.
     """
     edges = np.flatnonzero(np.diff(left_out, prepend=False, append=False)).tolist()
     has_values = run.numbers is not None
@@ -242,9 +242,9 @@ def _joined(
     declarations: Sequence[_BulkBlock],
     by_name: Sequence[_BulkBlock],
 ) -> list[SkippedSpan]:
-    """The stretches of declarations and of the moves by their names; none where few are left out.
+    """Return the spans of declarations and of moves by their names; empty if they are few.
 
-    A name is left out in both, and stands nowhere else.
+    A skipped name is skipped in both, and occurs nowhere else.
     """
     columns = np.concatenate([run.numbers for run in declarations if run.numbers is not None])
     places = np.concatenate([run.lines[:-1] for run in declarations])
@@ -253,7 +253,7 @@ def _joined(
     inner = np.concatenate(
         [_inner(_is_plain_data(run.numbers)) for run in declarations if run.numbers is not None]
     )
-    # Of each move by name the declaration of its target; -1 where that is in no run.
+    # For each move by name the row of its declaration; -1 without one in a run.
     rows = [np.array([row_of.get(name, -1) for name in run.names]) for run in by_name]
     of_moves = [_inner(row >= 0) for row in rows]
     times = Counter(name for run in (*declarations, *by_name) for name in run.names)
@@ -282,7 +282,7 @@ def _joined(
 def _omitted_spans(
     written: Sequence[SkippedSpan], runs: Sequence[_BulkBlock], masks: Sequence[Mask]
 ) -> list[tuple[int, int]]:
-    """The parts of a text that would not be parsed, in order."""
+    """Offsets of the parts of a text that would not be parsed, in order."""
     places = [(int(one.lines[0]), int(one.lines[-1])) for one in written]
     for run, mask in zip(runs, masks, strict=True):
         edges = np.flatnonzero(np.diff(mask, prepend=False, append=False))
@@ -292,7 +292,7 @@ def _omitted_spans(
 
 
 def _words(text: str, left_out: Sequence[tuple[int, int]]) -> set[str]:
-    """The folded words of what is left of a text, those of strings and comments among them."""
+    """Folded words of the rest of a text, including strings and comments."""
     found: set[str] = set()
     for (_, begin), (end, _) in pairwise([(0, 0), *left_out, (len(text), len(text))]):
         found.update(_WORD.findall(text, begin, end))

@@ -1,7 +1,7 @@
-"""Drive the LALR table over the tokens of a file that has no syntax error, and build its tree.
+"""Run the LALR automaton over the tokens of a file without syntax errors, and build its tree.
 
 A loop of our own instead of Lark's engine: it needs no Lark at run time, takes parallel lists
-instead of token objects, and jumps over chains of rules that only pass their child on.
+instead of token objects, and skips chains of rules that only pass their child on.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ from rapidsim.syntax.table import ACCEPT
 from rapidsim.syntax.terminals import TERMINALS
 
 _FIRST_OF_SHAPES = frozenset({"NAME", "CONST"})
-"""How the lines begin that generated programs have by the thousand: calls, data."""
+"""First tokens of the lines that generated programs have by the thousand: calls, data."""
 
 
 class _Reduction(NamedTuple):
-    """A rule ready to run; of `build`, `gather` and `only` one applies."""
+    """An executable rule; exactly one of `build`, `gather` and `only` applies."""
 
     origin: str
     length: int
     build: Build | None
     gather: bool
     only: int
-    """Which popped value to pass on, where there is nothing to build."""
+    """Index of the popped value to pass on, if nothing is built."""
     children: tuple[int | None, ...] | None
-    """Which popped values are children; None where all of them are."""
+    """Indices of the popped values that are children; None for all."""
 
 
 def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | None:
     """Parse tokens.
 
     Returns:
-        The modules, or None where the tokens are not what the grammar describes.
+        The modules, or None if the tokens do not match the grammar.
     """
     table = rapid_table()
     actions, gotos = table.actions, table.gotos
@@ -49,7 +49,7 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
     settled = _settled()
     states = [0]
     values: list[Any] = []
-    firsts: list[int] = []  # offset where each value begins
+    firsts: list[int] = []  # start offset of each value
     position = 0
     kind = kinds[0]
     shapes, beginnings = LineTemplates(kinds), beginnings_of_statements()
@@ -110,7 +110,7 @@ def build_tree(tokens: Tokens, builder: Builder) -> tuple[tree.Module, ...] | No
 
 
 class _Gathered(list[Any]):
-    """Children of a repeated part, on their way into the rule that holds it."""
+    """Children of a repeated part, to be added to the rule that contains it."""
 
 
 def _gathered(popped: list[Any], children: tuple[int | None, ...] | None) -> _Gathered:
@@ -140,7 +140,7 @@ def _flattened(children: list[Any]) -> list[Any]:
 
 @cache
 def _settled() -> dict[tuple[int, int, str], int]:
-    """What `after_passes` has answered; at most one entry for each state, goto and terminal."""
+    """Cache of `after_passes`; at most one entry for each state, goto and terminal."""
     return {}
 
 

@@ -1,4 +1,4 @@
-"""How often Python collects garbage: rarely where there is little, often where it would pile up."""
+"""Frequency of Python's garbage collection: rare for short runs, frequent for servers."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 _SELDOM = 70_000
-"""The number of new objects after which the collector runs."""
+"""Number of new objects after which the collector runs."""
 _OFTEN = 700
-"""The same for a process that stays on."""
+"""Number of new objects after which the collector runs in a permanent process."""
 
 
 @contextmanager
 def gc_paused() -> Iterator[None]:
-    """Keep the collector from walking through a growing tree again and again."""
+    """Pause the collector, which would traverse a growing tree repeatedly."""
     was_enabled = gc.isenabled()
     gc.disable()
     try:
@@ -26,9 +26,9 @@ def gc_paused() -> Iterator[None]:
 
 @contextmanager
 def gc_rarely() -> Iterator[None]:
-    """Let the collector come a hundred times less often: what a run makes stays, but for little.
+    """Run the collector a hundred times less often, because a run keeps most of its objects.
 
-    What it makes in a loop and drops is found all the same.
+    Garbage that it creates in a loop is still found.
     """
     with _collected_every(_SELDOM):
         yield
@@ -36,10 +36,10 @@ def gc_rarely() -> Iterator[None]:
 
 @contextmanager
 def gc_for_server() -> Iterator[None]:
-    """Look for garbage often in a process that stays on, and not among what is there already.
+    """Collect garbage frequently in a permanent process, but not among the existing objects.
 
-    Each connection leaves some behind that refers to itself. Python looks through all that is there
-    once a quarter has been added, and so much of it would pile up.
+    Each connection leaves some garbage with reference cycles. Python scans all old objects only
+    after their number has grown by a quarter, and so much garbage would accumulate.
     """
     gc.collect()
     gc.freeze()
@@ -52,7 +52,7 @@ def gc_for_server() -> Iterator[None]:
 
 @contextmanager
 def _collected_every(objects: int) -> Iterator[None]:
-    """Collect garbage after this many new objects, if Python collects it at all."""
+    """Collect garbage after this many new objects, if collection is enabled."""
     thresholds = gc.get_threshold()
     if thresholds[0]:
         gc.set_threshold(objects, *thresholds[1:])

@@ -1,4 +1,4 @@
-"""Repairs of the last resort: rebuild a head, give up a statement, skip text outside modules."""
+"""Last-resort repairs: rebuild a head, drop a statement, skip text outside modules."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rapidsim.syntax.text_violations import NoModule, TextBehindModule, TextOuts
 from rapidsim.syntax.token_repairs import BLOCK_WORDS, respelling
 from rapidsim.syntax.violations import BrokenHead, BrokenSyntax, StrayStatement
 
-# Heads of blocks: the word that ends each, and what its condition can be replaced by.
+# Heads of blocks: the word that ends each, and the replacement for its condition.
 _BLOCK_HEADS = {
     "IF": ("THEN", ("EXP",)),
     "ELSEIF": ("THEN", ("EXP",)),
@@ -21,7 +21,7 @@ _BLOCK_HEADS = {
     "FOR": ("DO", ("NAME", "FROM", "EXP", "TO", "EXP")),
 }
 _DECLARES = frozenset({"VAR", "PERS", "CONST", "ALIAS", "RECORD", *ROUTINES})
-"""What a module would lack if it stood behind its end."""
+"""First words of items that a module would lack if they followed its end."""
 _BEGIN_ITEM = frozenset({"VAR", "PERS", "CONST", "LOCAL", "TASK", "ALIAS"})
 
 
@@ -70,7 +70,7 @@ def broken_head(at: ParseFailure) -> Patch | None:
 
 
 def panic(at: ParseFailure) -> Patch:
-    """Give up the statement or declaration, up to its semicolon or to where the next one begins."""
+    """Drop the statement or declaration, up to its semicolon or the beginning of the next."""
     row, first = at.row, at.statement
     complaint = _complaint(at, BrokenSyntax)
     if not in_list(at.statement_stack) or (first == at.index and at.kind in BLOCK_WORDS):
@@ -89,7 +89,7 @@ def panic(at: ParseFailure) -> Patch:
 
 
 def _statement_end(at: ParseFailure) -> int:
-    """One past the semicolon, or where something else begins without one."""
+    """Index after the semicolon, or of the next construct if the semicolon is missing."""
     row = at.row
     column = row.indent(at.statement)
     stop = at.index
@@ -103,7 +103,7 @@ def _statement_end(at: ParseFailure) -> int:
 
 
 def _statements_end(at: ParseFailure) -> int:
-    """The same between routines, where stray statements come in heaps and count as one."""
+    """Index after stray statements between routines, which are often many and count as one."""
     row = at.row
     stop = at.index
     declaration = row.kinds[at.statement] in _BEGIN_ITEM
@@ -123,7 +123,7 @@ def _complaint(at: ParseFailure, rule: type[BrokenHead] | type[BrokenSyntax]) ->
 
 
 def _definition_head(at: ParseFailure, first: int) -> Patch | None:
-    """Let the head of a module or routine be its names and an empty parameter list."""
+    """Reduce the head of a module or routine to its names and an empty parameter list."""
     row = at.row
     stop = row.line_stop(first)
     if at.index > stop:
@@ -160,7 +160,7 @@ def _module_begin(row: TokenBuffer, index: int) -> int | None:
 
 
 def _misspelt_module(row: TokenBuffer) -> Patch | None:
-    """The first line that would begin a module, were its first word spelt right."""
+    """Correct the first line that would begin a module if its first word were spelt right."""
     for index in range(len(row.kinds) - 2):
         if (
             row.kinds[index] == row.kinds[index + 1] == "NAME"

@@ -1,8 +1,9 @@
-"""Text to tokens: three parallel lists, no object a token.
+"""Conversion of text to tokens: three parallel lists without an object per token.
 
-One regular expression made from the terminals of the grammar finds every token. Lexing never fails:
-a character that no token begins with becomes a token of kind `UNKNOWN`, a string that is not closed
-becomes a STRING that ends where its line's code seems to go on; both are reported by the parser.
+One regular expression made from the terminals of the grammar matches every token. Lexing never
+fails: a character that begins no token becomes a token of kind `UNKNOWN`, a string without closing
+quote becomes a STRING that ends where the code of its line seems to continue; the parser reports
+both.
 """
 
 from __future__ import annotations
@@ -18,11 +19,11 @@ from rapidsim.syntax.table import END
 from rapidsim.values import value_class
 
 UNKNOWN = "UNKNOWN"
-"""The kind of a character that no token begins with; the grammar has no such terminal."""
+"""Kind of a character that begins no token; the grammar has no such terminal."""
 
-# Deeper aggregates of literals are read bracket by bracket.
+# Deeper aggregates of literals are parsed bracket by bracket.
 _LITERAL_DEPTH = 6
-# After a backslash these are parameter modes; any other word is the name of an option.
+# After a backslash these words are parameter modes; other words are names of options.
 _MODES = frozenset({"VAR", "PERS", "INOUT"})
 _CODE_AFTER_STRING = (";", ")", "]", " ", "\t")
 _WORDS_AFTER_STRING = ("THEN", "DO")
@@ -31,17 +32,17 @@ _LAST_WORD = re.compile(r"(?<!\w)[A-Za-z]{2,4}$")
 
 @value_class(frozen=True, eq=False, slots=True)
 class Tokens:
-    """The tokens of a text; the last is `END`, of no width."""
+    """Tokens of a text; the last is `END`, with zero width."""
 
     kinds: list[str]
     """Terminals of the grammar, or `UNKNOWN`."""
     starts: list[int]
-    """Offset of the first character."""
+    """Offsets of the first characters."""
     ends: list[int]
-    """Offset past the last character."""
+    """Offsets past the last characters."""
     comments: tuple[tree.Comment, ...]
     unterminated: tuple[int, ...]
-    """Offsets of the strings that are not closed."""
+    """Offsets of unterminated strings."""
     words: frozenset[str]
     """Every name and reserved word, as written."""
 
@@ -58,8 +59,8 @@ def lex(text: str, left_out: Sequence[tuple[int, int]] = ()) -> Tokens:
     """Split a text into tokens.
 
     Args:
-        text: What is split.
-        left_out: Stretches of whole lines, in order, to be passed over.
+        text: The text.
+        left_out: Intervals of whole lines to skip, in order.
     """
     lexicon = _lexicon()
     words: dict[str, str] = {}
@@ -106,13 +107,13 @@ def lex(text: str, left_out: Sequence[tuple[int, int]] = ()) -> Tokens:
 
 
 def literal_pattern() -> str:
-    """One literal inside an aggregate: a number with its sign, a string or a truth value."""
+    """Pattern of one literal in an aggregate: a number with its sign, a string or a truth value."""
     patterns = rapid_table().patterns
     return rf"[+-]?(?:{patterns['NUMBER']})|{patterns['STRING']}|\b(?:TRUE|FALSE)\b"
 
 
 def _string_end(text: str, start: int, line_end: int) -> int:
-    """Where a string without closing quote most likely ends: before what closes the statement."""
+    """Likely end of a string without closing quote: before the text that ends the statement."""
     end = line_end
     while end > start + 1:
         if text[end - 1] in _CODE_AFTER_STRING:
@@ -130,8 +131,8 @@ def _lexicon() -> _Lexicon:
     table = rapid_table()
     patterns = table.patterns
     marks = sorted(table.marks, key=lambda mark: (-len(mark), mark))
-    # Atomic groups: a pattern that has matched an element never takes it back, so a long aggregate
-    # that fails at its end fails once. A comma must be followed by an element.
+    # Atomic groups: a matched element is final, so a long aggregate that fails at its end fails
+    # once. A comma must be followed by an element.
     literal = element = literal_pattern()
     literals = ""
     for _ in range(_LITERAL_DEPTH):

@@ -1,7 +1,7 @@
-"""What a controller cannot hold, and what this program would not survive.
+"""Limits of a controller, and limits that keep this program from exhausting its stack.
 
-Names, strings and numbers that are too large are reported and kept. Nesting is bounded before the
-tokens are parsed: every later pass walks the tree by recursion, so a tree that is too deep must
+Names, strings and numbers that are too large are reported and kept. Nesting is limited before the
+tokens are parsed: every later pass traverses the tree recursively, so a tree that is too deep must
 never be built.
 
 Source: Technical reference manual RAPID Kernel, "Lexical elements"; events ABB 40141, 40148.
@@ -27,7 +27,7 @@ DEEPEST = 200
 _ROLES = {
     **dict.fromkeys(("LPAR", "LSQB", "LBRACE"), "open"),
     **dict.fromkeys(("RPAR", "RSQB", "RBRACE"), "close"),
-    # Each of these makes the tree of its expression one deeper.
+    # Each of these increases the depth of the expression tree by one.
     **dict.fromkeys(
         [
             "PLUS",
@@ -59,17 +59,17 @@ _ROLES = {
     ),
 }
 _BEFORE_EXPRESSION = frozenset({"BECOMES", "COMMA", "IF", "ELSEIF", "WHILE", "TEST", "CASE"})
-# Only a text with one of these can hold a number too large for a dnum. Looked for one by one, as
-# each alone is many times as fast as all together.
+# Only a text with one of these can contain a number too large for a dnum. They are searched
+# separately, because each pattern alone is many times as fast as all together.
 _LARGE_EXPONENT = re.compile(r"[eE]\+?[0-9]{3}")
 _LONG_PREFIXED = re.compile(r"0[xXoObB]\w{200}")
 _EVERY = 10
 _MANY_DIGITS = re.compile(f"[0-9]{{{300 // _EVERY}}}")
-"""The stride of a quick look: 300 digits in a row show in it, and little else does."""
+"""Stride of a quick test: 300 consecutive digits are visible at this stride, little else is."""
 
 
 def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, ...]]:
-    """Replace what nests too deep by a gap, with a report each."""
+    """Replace too deeply nested parts by gaps, each with a report."""
     kinds = tokens.kinds
     gaps: list[tuple[int, int, str]] = []
     stop = 0
@@ -92,17 +92,17 @@ def bounded(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, .
 
 
 def _too_deep(kinds: list[str], begin: int, blocks: list[int]) -> tuple[int, int, str] | None:
-    """The next stretch that nests too deep, with the kind of token that is to replace it.
+    """Find the next span that is nested too deeply, with the kind of token to replace it.
 
     Args:
-        kinds: Of all tokens.
-        begin: Where to begin.
-        blocks: The tokens that open the blocks around that place; becomes those around the stretch.
+        kinds: The kinds of all tokens.
+        begin: Index where the search begins.
+        blocks: The tokens that open the blocks around that index; updated to those around the span.
     """
     chains = [0]  # operators so far, for each open bracket
-    depth = 0  # of brackets and operators
+    depth = 0  # depth of brackets and operators
     part = begin
-    divides = False  # whether the next THEN is that of an ELSEIF
+    divides = False  # whether the next THEN belongs to an ELSEIF
     for index in range(begin, len(kinds)):
         role = _ROLES.get(kinds[index])
         if role is None:
@@ -151,7 +151,7 @@ def _deep_expression(kinds: list[str], part: int, index: int) -> tuple[int, int,
 
 
 def _deep_block(kinds: list[str], index: int) -> tuple[int, int, str]:
-    """A block with all that is in it, up to the word that closes it."""
+    """Span of a block with its contents, up to its closing word."""
     start = index
     while kinds[index] == "THEN" and kinds[start] != "IF":
         start -= 1
@@ -165,7 +165,7 @@ def _deep_block(kinds: list[str], index: int) -> tuple[int, int, str]:
 
 
 def token_limits(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
-    """Report names, strings and numbers that are too large, and escapes that are none."""
+    """Report names, strings and numbers that are too large, and invalid escapes."""
     found: list[Diagnostic] = []
     if any(len(word) > LONGEST_NAME for word in tokens.words):
         found += _long_names(tokens, source)
@@ -176,7 +176,7 @@ def token_limits(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
     unterminated = set(tokens.unterminated)
     for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):
         if start in unterminated:
-            continue  # what was meant to be in the string is not known
+            continue  # the intended contents of the string are unknown
         if kind == "STRING" or kind == "LITERALS":
             for offset, text in literals.parts(source.text[start:end]):
                 if text[0] == '"':
@@ -195,7 +195,7 @@ def _may_hold_huge_numbers(text: str) -> bool:
 
 
 def _long_names(tokens: Tokens, source: Source) -> list[Diagnostic]:
-    """One report for each name, at its first occurrence."""
+    """Report each name once, at its first occurrence."""
     seen: set[str] = set()
     found = []
     for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):

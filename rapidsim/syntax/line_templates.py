@@ -1,9 +1,9 @@
-"""Statements of one shape: what the driver does for their tokens, compiled into one function.
+"""Statement templates: the driver's steps for a sequence of token kinds, compiled to one function.
 
-Which steps an LALR parser takes from a state depends on the kinds of the tokens alone, not on their
-text. So for a sequence of kinds that comes again and again, as in programs that other programs have
-written, the steps are taken once without building anything; what they would build is written down
-as one Python expression. It calls the same functions with the same arguments in the same order.
+The steps of an LALR parser from a state depend only on the kinds of the tokens, not on their text.
+For a frequent sequence of kinds, as in generated programs, the steps are therefore taken once
+without building anything; the nodes that they would build are recorded as one Python expression.
+It calls the same functions with the same arguments in the same order.
 """
 
 from __future__ import annotations
@@ -18,38 +18,38 @@ from rapidsim.syntax.terminals import TERMINALS
 from rapidsim.values import value_class
 
 LONGEST = 60
-"""The most tokens of a shape."""
+"""Maximum number of tokens of a template."""
 _OFTEN = 50
-"""The number of statements after which their shape is compiled, at the cost of building twenty."""
+"""Number of statements after which their template is compiled, which costs as much as twenty."""
 _MOST = 1000
 
 Build: TypeAlias = Callable[[Sequence[Any], list[int], list[int], str, int], list[Any]]
-"""`build(builds, starts, ends, text, position)`: what the driver would have pushed."""
+"""Signature `build(builds, starts, ends, text, position)`; returns the values to push."""
 _Symbol: TypeAlias = "str | list[str]"
-"""An expression, or those gathered for the rule that holds them."""
+"""An expression, or the expressions gathered for the enclosing rule."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class LineTemplate:
-    """What the driver has pushed after the tokens of a shape."""
+    """Values and states that the driver pushes for the tokens of a statement."""
 
     build: Build
     firsts: tuple[int, ...]
-    """The token that each value begins with, counted from the first of the shape."""
+    """Index of the first token of each value, relative to the statement."""
     states: tuple[int, ...]
 
 
 class LineTemplates:
-    """The shapes of one text, found as the driver meets them."""
+    """Templates of one text, compiled as the driver encounters them."""
 
     def __init__(self, kinds: list[str]) -> None:
-        """Look at the tokens of a text, by their kinds."""
+        """Take the kinds of the tokens of a text."""
         self._kinds = kinds
         self._met: dict[tuple[int, tuple[str, ...]], int] = {}
         self._known: dict[tuple[int, tuple[str, ...]], LineTemplate | None] = {}
 
     def at(self, position: int, state: int) -> tuple[int, LineTemplate] | None:
-        """The shape of the statement that begins at a token, and how many tokens it has."""
+        """Template of the statement that begins at a token, and its number of tokens."""
         try:
             stop = self._kinds.index("SEMICOLON", position, position + LONGEST) + 1
         except ValueError:
@@ -66,7 +66,7 @@ class LineTemplates:
 
 @cache
 def beginnings() -> frozenset[int]:
-    """The states of the driver that take the first token of a statement or a declaration."""
+    """States of the driver that accept the first token of a statement or a declaration."""
     actions = rapid_table().actions
     return frozenset(
         k for k, of in enumerate(actions) if of.get("GOTO", 0) > 0 or of.get("CONST", 0) > 0
@@ -75,10 +75,10 @@ def beginnings() -> frozenset[int]:
 
 @lru_cache(_MOST)
 def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
-    """Take the steps for some tokens; the last is only looked at.
+    """Take the steps for some tokens; the last is only looked ahead at.
 
     Returns:
-        None where an error, or the end of what began before them, is met on the way.
+        None at an error, or if a construct that began before them ends.
     """
     table = rapid_table()
     states, values, firsts = [state], list[_Symbol](), list[int]()
@@ -113,12 +113,12 @@ def _shape(state: int, kinds: tuple[str, ...]) -> LineTemplate | None:
         return None
     names: dict[str, Any] = {f"make_{kind}": make for kind, make in TERMINALS.items()}
     text = f"lambda b,s,e,t,p:[{','.join(map(str, values))}]"
-    # A text of names of the grammar and of places; nothing of what is read is in it.
+    # The text consists of names of the grammar and of indices, without any text of the file.
     return LineTemplate(eval(text, names), tuple(firsts), tuple(states[1:]))
 
 
 def _reduced(number: int, popped: list[_Symbol], first: int, position: int) -> _Symbol:
-    """What a rule makes of symbols, as the driver does it with values."""
+    """Expression that a rule builds from symbols, as the driver does with values."""
     rule = rapid_table().rules[number]
     if rule.build is None:
         return popped[rule.children[0] or 0]
@@ -137,9 +137,9 @@ def _flat(symbols: Sequence[_Symbol]) -> list[str]:
 
 
 def after_passes(below: int, state: int, kind: str) -> int:
-    """The state once every rule that only passes its single symbol on has been reduced.
+    """Return the state after reducing every rule that only passes its single symbol on.
 
-    From a number to a whole expression there are eight such rules; none of them does anything.
+    From a number to a whole expression there are eight such rules, all without effect.
     """
     table = rapid_table()
     while True:

@@ -22,7 +22,7 @@ _BACKSLASH = re.compile(r"\\(?:\\|[0-9A-Fa-f]{2})|(\\)")
 
 
 def number(text: str) -> float:
-    """The value of a number as written, without a sign; infinite when no dnum can hold it."""
+    """Return the value of an unsigned numeric literal; infinite if it exceeds a dnum."""
     base = _BASES.get(text[:2].upper())
     if base is None:
         return float(text)
@@ -33,7 +33,7 @@ def number(text: str) -> float:
 
 
 def string(text: str) -> str:
-    """The characters of a string as written, whose closing quote may be missing."""
+    """Return the characters of a string literal, whose closing quote may be missing."""
     inner = text[1:-1] if len(text) > 1 and text.endswith('"') else text[1:]
     if "\\" not in inner and '"' not in inner:
         return inner

@@ -1,9 +1,8 @@
-"""Where a parse is stuck, and how a repair changes the tokens.
+"""Position and state of a failed parse, and the patches that repair it.
 
-A repair is a function from a `ParseFailure` to a `Patch` or None. It never touches the tokens
-itself;
-the loop in `rapidsim.syntax.repair` does, and then parses again from the last statement before the
-change. Tokens that are put in have no width, so every place in the tree stays true.
+A repair is a function from a `ParseFailure` to a `Patch` or None. It never changes the tokens; the
+loop in `rapidsim.syntax.repair` does, and then parses again from the last statement before the
+change. Inserted tokens have no width, so every offset in the tree remains valid.
 """
 
 from __future__ import annotations
@@ -17,8 +16,8 @@ from rapidsim.syntax.recognizer import accepts
 from rapidsim.values import value_class
 
 LOOKAHEAD = 6
-"""How many tokens after a change must parse for the change to be believed."""
-# Fewer tokens than this prove nothing, so they are taken from the next line.
+"""Number of tokens after a change that must parse before the change is accepted."""
+# Fewer tokens than this are no evidence, so the window continues on the next line.
 _SURE = 2
 _LINE_END = re.compile(r"[\r\n]")
 _BLANKS = re.compile(r"\s*")
@@ -29,7 +28,7 @@ Token: TypeAlias = tuple[str, int, int]
 
 @value_class(frozen=True, eq=False, slots=True)
 class TokenBuffer:
-    """The tokens of a file while they are being repaired."""
+    """Tokens of a file during repair."""
 
     source: Source
     kinds: list[str]
@@ -38,43 +37,43 @@ class TokenBuffer:
 
     @classmethod
     def of(cls, tokens: Tokens, source: Source) -> TokenBuffer:
-        """A row that may be changed without changing the tokens."""
+        """Copy tokens so that they can be changed without changing the original."""
         return cls(source, list(tokens.kinds), list(tokens.starts), list(tokens.ends))
 
     def text(self, index: int) -> str:
-        """A token as written."""
+        """Text of a token."""
         return self.source.text[self.starts[index] : self.ends[index]]
 
     def token(self, index: int) -> Token:
-        """Kind and place of a token."""
+        """Kind and offsets of a token."""
         return self.kinds[index], self.starts[index], self.ends[index]
 
     def span(self, first: int, stop: int) -> Span:
-        """The place of some tokens, at least one."""
+        """Span of one or more tokens."""
         return Span(self.source, self.starts[first], self.ends[max(first, stop - 1)])
 
     def place_before(self, index: int) -> int:
-        """The offset just past the token before."""
+        """Offset just past the previous token."""
         return self.ends[index - 1] if index else 0
 
     def first_on_line(self, index: int) -> bool:
-        """Whether no other token stands before this one on its line."""
+        """Whether a token is the first on its line."""
         before = self.place_before(index)
         return index == 0 or bool(_LINE_END.search(self.source.text, before, self.starts[index]))
 
     def line_stop(self, index: int) -> int:
-        """One past the last token on the line of a token."""
+        """Index after the last token on the line of a token."""
         index += 1
         while index < len(self.kinds) - 1 and not self.first_on_line(index):
             index += 1
         return min(index, len(self.kinds) - 1)
 
     def column(self, index: int) -> int:
-        """Column of a token, from 1; a tab counts as one, as it does for every line alike."""
+        """Column of a token, from 1; a tab counts as one, on all lines alike."""
         return self.source.position(self.starts[index])[1]
 
     def indent(self, index: int) -> int:
-        """Column of the first character on the line of a token that is not blank."""
+        """Column of the first non-blank character on the line of a token."""
         start = self.starts[index]
         begin = start - self.column(index) + 1
         blanks = _BLANKS.match(self.source.text, begin, start)
@@ -83,7 +82,7 @@ class TokenBuffer:
 
 @value_class(frozen=True, eq=False, slots=True)
 class Patch:
-    """Put `tokens` in the place of those from `start` up to `stop`, and say why."""
+    """Replacement of the tokens from `start` up to `stop` by `tokens`, with its diagnostic."""
 
     start: int
     stop: int
@@ -93,28 +92,28 @@ class Patch:
 
 @value_class(frozen=True, eq=False, slots=True)
 class ParseFailure:
-    """A parse that cannot take the token at `index`."""
+    """A parse that does not accept the token at `index`."""
 
     row: TokenBuffer
     index: int
     stack: tuple[int, ...]
-    """States before that token."""
+    """Parser states before that token."""
     statement: int
-    """The first token of the statement, declaration or head that it belongs to."""
+    """First token of the statement, declaration or head that contains it."""
     statement_stack: tuple[int, ...]
-    """States before `statement`."""
+    """Parser states before `statement`."""
     module: int
-    """The first token of the module that it belongs to."""
+    """First token of the module that contains it."""
 
     @property
     def kind(self) -> str:
-        """The kind of the token that does not fit."""
+        """Kind of the token that is not accepted."""
         return self.row.kinds[self.index]
 
     def window(self, start: int) -> list[str]:
-        """The kinds that must parse for a change before them to be believed.
+        """Kinds of tokens that must parse before a change in front of them is accepted.
 
-        They end with the statement or the line, because the next may have an error of its own.
+        They end with the statement or the line, because the next one may have a separate error.
         """
         row = self.row
         kinds = row.kinds[start : start + LOOKAHEAD]
@@ -126,14 +125,14 @@ class ParseFailure:
         return kinds
 
     def accepts_after(self, kinds: list[str], after: int) -> bool:
-        """Whether the parse takes these tokens and then the ones from `after` on."""
+        """Whether the parse accepts these tokens and then the ones from `after` on."""
         return accepts(self.stack, kinds + self.window(after))
 
 
 def insertion(
     row: TokenBuffer, index: int, kind: str, violation: Violation, related: tuple[Related, ...] = ()
 ) -> Patch:
-    """Insert a token before another one; its place is the end of the token before."""
+    """Insert a token before another one; its offset is the end of the previous token."""
     place = row.place_before(index)
     span = Span(row.source, place, place)
     return Patch(index, index, ((kind, place, place),), Diagnostic(violation, span, related))

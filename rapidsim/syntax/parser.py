@@ -1,7 +1,7 @@
-"""Text to tree: `parse` reads one file and never fails.
+"""Conversion of text to a tree: `parse` reads one file and never fails.
 
-A file without syntax errors takes the short way: lex, build. Only if the builder stops are the
-tokens repaired, and built again; that is why errors cost correct programs nothing.
+A file without syntax errors is lexed and built directly. Only if the builder stops are the
+tokens repaired and built again; hence error recovery costs correct programs nothing.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ if TYPE_CHECKING:
 
 
 _SHORTEST_MOVE = 60
-"""Characters of a move with its target written out."""
+"""Minimum number of characters of a move with its target written out."""
 
 
 @value_class(frozen=True, slots=True)
 class Parsed:
-    """The tree of a file, as far as it could be read, and what is wrong with its text."""
+    """Tree of a file, as far as it could be read, with the findings about its text."""
 
     file: tree.File
     diagnostics: tuple[Diagnostic, ...]
-    """In the order of their places."""
+    """Findings in source order."""
 
     def __repr__(self) -> str:
         """One line."""
@@ -50,13 +50,13 @@ def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = Fals
 
     Args:
         source: Its text.
-        runs_of: Leave runs of moves out of the tree, as columns of their modules, if there are more
-            statements in them than this; None leaves all in the tree.
-        keeps_data: Leave in the tree what is declared, and moves to it by name.
+        runs_of: Exclude bulk moves from the tree, as columns of their modules, if there are more
+            than this number of statements; None keeps all in the tree.
+        keeps_data: Keep declarations, and moves to declared targets, in the tree.
 
     Returns:
-        All modules that the text holds, with `tree.Broken` for statements that could not be read,
-        and every error of syntax and of size. Errors that need names or types are not looked for.
+        All modules in the text, with `tree.InvalidStatement` for unreadable statements, and every
+        error of syntax and of size. Errors that require names or types are not detected.
     """
     if runs_of is not None and len(source.text) > runs_of * _SHORTEST_MOVE:
         parsed = _parsed_with_runs(source, runs_of, keeps_data=keeps_data)
@@ -66,8 +66,8 @@ def parse(source: Source, *, runs_of: int | None = None, keeps_data: bool = Fals
 
 
 def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Parsed | None:
-    """A file whose runs are left out; None where there are too few, or not all can be."""
-    # For files of which most have none, and it takes numpy.
+    """Parse a file without its bulk statements; None if they are too few, or some do not fit."""
+    # Most files have none, and the module imports numpy.
     from rapidsim.syntax.bulk_statements import skipped_spans  # noqa: PLC0415
 
     found = skipped_spans(source.text, keeps_data=keeps_data)
@@ -76,7 +76,7 @@ def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Pars
     parsed = _parsed(source, [(int(one.lines[0]), int(one.lines[-1])) for one in found])
     modules = tuple(_with_runs(module, found) for module in parsed.file.modules)
     homes = [module for module in modules if module.runs]
-    # What a module declares, another may not see.
+    # Names that one module declares may be invisible in another.
     if len(homes) > 1 and any(run.names for module in homes for run in module.runs):
         return None
     if sum(len(module.runs) for module in homes) < len(found):
@@ -85,7 +85,7 @@ def _parsed_with_runs(source: Source, runs_of: int, *, keeps_data: bool) -> Pars
 
 
 def _with_runs(module: tree.Module, spans: Sequence[SkippedSpan]) -> tree.Module:
-    """A module with its runs: of declarations outside of routines, of moves outside of blocks."""
+    """Add its bulk statements to a module: declarations at module level, moves outside blocks."""
     lists: list[tuple[int, int, Sequence[tree.Item | tree.Statement]]] = [
         (module.start, module.end, module.items),
         *((one.start, one.end, one.body) for one in module.routines),
@@ -109,7 +109,7 @@ def _place(span: SkippedSpan) -> int:
 def _run(
     span: SkippedSpan, around: Sequence[tree.Item | tree.Statement], text: str
 ) -> tree.BulkStatements | None:
-    """A run between two statements; None where the lines around it are read as anything else."""
+    """Build bulk statements between two others; None if the lines around parsed differently."""
     match around:
         case (tree.Data(value=tree.LiteralAggregate()) as like, tree.Data() as behind):
             kind = bool(span.names)
@@ -174,9 +174,9 @@ def _built(tokens: Tokens, source: Source) -> tuple[Builder, tuple[tree.Module, 
 def _not_behind_lost_quotes(
     diagnostics: tuple[Diagnostic, ...], tokens: Tokens, source: Source
 ) -> tuple[Diagnostic, ...]:
-    """Without those on the same line as an unterminated string and behind its beginning.
+    """Drop diagnostics behind the start of an unterminated string on the same line.
 
-    Where the string was meant to end is a guess, so what seems wrong there follows from the guess.
+    The intended end of the string is a guess, so errors after it may only result from the guess.
     """
     lost = {source.position(start)[0]: start for start in reversed(tokens.unterminated)}
     return tuple(
@@ -200,7 +200,7 @@ def _unterminated(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
 def _inside(
     modules: tuple[tree.Module, ...], diagnostics: tuple[Diagnostic, ...]
 ) -> tuple[Diagnostic, ...]:
-    """Those that stand in a module; what stands outside has been reported as a whole."""
+    """Diagnostics inside modules; text outside has been reported as a whole."""
     return tuple(
         diagnostic
         for diagnostic in diagnostics
@@ -210,7 +210,7 @@ def _inside(
 
 
 def _placed(diagnostic: Diagnostic, modules: tuple[tree.Module, ...]) -> Diagnostic:
-    """With the name of the routine it stands in."""
+    """Diagnostic with the name of the routine that contains it."""
     if diagnostic.span is None:
         return diagnostic
     for module in modules:

@@ -1,7 +1,7 @@
-"""Tree to text: RAPID in one canonical layout.
+"""Conversion of a tree to text: RAPID in one canonical layout.
 
-What is printed parses to the same tree. Comments and blank lines are not part of the tree and
-therefore not printed; lenient marks are printed as they were written.
+The printed text parses to the same tree. Comments and blank lines are not part of the tree and
+therefore not printed; lenient marks are printed as written.
 """
 
 from __future__ import annotations
@@ -15,11 +15,11 @@ from rapidsim.syntax.tree import LiteralValue
 
 _INDENT = "  "
 _WRITTEN_OUT = 1e7
-"""Larger whole numbers are printed with an exponent."""
+"""Limit beyond which integers are printed with an exponent."""
 
 
 def print_module(module: tree.Module) -> str:
-    """A module as text, with a final line end."""
+    """Format a module as text, with a final line end."""
     attributes = f"({','.join(attribute.text for attribute in module.attributes)})"
     head = f"MODULE {module.name.text}{attributes if module.attributes else ''}"
     lines = [line for item in module.items for line in _item(item, module)]
@@ -27,22 +27,22 @@ def print_module(module: tree.Module) -> str:
 
 
 def print_data(data: tree.Data) -> str:
-    """A declaration of data as text."""
+    """Format a declaration of data as text."""
     return _data(data)
 
 
 def print_routine(routine: tree.Routine, module: tree.Module) -> list[str]:
-    """The lines of a routine; its statements are indented by two blanks."""
+    """Format a routine as lines; its statements are indented by two blanks."""
     return list(_routine(routine, module))
 
 
 def print_statement(statement: tree.Statement, module: tree.Module) -> list[str]:
-    """The lines of a statement; those inside are indented by two blanks."""
+    """Format a statement as lines; nested ones are indented by two blanks."""
     return list(_statement(statement, module))
 
 
 def print_expression(expression: tree.Expression) -> str:
-    """An expression as text."""
+    """Format an expression as text."""
     match expression:
         case tree.NumberLiteral(text=text):
             return text
@@ -231,7 +231,7 @@ def _case_head(case: tree.Case) -> str:
 
 
 def _simple(statement: tree.Statement) -> str:
-    """A statement that fits on one line, without its semicolon."""
+    """Format a statement that fits on one line, without its semicolon."""
     match statement:
         case tree.Assignment(target=target, value=value, equals_sign=equals_sign):
             becomes = "=" if equals_sign else ":="
@@ -314,7 +314,7 @@ def _literal(value: LiteralValue) -> str:
 
 
 def _string(value: str) -> str:
-    """A string as RAPID writes it: what cannot stand on a line goes by its code."""
+    """Format a string as RAPID source: control characters are written as their codes."""
     escaped = value.replace("\\", "\\\\").replace('"', '""')
     return (
         '"' + "".join(c if c >= " " and c != "\x7f" else f"\\{ord(c):02X}" for c in escaped) + '"'

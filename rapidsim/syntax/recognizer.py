@@ -1,7 +1,7 @@
-"""Ask the automaton what may come next, without building anything.
+"""LALR recognizer: determine which tokens may follow, without building anything.
 
-A stack is a list of states, deepest first. All of repair rests on `accepted`: how far the parse
-would get if the next tokens were these.
+A stack is a list of states, deepest first. All repairs rely on `accepts`: whether the parse would
+accept these tokens next.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ START = (0,)
 
 
 def advance(stack: list[int], kind: str) -> bool:
-    """Take one token, changing the stack; False leaves the stack as it was."""
+    """Accept one token, changing the stack; False leaves the stack unchanged."""
     table = rapid_table()
     actions, rules, gotos = table.actions, table.rules, table.gotos
-    # Reductions made before a token turns out to be wrong must not be kept: they depend on it.
+    # Reductions before a token that is then rejected must be undone: they depend on it.
     below = len(stack)
     pushed: list[int] = []
     while True:
@@ -44,7 +44,7 @@ def advance(stack: list[int], kind: str) -> bool:
 
 
 def accepts(stack: Iterable[int], kinds: Iterable[str]) -> bool:
-    """Whether the parser would take all of these tokens, as far as the end of the text."""
+    """Whether the parser would accept all of these tokens, up to the end of the text."""
     trial = list(stack)
     for kind in kinds:
         if not advance(trial, kind):

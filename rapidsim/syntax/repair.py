@@ -1,9 +1,9 @@
-"""Change the tokens of a file with syntax errors until they parse, with a report a change.
+"""Change the tokens of a file with syntax errors until they parse, with one report per change.
 
 Skipping from an error to the next semicolon finds few errors and blames the wrong lines. Here every
-error is answered by the smallest change of the tokens that lets the parse go on, tried in the
-order of `REPAIRS`; the parse then goes on from the last statement before the change. The
-result is a row of tokens that the grammar describes, so the tree builder need not know of errors.
+error is corrected by the smallest change of the tokens that lets the parse continue, tried in the
+order of `REPAIRS`; the parse then continues from the last statement before the change. The
+resulting tokens match the grammar, so the tree builder need not handle errors.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ from rapidsim.values import value_class
 REPAIRS: tuple[Callable[[ParseFailure], Patch | None], ...] = (
     skip_text_between_modules,
     unknown_character,
-    # Before the semicolon, or `EDNIF` would get one and be a call.
+    # Before the semicolon, or `EDNIF` would get one and become a call.
     misspelt_word,
     reserved_name,
     missing_semicolon,
@@ -54,7 +54,7 @@ REPAIRS: tuple[Callable[[ParseFailure], Patch | None], ...] = (
     broken_head,
     panic,
 )
-"""In the order tried."""
+"""Repairs in the order in which they are tried."""
 MOST_REPAIRS = 200
 
 # After these a statement or declaration may begin in the middle of a line.
@@ -65,12 +65,12 @@ _BEFORE_STATEMENT = frozenset(
 
 @value_class(frozen=True, slots=True)
 class _Checkpoint:
-    """A place where a statement, declaration or module begins."""
+    """Beginning of a statement, declaration or module."""
 
     index: int
     stack: tuple[int, ...]
     module: int
-    """The first token of the module it stands in."""
+    """First token of the module that contains it."""
 
 
 def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, ...]]:
@@ -114,20 +114,20 @@ def repaired(tokens: Tokens, source: Source) -> tuple[Tokens, tuple[Diagnostic, 
 def cut_calls_ended(
     tokens: Tokens, source: Source, offsets: Sequence[int]
 ) -> tuple[Tokens, tuple[Diagnostic, ...]]:
-    """Put the missing semicolons before arguments that are statements.
+    """Insert the missing semicolons before arguments that are statements.
 
     Args:
         tokens: Tokens that parse.
         source: Their text.
-        offsets: Where those arguments begin.
+        offsets: Offsets of those arguments.
     """
     row = TokenBuffer.of(tokens, source)
     diagnostics = []
     for offset in sorted(offsets, reverse=True):
         index = bisect_left(row.starts, offset)
         while row.ends[index] == offset:
-            index += 1  # a token of no width that an earlier repair has put there
-        # The name of a call that was cut stands right before its first argument.
+            index += 1  # an inserted token of an earlier repair, without width
+        # The name of an interrupted call immediately precedes its first argument.
         patch = semicolon_before(row, index - 1, index)
         diagnostics.append(patch.diagnostic)
         _apply(row, patch)
@@ -152,7 +152,7 @@ def _apply(row: TokenBuffer, patch: Patch) -> None:
 
 
 def _give_up(at: ParseFailure) -> Patch:
-    """Leave out what follows, and close what is open."""
+    """Drop the rest, and close all open blocks."""
     row = at.row
     blocks = open_blocks(row.kinds, at.module, at.statement)
     place = row.place_before(at.statement)

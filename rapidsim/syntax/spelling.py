@@ -1,4 +1,4 @@
-"""Which reserved word a misspelt word may stand for."""
+"""Reserved words that a misspelt word may be intended as."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _TINY = 2
 
 @lru_cache(maxsize=1024)
 def near_words(text: str) -> tuple[tuple[int, str], ...]:
-    """Reserved words that a name may be a slip for, nearest first, each with its distance.
+    """Reserved words that a name may be a misspelling of, nearest first, each with its distance.
 
     One slip is allowed in a word of up to four letters, two in a longer one; two letters may only
     be swapped, since nearly any name of two letters is a slip away from OR.
@@ -30,7 +30,7 @@ def near_words(text: str) -> tuple[tuple[int, str], ...]:
 
 
 def distance(a: str, b: str) -> int:
-    """How many letters must be put in, left out, changed or swapped with their neighbour.
+    """Number of letters to insert, delete, change or swap with their neighbour.
 
     Source: optimal string alignment, the restricted Damerau-Levenshtein distance.
     """

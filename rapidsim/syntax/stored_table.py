@@ -1,7 +1,7 @@
 """Read the table of RAPID's grammar that `rapidsim.syntax.build_table` has stored.
 
-A table that is missing or does not belong to the grammar is computed anew, which imports Lark;
-otherwise Lark is never imported, which is what makes a small file quick to check.
+A table that is missing or does not belong to the grammar is computed again, which imports Lark;
+otherwise Lark is never imported, which keeps the check of a small file quick.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from rapidsim.syntax.table import GRAMMAR_FILE, TABLE_FILE, Exported, Table, fin
 
 @cache
 def rapid_table() -> Table:
-    """The table of RAPID."""
+    """Return the LALR table of RAPID."""
     folder = shipped("grammars")
     grammar = (folder / GRAMMAR_FILE).read_text(encoding="utf-8")
     stored = folder / TABLE_FILE
@@ -23,7 +23,7 @@ def rapid_table() -> Table:
         exported: Exported = json.loads(stored.read_text(encoding="utf-8"))
         if exported["grammar"] == fingerprint(grammar):
             return unpacked(exported)
-    # Only a developer who edits the grammar comes here, so only that developer pays for Lark.
+    # Only developers who edit the grammar reach this, so only they pay for Lark.
     from rapidsim.syntax.build_table import export  # noqa: PLC0415
 
     return unpacked(export(grammar))

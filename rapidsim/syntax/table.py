@@ -1,7 +1,7 @@
-"""The LALR table of the grammar: the automaton, and what the lexer must know of the terminals.
+"""LALR table of the grammar: the automaton, and the terminals for the lexer.
 
 `Exported` is the form that is stored as JSON, in which symbols are numbers; `Table` is the form
-that is run.
+for execution.
 """
 
 from __future__ import annotations
@@ -14,18 +14,18 @@ from rapidsim.values import value_class
 GRAMMAR_FILE = "rapid.lark"
 TABLE_FILE = "rapid.table.json"
 END = "$END"
-"""The terminal after the last token."""
+"""Terminal after the last token."""
 ACCEPT = 0
-"""The action that ends a parse."""
+"""Action that ends a parse."""
 
 
 class Exported(TypedDict):
     """A table as JSON."""
 
     grammar: int
-    """Fingerprint of the grammar it was made from."""
+    """Fingerprint of the grammar of the table."""
     terminals: int
-    """How many of the symbols are terminals; they come first."""
+    """Number of terminals, which precede the other symbols."""
     symbols: list[str]
     words: dict[str, str]
     marks: dict[str, str]
@@ -33,25 +33,25 @@ class Exported(TypedDict):
     rules: list[tuple[str, int, str | None, list[int | None]]]
     """The fields of `GrammarRule`."""
     states: list[list[int]]
-    """For each state, symbol and target in turn; terminals first."""
+    """For each state, alternately symbol and target; terminals first."""
 
 
 @value_class(frozen=True, slots=True)
 class GrammarRule:
-    """A production: pop `length` values, push what `build` makes of the `children` among them."""
+    """A production: pop `length` values, push the result of `build` for the `children` of them."""
 
     origin: str
-    """The nonterminal it reduces to."""
+    """Nonterminal that it reduces to."""
     length: int
     build: str | None
     """The builder's function; None passes the only child on, "" gathers the children in a list."""
     children: tuple[int | None, ...]
-    """Which of the popped values are children; None where an optional one is absent."""
+    """Indices of the popped values that are children; None for an absent optional one."""
 
 
 @value_class(frozen=True, eq=False, slots=True)
 class Table:
-    """The automaton, and what the lexer must know of the terminals."""
+    """The automaton, and the terminals for the lexer."""
 
     rules: tuple[GrammarRule, ...]
     actions: tuple[dict[str, int], ...]
@@ -67,12 +67,12 @@ class Table:
 
 
 def fingerprint(grammar: str) -> int:
-    """A checksum that tells whether a table belongs to a grammar."""
+    """Return a checksum that identifies the grammar of a table."""
     return zlib.crc32(grammar.encode())
 
 
 def unpacked(exported: Exported) -> Table:
-    """The table that runs, from its stored form."""
+    """Convert the stored form of a table to the executable form."""
     symbols = exported["symbols"]
     terminal_count = exported["terminals"]
     actions: list[dict[str, int]] = []

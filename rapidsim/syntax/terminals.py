@@ -1,4 +1,4 @@
-"""From a token to a leaf of the tree: numbers, strings, names, placeholders."""
+"""Conversion of tokens to leaves of the tree: numbers, strings, names, placeholders."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TypeAlias
 from rapidsim.syntax import literals, tree
 
 BuildTerminal: TypeAlias = Callable[[int, int, str], tree.Node]
-"""`build(start, end, text)`."""
+"""Signature `build(start, end, text)`."""
 
 
 def _number(start: int, end: int, text: str) -> tree.NumberLiteral:
@@ -33,7 +33,7 @@ def _placeholder(start: int, end: int, text: str) -> tree.Placeholder:
 
 
 def _missing_operand(start: int, end: int, text: str) -> tree.Placeholder:
-    """`<EXP>`, written or put in by repair for text that is no expression."""
+    """`<EXP>`, written or inserted by a repair for text that is no expression."""
     return tree.Placeholder(start, end, "EXP")
 
 
@@ -42,7 +42,7 @@ def _broken(start: int, end: int, text: str) -> tree.InvalidStatement:
 
 
 def _fixed_word(meant: str) -> BuildTerminal:
-    """A word or mark of the language. Repair takes other text for it: `VRA` for VAR."""
+    """A word or mark of the language. A repair substitutes it for other text: `VRA` for VAR."""
 
     def build(start: int, end: int, text: str) -> tree.Name:
         return tree.Name(start, end, text if text.upper() == meant else meant)
@@ -84,4 +84,4 @@ TERMINALS: MappingProxyType[str, BuildTerminal] = MappingProxyType(
         "BROKEN": _broken,
     }
 )
-"""What a kept terminal becomes; the others carry no value."""
+"""Builder of each kept terminal; the others have no value."""

@@ -1,4 +1,4 @@
-"""Rules E1 about the text itself: characters, names, strings, numbers, and what is in the file."""
+"""Rules E1 about the text itself: characters, names, strings, numbers, contents of the file."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Repairs of one token: a word misspelt, a mark missing, too much or wrong.
+"""Repairs of single tokens: a misspelt word, a missing, superfluous or wrong mark.
 
-Each is believed only if the tokens that follow then parse.
+A repair is accepted only if the tokens after it parse.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ from rapidsim.syntax.violations import (
 )
 
 BLOCK_WORDS = frozenset({*CLOSERS, *OPENERS, *DIVIDERS, *ITEMS, END})
-"""Kinds that tell where one is in the structure of a file."""
-# In the order tried: what separates, what closes, what divides, what begins. A comma comes before a
+"""Kinds that determine the position in the structure of a file."""
+# In the order tried: separators, closing marks, dividers, beginnings. A comma precedes a
 # semicolon because within a line an argument is more likely than a statement.
 _MISSING = (
     *("COMMA", "SEMICOLON", "RPAR", "RSQB", "RBRACE"),
@@ -40,10 +40,10 @@ _MISSING = (
     *("LPAR", "BACKSLASH", "PERCENT", "TO", "FROM", "WITH", "NAME"),
 )
 _BRACKETS = {"RPAR": "LPAR", "RSQB": "LSQB", "RBRACE": "LBRACE"}
-# How many tokens before the one at fault the cause is looked for. Every look costs a parse of the
-# statement, and a generated statement may have thousands of tokens.
+# Number of tokens before the failing one in which the cause is searched. Every attempt costs a
+# parse of the statement, and a generated statement may have thousands of tokens.
 _FARTHEST = 100
-# Name with a part in parentheses: longer ones are more likely something else.
+# Names with a part in parentheses: longer ones are more likely something else.
 _LONGEST_PART = 8
 
 
@@ -61,17 +61,17 @@ def unknown_character(at: ParseFailure) -> Patch | None:
 
 
 def misspelt_word(at: ParseFailure) -> Patch | None:
-    """Find the name in the statement that is a reserved word gone wrong."""
+    """Correct the name in the statement that is a misspelt reserved word."""
     return _respelt(at, at.window(at.index)) or _split_word(at)
 
 
 def half_readable_word(at: ParseFailure) -> Patch | None:
-    """The same where there is another error soon after."""
+    """Correct a misspelt reserved word although another error follows soon."""
     return _respelt(at, [at.kind])
 
 
 def _respelt(at: ParseFailure, window: list[str]) -> Patch | None:
-    """The nearest respelling with which the parse takes the token at fault and those after it."""
+    """Respell the nearest name such that the failing token and those after it parse."""
     row = at.row
     kinds = [*row.kinds[at.statement : at.index], *window]
     best: tuple[int, int, str] | None = None
@@ -90,9 +90,9 @@ def _respelt(at: ParseFailure, window: list[str]) -> Patch | None:
 
 
 def respelling(row: TokenBuffer, start: int, stop: int, word: str) -> Patch:
-    """Read what stands there as a reserved word."""
+    """Replace tokens by a reserved word."""
     span = row.span(start, stop)
-    # What a word was meant to be is a guess; behind a backslash it may be spelt right already.
+    # The intended word is a guess; behind a backslash it may be spelt right already.
     is_spelt = span.text.upper() == word
     fix = None if is_spelt else Fix(f"Write {word}", (Edit(span, word),), safe=False)
     violation = MisspeltWord(" ".join(span.text.split()), word)
@@ -100,7 +100,7 @@ def respelling(row: TokenBuffer, start: int, stop: int, word: str) -> Patch:
 
 
 def _split_word(at: ParseFailure) -> Patch | None:
-    """`END IF` for ENDIF."""
+    """Join `END IF` to ENDIF."""
     row = at.row
     for first in (at.index, at.index - 1):
         if first < at.statement or row.kinds[first] != "NAME" or row.kinds[first + 1] == END:
@@ -113,7 +113,7 @@ def _split_word(at: ParseFailure) -> Patch | None:
 
 
 def missing_semicolon(at: ParseFailure) -> Patch | None:
-    """Put a semicolon at the end of a line, when the next line then parses."""
+    """Insert a semicolon at the end of a line, if the next line then parses."""
     row = at.row
     candidates = [
         index
@@ -130,7 +130,7 @@ def missing_semicolon(at: ParseFailure) -> Patch | None:
 
 
 def semicolon_before(row: TokenBuffer, statement: int, index: int) -> Patch:
-    """End the statement that begins at one token before another one."""
+    """End the statement that begins at one token before another token."""
     place = row.place_before(index)
     span = Span(row.source, place, place)
     patch = insertion(
@@ -142,7 +142,7 @@ def semicolon_before(row: TokenBuffer, statement: int, index: int) -> Patch:
 
 
 def reserved_name(at: ParseFailure) -> Patch | None:
-    """Read a reserved word as a name where nothing but a name can stand."""
+    """Interpret a reserved word as a name where only a name is valid."""
     row, index = at.row, at.index
     word = row.text(index).upper()
     if word not in rapid_table().words or row.first_on_line(index):
@@ -173,7 +173,7 @@ def name_with_parentheses(at: ParseFailure) -> Patch | None:
 
 
 def square_index(at: ParseFailure) -> Patch | None:
-    """Read `a[1]` as `a{1}`."""
+    """Correct `a[1]` to `a{1}`."""
     row = at.row
     for opening in range(at.index, max(at.index - 8, at.statement), -1):
         if (
@@ -209,7 +209,7 @@ def square_index(at: ParseFailure) -> Patch | None:
 
 
 def doubled_token(at: ParseFailure) -> Patch | None:
-    """Leave out the second of two equal marks, before an expression is put between them."""
+    """Drop the second of two equal marks, before an expression is inserted between them."""
     row, index = at.row, at.index
     doubled = index > at.statement and at.kind == row.kinds[index - 1] and at.kind != "NAME"
     if not doubled or at.kind in BLOCK_WORDS or not at.accepts_after([], index + 1):
@@ -219,7 +219,7 @@ def doubled_token(at: ParseFailure) -> Patch | None:
 
 
 def missing_token(at: ParseFailure) -> Patch | None:
-    """Put in the one token that lets the parse go on."""
+    """Insert the single token that lets the parse continue."""
     row, index = at.row, at.index
     for kind in _MISSING:
         if not at.accepts_after([kind], index):
@@ -234,7 +234,7 @@ def missing_token(at: ParseFailure) -> Patch | None:
 
 
 def wrong_token(at: ParseFailure) -> Patch | None:
-    """Leave one token out, or read it as another."""
+    """Drop one token, or replace it by another."""
     row, index = at.row, at.index
     if at.kind == END:
         return None
@@ -259,7 +259,7 @@ def wrong_token(at: ParseFailure) -> Patch | None:
 
 
 def _glued_to_number(row: TokenBuffer, index: int) -> bool:
-    """`10mm`: two tokens, but not the end of one statement and the beginning of the next."""
+    """Whether a token touches a number, as in `10mm`, and so ends no statement."""
     return row.kinds[index - 1] == "NUMBER" and row.starts[index] == row.ends[index - 1]
 
 
@@ -268,7 +268,7 @@ def _ends_statement(kinds: list[str]) -> bool:
 
 
 def _opening(at: ParseFailure, closing: str) -> tuple[Related, ...]:
-    """The bracket that a missing one would close."""
+    """Location of the bracket that a missing one would close."""
     opener = _BRACKETS.get(closing)
     depth = 0
     for index in range(at.index - 1, at.statement - 1, -1):

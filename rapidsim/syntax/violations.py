@@ -1,4 +1,4 @@
-"""Rules E1 about statements and blocks: what does not follow RAPID's syntax.
+"""Rules E1 about statements and blocks: violations of RAPID's syntax.
 
 E104 to E107 are not rules of the syntax. The rules about characters, names and whole files are in
 `rapidsim.syntax.text_violations`.

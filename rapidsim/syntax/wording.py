@@ -1,4 +1,4 @@
-"""Name tokens, statements and expectations in the words of a robot programmer."""
+"""Descriptions of tokens, statements and expectations in a robot programmer's terms."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rapidsim.syntax.table import END
 
 _LONGEST = 24
 
-# What a statement or head is called by its first word.
+# Name of a statement or head by its first word.
 _CONSTRUCTS = {
     "MODULE": "the head of MODULE",
     "PROC": "the head of PROC",
@@ -33,7 +33,7 @@ _CONSTRUCTS = {
 
 
 def token(row: TokenBuffer, index: int) -> str:
-    """A token in a message: its text in backquotes, shortened."""
+    """Describe a token in a message: its text in backquotes, shortened."""
     if row.kinds[index] == END:
         return "the end of the text"
     text = row.text(index)
@@ -43,7 +43,7 @@ def token(row: TokenBuffer, index: int) -> str:
 
 
 def symbol(kind: str) -> str:
-    """A kind of token in a message: the mark in backquotes or the word in capitals."""
+    """Describe a kind of token in a message: the mark in backquotes or the word in capitals."""
     if kind == "EXP":
         return "an expression"
     if kind == "NAME":
@@ -55,7 +55,7 @@ def symbol(kind: str) -> str:
 
 
 def construct(row: TokenBuffer, first: int, stop: int) -> str:
-    """What the statement or declaration of these tokens is called, such as "the call of `P`"."""
+    """Describe the statement or declaration of these tokens, such as "the call of `P`"."""
     kinds = row.kinds
     while first < stop and kinds[first] in {"LOCAL", "TASK"}:
         first += 1
@@ -82,7 +82,7 @@ def construct(row: TokenBuffer, first: int, stop: int) -> str:
 
 
 def problem(situation: ParseFailure) -> str:
-    """What does not fit, and what would."""
+    """Describe the token that does not fit, and the expected one."""
     row, index = situation.row, situation.index
     expected = _expected(situation)
     found = token(row, index)
@@ -92,7 +92,7 @@ def problem(situation: ParseFailure) -> str:
 
 
 def _expected(situation: ParseFailure) -> str | None:
-    """What could stand instead, when that is one thing."""
+    """Describe the only valid alternative; None if there are several."""
     if accepts(situation.stack, ["EXP"]):
         return "an expression"
     if accepts(situation.stack, ["NAME"]):
@@ -121,7 +121,7 @@ def _expected(situation: ParseFailure) -> str | None:
 
 
 def _target_end(row: TokenBuffer, first: int, stop: int) -> int:
-    """One past the mark that may follow the target of an assignment."""
+    """Index after the mark that may follow the target of an assignment."""
     depth = 0
     for index in range(first, stop):
         kind = row.kinds[index]

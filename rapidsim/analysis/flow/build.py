@@ -1,9 +1,9 @@
-"""From the tree of a routine to its control-flow graph.
+"""Construction of the control-flow graph of a routine from its tree.
 
-The builder walks the statements once and carries the block that control is in. A statement that
+The builder walks the statements once and carries the current block. A statement that
 control does not continue past (RETURN, GOTO, EXIT) leaves a new block without a predecessor. Only a
-routine with an ERROR clause has ERROR edges: there, each statement that can fail gets a block of
-its own.
+routine with an ERROR clause has ERROR edges: there, each statement that can fail gets a separate
+block.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ class _Builder:
         self._resumes = EdgeKind(0)
         self._has_handler = self._in_handler = False
         self._fallible: list[tuple[int, int]] = []
-        """Where each statement that can fail begins, and the block after it."""
+        """Start of each statement that can fail, with the block after it."""
 
     def build(self, routine: tree.Routine) -> ControlFlowGraph:
         handler = None if routine.error is None else routine.error.body
@@ -89,7 +89,7 @@ class _Builder:
         )
 
     def _connect_handler(self, handler: int) -> None:
-        """Add the edges into the ERROR clause, and those past it that RETRY and TRYNEXT make."""
+        """Add the edges into the ERROR clause, and the edges of RETRY and TRYNEXT out of it."""
         for begin, behind in self._fallible:
             self._edge(begin, handler, EdgeKind.ERROR)
             if EdgeKind.RETRY in self._resumes:

@@ -1,10 +1,10 @@
 """The control-flow graph of a routine: blocks of steps and the edges between them.
 
-A step is what is evaluated at once: a function call, then the expression or statement that contains
-it. Blocks that no edge leads to are kept: the statements that begin there are unreachable. Calls
-are steps, not edges; what a call does is the callee's summary (`summaries`). After Aho, Lam, Sethi
-and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
-iteration and after each one, so that an analysis can tell "before the loop" from "after an
+A step is a unit of evaluation: a function call, then the expression or statement that contains
+it. Blocks without incoming edges are kept: the statements that begin there are unreachable. Calls
+are steps, not edges; the effect of a call is the callee's summary (`summaries`). After Aho, Lam,
+Sethi and Ullman, Compilers, 8.4, with one exception: a loop has its test twice, before the first
+iteration and after each one, so that an analysis can distinguish "before the loop" from "after an
 iteration".
 """
 
@@ -18,7 +18,7 @@ from rapidsim.syntax import tree
 
 
 class EdgeKind(Flag):
-    """Why control follows an edge."""
+    """Kind of a control-flow edge."""
 
     NEXT = auto()
     """The step is done, or a condition is decided."""
@@ -30,9 +30,9 @@ class EdgeKind(Flag):
     ERROR = auto()
     """From a statement that may fail to the ERROR clause."""
     RETRY = auto()
-    """From a statement that failed to itself, by way of the ERROR clause."""
+    """From a statement that failed to itself, through the ERROR clause."""
     TRYNEXT = auto()
-    """From a statement that failed past it, by way of the ERROR clause."""
+    """From a statement that failed past it, through the ERROR clause."""
     UNREAD = auto()
     """Around text that the parser could not read, which may contain anything."""
 
@@ -48,9 +48,9 @@ class FlowEdge:
     to: int
     kind: EdgeKind
     by: tree.Node | None = None
-    """What decides: a condition, a CASE, a FOR; a RETURN, or None at the end of the text."""
+    """Deciding node: a condition, CASE or FOR; or a RETURN; None at the end of the text."""
     holds: bool | None = None
-    """The outcome of the condition that leads along the edge."""
+    """Outcome of the condition for this edge."""
 
 
 @dataclass(slots=True, eq=False)
@@ -62,7 +62,7 @@ class Block:
 
 
 ENTRY, EXIT, RAISED, ENDED = range(4)
-"""Blocks: the first one; where the routine returns, ends with an error, ends the program."""
+"""Indices of blocks: the first; the exits by a return, by an error, by the program's end."""
 
 
 @dataclass(slots=True, eq=False)
@@ -71,17 +71,17 @@ class ControlFlowGraph:
 
     blocks: Sequence[Block]
     block_of: Mapping[tree.Node, int]
-    """The block in which each statement begins."""
+    """Block of the beginning of each statement."""
     clauses: Sequence[int]
-    """The blocks in which the BACKWARD, ERROR and UNDO clauses begin."""
+    """First blocks of the BACKWARD, ERROR and UNDO clauses."""
     handler: int | None
-    """The block in which the ERROR clause begins; one of `clauses`."""
+    """First block of the ERROR clause; one of `clauses`."""
     loop_tests: frozenset[int]
-    """The blocks that decide about another iteration of a loop."""
+    """Blocks that decide about another iteration of a loop."""
 
     @property
     def entries(self) -> tuple[int, ...]:
-        """The blocks in which the routine and its clauses begin."""
+        """First blocks of the routine and its clauses."""
         return (ENTRY, *self.clauses)
 
     def reached(

@@ -1,8 +1,8 @@
 """Dataflow analysis: states at the blocks of a control-flow graph, computed by worklists.
 
-Forward, a state holds where a block begins, and each step changes it; backward, it describes what
-follows a block. The analysis must have a join of finite height (Kam and Ullman 1977); a state of
-None stands for "control does not get here". Blocks that no start or end reaches have no state.
+Forward, a state holds at the beginning of a block, and each step changes it; backward, it describes
+the execution after a block. The analysis must have a join of finite height (Kam and Ullman 1977); a
+state of None means "unreachable". Blocks that no start or end reaches have no state.
 """
 
 from __future__ import annotations
@@ -89,8 +89,8 @@ def backward(
         graph: The routine.
         ends: The states of the blocks where control leaves.
         step: Returns the state before a step.
-        join: Returns the state at the end of a block from those of the edges that are known; the
-            others are taken to allow anything, so a join may only become weaker.
+        join: Returns the state at the end of a block from the states of its known edges; the
+            others are assumed to allow anything, so a join may only become weaker.
         along: Returns the state before an edge, None if control does not follow it.
         kinds: The edges to follow.
     """

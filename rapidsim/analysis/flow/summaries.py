@@ -30,7 +30,7 @@ def components(routines: Sequence[R], callees: Callable[[R], Iterable[R]]) -> li
     for root in routines:
         if root in index:
             continue
-        # A stack of its own: programs nest deeper than Python's recursion goes.
+        # An explicit stack: programs nest deeper than Python's recursion limit.
         stack = [enter(root)]
         while stack:
             routine, remaining = stack[-1]
@@ -65,8 +65,8 @@ def summarise(
     Args:
         routines: The routines of a program.
         callees: Returns the routines that a routine calls.
-        nothing: The summary to begin with where routines call each other.
-        summary_of: Returns the summary of a routine, given those of its callees.
+        nothing: The initial summary of mutually recursive routines.
+        summary_of: Returns the summary of a routine from the summaries of its callees.
     """
     summaries: dict[R, S] = {}
     for component in components(routines, callees):

@@ -1,1 +1,1 @@
-"""Name resolution, and what a task declares."""
+"""Name resolution, and the declarations of a task."""

@@ -18,7 +18,7 @@ class BadArraySize(Violation, code="T317"):
 
     @property
     def case(self) -> str:
-        """By what is wrong."""
+        """Case of the rule by the mistake."""
         return self.fault
 
 
@@ -55,5 +55,5 @@ class CircularDefinition(Violation, code="T322"):
 
     @property
     def case(self) -> str:
-        """By what is defined."""
+        """Case of the rule by the kind of the declaration."""
         return self.kind

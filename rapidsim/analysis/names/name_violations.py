@@ -9,24 +9,24 @@ class UndefinedName(Violation, code="N201"):
     undefined: str
     nearest: str | None = None
     reserved: bool = False
-    """Whether the nearest is a word of the language."""
+    """Whether the nearest name is a reserved word."""
     loads_modules: bool = False
-    """Whether the task takes in other modules while it runs."""
+    """Whether the task adds other modules while it runs."""
     may_be_signal: bool = False
-    """Whether it stands where the value of a signal may."""
+    """Whether the name occurs at a place where a signal's value may be used."""
     kind: str = "data"
     """`data` or `trap`."""
     assumed: str | None = None
-    """The system's own that could be assumed for it."""
+    """Predefined data that could be assumed for the name."""
 
     @property
     def case(self) -> str:
-        """By what is missing."""
+        """Case of the rule by the kind of the missing name."""
         return self.kind
 
     @property
     def help(self) -> str:
-        """The nearest name, or where to declare one."""
+        """Suggestion of the nearest name, or of a declaration."""
         if self.nearest and self.reserved:
             return f"did you mean the word {self.nearest}?"
         if self.nearest:
@@ -46,16 +46,16 @@ class UnseenName(Violation, code="N216"):
     modules: tuple[str, ...]
     nearest: str | None = None
     kind: str = "data"
-    """`data`, at which a run ends; `procedure`, `function` or `data type` do not end it."""
+    """`data`, at which a run ends; `procedure`, `function` or `data type`, which are skipped."""
 
     @property
     def case(self) -> str:
-        """By what is missing."""
+        """Case of the rule by the kind of the missing name."""
         return self.kind
 
     @property
     def help(self) -> str:
-        """Where it may be declared, or which name may be meant."""
+        """Modules that may declare the name, or the nearest name."""
         where = f"it may be declared in {' or '.join(self.modules)}, which cannot be read here"
         if self.kind != "data":
             where += "; a run goes on without it"
@@ -71,16 +71,16 @@ class DuplicateName(Violation, code="N202"):
     location: str = ""
     between_modules: bool = False
     kind: str = ""
-    """What has the name a second time, in the words of rule.toml."""
+    """Kind of the duplicate, in the terms of rule.toml."""
 
     @property
     def case(self) -> str:
-        """By what has the name."""
+        """Case of the rule by the kind of the duplicate."""
         return self.kind
 
     @property
     def help(self) -> str:
-        """What tells the names apart."""
+        """Suggestion that makes the names distinct."""
         if self.kind == "module":
             return (
                 "files named together form one task: leave out the copy, or name "
@@ -99,7 +99,7 @@ class DuplicateName(Violation, code="N202"):
 SKIPS = "skips the call"
 LOOKS_FOR_IT = "looks for it among the modules it has loaded by then"
 STOPS_THERE = "fails where it comes to the call"
-"""What a run does with the call of a routine that no module declares."""
+"""Behaviour of a run at a call of a routine that no module declares."""
 
 ASSUME = "`--assume-missing` skips calls of what is not here"
 
@@ -108,36 +108,36 @@ class UnknownRoutine(Violation, code="N209"):
     unknown: str
     nearest: str | None = None
     replacement: str = ""
-    """What a run does with the call; empty if the program cannot run."""
+    """Behaviour of a run at the call; empty if the program cannot run."""
     reserved: bool = False
-    """Whether the nearest is a word of the language."""
+    """Whether the nearest name is a reserved word."""
     is_function: bool = False
     foreign: str | None = None
-    """RAPID's routine for a word of another robot language."""
+    """RAPID's routine for a keyword of another robot language."""
     loads_modules: bool = False
     """Whether the task loads other modules while it runs."""
 
     @property
     def severity(self) -> Severity:
-        """An error, unless unresolved references are allowed or assumed away."""
+        """Error, unless unresolved references are allowed or assumed to exist."""
         return Severity.WARNING if self.replacement else Severity.ERROR
 
     @property
     def case(self) -> str:
-        """Found when the program is loaded, or when it reaches the call."""
+        """Case of the rule by the kind of the routine and by the time of the failure."""
         kind = "function" if self.is_function else "procedure"
         return f"{kind}, reached" if self.replacement == STOPS_THERE else kind
 
     @property
     def message(self) -> str:
-        """The name, and what a run does with its calls."""
+        """The name, and the behaviour of a run at its calls."""
         return (
             f"{super().message}; a run {self.replacement}" if self.replacement else super().message
         )
 
     @property
     def help(self) -> str:
-        """Which routine may be meant, or where it may be declared."""
+        """Suggestion of the nearest routine, or of a declaration."""
         if self.foreign:
             return f"did you mean `{self.foreign}`, RAPID's word for it?"
         if self.loads_modules:
@@ -166,16 +166,16 @@ class UnknownType(Violation, code="N210"):
     unknown: str
     nearest: str | None = None
     allowed: bool = False
-    """Whether unresolved references are allowed or assumed away."""
+    """Whether unresolved references are allowed or assumed to exist."""
 
     @property
     def severity(self) -> Severity:
-        """An error, unless unresolved references are allowed or assumed away."""
+        """Error, unless unresolved references are allowed or assumed to exist."""
         return Severity.WARNING if self.allowed else Severity.ERROR
 
     @property
     def help(self) -> str:
-        """Which type may be meant, or where it may be declared."""
+        """Suggestion of the nearest type, or of a declaration."""
         where = "include the module that declares it"
         if self.nearest:
             meant = f"did you mean `{self.nearest}`?"
@@ -191,7 +191,7 @@ class WrongKind(Violation, code="N211"):
 
     @property
     def case(self) -> str:
-        """By what is wanted."""
+        """Case of the rule by the expected kind."""
         return self.wanted.removeprefix("a ")
 
 
@@ -209,7 +209,7 @@ class UnknownComponent(Violation, code="N212"):
 
     @property
     def help(self) -> str | None:
-        """The nearest component, or all of them."""
+        """Suggestion of the nearest component, or all of them."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
         return f"its components are {', '.join(self.candidates)}" if self.candidates else None
@@ -222,14 +222,14 @@ class MisplacedScope(Violation, code="N213"):
 
     @property
     def case(self) -> str:
-        """By the word, and for LOCAL by the data."""
+        """Case of the rule by the keyword, and for LOCAL by the data."""
         if self.word == "LOCAL":
             return "constant" if self.storage == "CONST" else "variable"
         return "persistent" if self.word == "PERS" else self.word
 
     @property
     def help(self) -> str:
-        """Where such data must be declared."""
+        """Suggestion of a valid place for the declaration."""
         if self.word == "PERS":
             return "declare it in the module, outside the routine"
         return f"leave out {self.word}, or declare it in the module, outside the routine"
@@ -253,5 +253,5 @@ class AssumedData(Violation, code="N220"):
 
     @property
     def assumed_name(self) -> str:
-        """The name that nothing declares."""
+        """The undeclared name."""
         return self.missing

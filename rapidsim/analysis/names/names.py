@@ -1,4 +1,4 @@
-"""Resolves names where they are used; findings for those undeclared or of the wrong kind."""
+"""Resolution of names at their uses, with findings for undeclared names and wrong kinds."""
 
 from __future__ import annotations
 
@@ -47,23 +47,23 @@ from rapidsim.syntax import tree
 DataLike = DataSymbol | ParameterSymbol | CounterSymbol | ConfiguredSymbol
 
 
-# Programmers name signals after their kind: diStart, DO10_1, gi_part.
+# Programmers put the kind of a signal into its name: diStart, DO10_1, gi_part.
 _SIGNAL_NAME = re.compile(
     r"(di|do|ai|ao|gi|go)(?=[A-Z0-9_])|(DI|DO|AI|AO|GI|GO)(?=[0-9_])|(?i:[dag][io])(?=_)"
 )
 _SIGNAL_INSIDE = re.compile(r"(?<=[a-z])(DI|DO|AI|AO|GI|GO)(?=_?\d+$)")
-"""As in `EntDI_1`: what follows the word of another language."""
+"""Names such as `EntDI_1`: the kind follows a word of another language."""
 _SIGNAL_OF_KIND = {signal.name[-2:]: signal for signal in types.SIGNALS}
 
 
 def find(key: str, context: Context) -> Symbol | None:
-    """The symbol of a folded name: from the program, else the cell, else the controller."""
+    """Return the symbol of a folded name: of the program, else the cell, else the controller."""
     declared = context.scope.find(key) or context.analysis.cell.find(key)
     return declared or installed_symbol(key)
 
 
 def data_named(reference: tree.DataReference, context: Context) -> DataLike | None:
-    """The data that a reference refers to; None if there are none.
+    """Return the data that a reference refers to; None if it refers to no data.
 
     An undeclared name may still be a signal: this is decided when the whole task is known, see
     `undeclared`.
@@ -76,7 +76,7 @@ def data_named(reference: tree.DataReference, context: Context) -> DataLike | No
 
 
 def _may_be_older(symbol: Symbol, context: Context) -> bool:
-    """Whether an instruction is newer than the RobotWare may be, as for a signal `Continue`."""
+    """Whether an instruction is newer than the assumed RobotWare, as with a signal `Continue`."""
     if not (isinstance(symbol, LibrarySymbol) and is_procedure(symbol)):
         return False
     has, since = context.analysis.cell.robotware, SINCE.get(symbol.name.lower())
@@ -84,14 +84,14 @@ def _may_be_older(symbol: Symbol, context: Context) -> bool:
 
 
 def type_of_undeclared(reference: tree.DataReference, context: Context) -> Type | None:
-    """The kind of signal that an undeclared name evidently means."""
+    """Kind of signal that an undeclared name evidently refers to."""
     if find(reference.name.key, context) is not None:
         return None
     return evident_signal(reference.name, context)
 
 
 def as_data(symbol: Symbol, reference: tree.DataReference, context: Context) -> DataLike | None:
-    """The symbol, if it is data; otherwise a finding."""
+    """Return the symbol if it is data; otherwise report a finding."""
     if isinstance(symbol, DataLike):
         context.analysis.symbol_of[reference] = symbol
         return symbol
@@ -104,14 +104,15 @@ def as_data(symbol: Symbol, reference: tree.DataReference, context: Context) -> 
 
 
 def routine_named(name: tree.Name, context: Context, *, function: bool) -> Symbol | None:
-    """The routine that a call names: a `RoutineSymbol`, `LibrarySymbol` or `UnknownSymbol`.
+    """Return the routine that a call names: `RoutineSymbol`, `LibrarySymbol` or `UnknownSymbol`.
 
     Returns:
         None, after a finding, if the name is not a routine that can be called like this.
     """
     symbol = find(name.key, context)
     if isinstance(symbol, ConfiguredSymbol):
-        # A signal may be called as an instruction is; where one is called, that is meant.
+        # A signal may have the name of an instruction; in a call, the name refers to the
+        # instruction.
         symbol = installed_symbol(name.key) or symbol
     if symbol is None:
         return _unknown_routine(name, context, function=function)
@@ -167,7 +168,7 @@ def take_for_unknown(reference: tree.DataReference, context: Context) -> None:
 
 
 def evident_signal(name: tree.Name, context: Context) -> Type | None:
-    """The kind of signal an undeclared name means, from how the cell drives it or its spelling."""
+    """Kind of signal of an undeclared name, from its use in the cell or its spelling."""
     if name.key in context.analysis.cell.wired:
         return types.SIGNAL_DI
     match = _SIGNAL_NAME.match(name.text) or _SIGNAL_INSIDE.search(name.text)
@@ -175,7 +176,7 @@ def evident_signal(name: tree.Name, context: Context) -> Type | None:
 
 
 def kind_of(symbol: Symbol) -> str:
-    """The kind of a symbol, in words."""
+    """Describe the kind of a symbol."""
     match symbol:
         case DataSymbol(storage=Storage.CONST):
             return "a constant"
@@ -208,7 +209,7 @@ def kind_of(symbol: Symbol) -> str:
 
 
 def is_function(symbol: Symbol) -> bool:
-    """Whether a symbol is called in expressions."""
+    """Whether a symbol can be called in expressions."""
     match symbol:
         case RoutineSymbol(node=node):
             return isinstance(node, tree.Func)
@@ -219,7 +220,7 @@ def is_function(symbol: Symbol) -> bool:
 
 
 def is_procedure(symbol: Symbol) -> bool:
-    """Whether a symbol is called as a statement."""
+    """Whether a symbol can be called as a statement."""
     match symbol:
         case RoutineSymbol(node=node):
             return isinstance(node, tree.Proc)
@@ -230,7 +231,7 @@ def is_procedure(symbol: Symbol) -> bool:
 
 
 def _unknown_routine(name: tree.Name, context: Context, *, function: bool) -> UnknownSymbol | None:
-    """The symbol of a routine that nothing declares, after a finding."""
+    """Report an undeclared routine; return its symbol if the program can run with it."""
     analysis = context.analysis
     cell = analysis.cell
     if analysis.may_be_unread(name.key):
@@ -278,7 +279,7 @@ def _suggestion(symbol: Symbol, name: str, function: bool) -> str:
 
 
 def _nearest_data(name: tree.Name, context: Context) -> str | None:
-    """The known name of data or routines nearest to an unknown one; ties go to local data."""
+    """Known name of data or routines nearest to an unknown one; ties go to local data."""
     analysis, module = context.analysis, context.module
     home = analysis.home_of[module].scope
     of_module = analysis.find_nearest(name, module, _known_names(home, context))
@@ -290,7 +291,7 @@ def _nearest_data(name: tree.Name, context: Context) -> str | None:
 
 
 def _known_names(home: SymbolTable, context: Context) -> Iterator[str]:
-    """Names of data and routines that a module sees, of the program and of the controller."""
+    """Names of data and routines visible in a module, of the program and of the controller."""
     for symbol in home.symbols():
         if not isinstance(symbol, TypeSymbol):
             yield symbol.name
@@ -301,7 +302,7 @@ def _known_names(home: SymbolTable, context: Context) -> Iterator[str]:
 
 
 def _nearest_routine(name: tree.Name, context: Context, *, function: bool) -> str | None:
-    """The known function, or else procedure, nearest to an unknown name."""
+    """Known function, or else procedure, nearest to an unknown name."""
     home = context.analysis.home_of[context.module].scope
     is_meant = is_function if function else is_procedure
     own = (symbol.name for symbol in home.symbols() if is_meant(symbol))

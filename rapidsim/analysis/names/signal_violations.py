@@ -7,36 +7,36 @@ from collections.abc import Sequence
 from rapidsim.diagnostics import Severity, Violation
 
 _NAMED = 4
-"""So many signals stand in a message."""
+"""Maximum number of signals in a message."""
 
 
 class UnknownSignal(Violation, code="I801"):
     signal: str
     type: str
     other_text: tuple[UnknownSignal, ...] = ()
-    """Those that are told with it."""
+    """Findings that are reported together with it."""
     nearest: str | None = None
-    """The signal of the cell that is spelt most like it."""
+    """Signal of the cell with the nearest name."""
     is_closed: bool = False
     """Whether the cell declares its signals, so that a controller would have no other."""
 
     @property
     def severity(self) -> Severity:
-        """An error where the cell declares its signals."""
+        """Error if the cell declares its signals."""
         return Severity.ERROR if self.is_closed else Severity.WARNING
 
     @property
     def assumed_name(self) -> str:
-        """The name that nothing declares."""
+        """The undeclared name."""
         return self.signal
 
     @property
     def is_reported_once(self) -> bool:
-        """Reported together: their help is one block to paste."""
+        """True: the help of all such findings is one block to paste."""
         return True
 
     def with_others(self, merged: Sequence[Violation]) -> UnknownSignal:
-        """All in one finding: they form one table of a station file."""
+        """Merge all findings into one: they form one table of a station file."""
         new = {one.signal.lower(): one for one in merged if isinstance(one, UnknownSignal)}
         new.pop(self.signal.lower(), None)
         others_once = tuple(new.values())
@@ -58,7 +58,7 @@ class UnknownSignal(Violation, code="I801"):
 
     @property
     def help(self) -> str:
-        """Suggested names, and the lines that would declare the signals."""
+        """Suggested names, and the lines that declare the signals."""
         lines = (
             f'{one.signal} = {{ type = "{one.type.removeprefix("signal")}" }}'
             for one in (self, *self.other_text)

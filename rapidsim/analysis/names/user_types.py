@@ -1,7 +1,7 @@
-"""RECORD and ALIAS declarations, and the meaning of type names in a module.
+"""RECORD and ALIAS declarations, and the resolution of type names in a module.
 
-A type that no module declares and no controller without options has is not an error: its data are
-kept as written. The first initial value determines how many values it holds.
+An undeclared type that no controller without options has is not an error: its data are
+kept as written. The first initial value determines the number of values it has.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class UserTypes:
         """Take the type declarations of a task.
 
         Args:
-            nodes: By module and folded name; the module is None for global types.
+            nodes: Declarations by module and folded name; the module is None for global types.
             homes: A context for each module.
         """
         self._nodes = nodes
@@ -61,7 +61,7 @@ class UserTypes:
         return declared
 
     def named(self, name: tree.Name, context: Context) -> Type:
-        """The type that a name means in a module."""
+        """Return the type that a name refers to in a module."""
         node = self._nodes.get((context.module, name.key)) or self._nodes.get((None, name.key))
         if node is not None:
             return self._type_of(node)
@@ -144,7 +144,7 @@ class UserTypes:
 
 
 def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue | None, int]]:
-    """By type name, the first initial value that data of it have, and their dimensions."""
+    """Return, by type name, the first initial value of such data, and their dimensions."""
     found: dict[str, tuple[tree.LiteralValue | None, int]] = {}
     for context in homes:
         for node in data_of(context.module):
@@ -155,7 +155,7 @@ def _first_values(homes: Sequence[Context]) -> dict[str, tuple[tree.LiteralValue
 
 
 def literal_value(expression: tree.Expression) -> tree.LiteralValue | None:
-    """The value of a literal expression; None for any other."""
+    """Return the value of a literal expression; None for any other."""
     match expression:
         case (
             tree.NumberLiteral(value=value)
@@ -176,7 +176,7 @@ def literal_value(expression: tree.Expression) -> tree.LiteralValue | None:
 
 
 def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
-    """A type for data of which only a value is known."""
+    """Build a type for data of which only a value is known."""
     for _ in range(dimensions):
         value = value[0] if isinstance(value, tuple) and value else None
     match value:
@@ -197,7 +197,7 @@ def _shape(name: str, value: tree.LiteralValue | None, dimensions: int) -> Type:
 
 
 def _record(name: str, components: Sequence[Component]) -> Record:
-    """A record type with a class of its own for its values."""
+    """Create a record type with its own class for its values."""
     spelled = name if name.isidentifier() and not keyword.iskeyword(name) else "record"
     python = new_record_class(spelled, [part.name.lower() for part in components])
     return Record(name, tuple(components), python)

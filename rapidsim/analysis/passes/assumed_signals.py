@@ -1,4 +1,4 @@
-"""Undeclared names that conditions compare as signals are compared, assumed as such on request."""
+"""Undeclared names that are compared as signals are, and assumed to be signals on request."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ _NAMED_LEVELS = frozenset({"low", "high"})
 
 
 def compared_signals(analysis: Analysis) -> frozenset[str]:
-    """Folded undeclared names that are only compared with 0 and 1, at least once beside a signal.
+    """Folded undeclared names that are only compared with 0 and 1, at least once next to a signal.
 
-    Other uses of a name, such as arithmetic or assignment, tell against a signal.
+    Other uses of a name, such as arithmetic or assignment, exclude it.
     """
     uses: dict[str, int] = {}
     contexts: dict[tree.Module, Context] = {}
@@ -42,7 +42,7 @@ def compared_signals(analysis: Analysis) -> frozenset[str]:
 
 
 def _conditions(module: tree.Module) -> Iterator[list[tree.Expression]]:
-    """The comparisons of each condition of a module, those that AND and OR join as one list."""
+    """Yield the comparisons of each condition of a module; AND and OR join them in one list."""
     inner: set[int] = set()
     for node in descendants(*module.items):
         if isinstance(node, tree.Binary) and id(node) not in inner:
@@ -64,7 +64,7 @@ def _leaves(node: tree.Expression, inner: set[int]) -> Iterator[tree.Expression]
 
 
 def _compared_name(comparison: tree.Expression) -> tree.Name | None:
-    """The name that an expression compares with a level of a digital signal."""
+    """Name that an expression compares with a level of a digital signal."""
     match comparison:
         case tree.Binary(left=tree.DataReference(name=name), operator="=" | "<>", right=level) if (
             _is_level(level)

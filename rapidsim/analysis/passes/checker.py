@@ -1,7 +1,7 @@
-"""From the trees of a task's files to a checked program, or to findings.
+"""Check of the trees of a task's files, with a checked program or findings as the result.
 
 The order of the passes: declarations, initial values, names, types and flow of each routine, then
-what requires the whole task. No pass changes the tree; all write to one `Analysis`.
+the checks of the whole task. No pass changes the tree; all write to one `Analysis`.
 """
 
 from __future__ import annotations
@@ -34,21 +34,21 @@ from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.values import value_class
 
 Find: TypeAlias = Callable[[Facts], Iterable[Diagnostic]]
-"""A function that looks for mistakes in what analysis has found out."""
+"""A function that detects violations of rules in the facts of the analysis."""
 
 _LOADING_WORD = re.compile(r"load\b")
 _DEEPEST = 20_000
-"""Python calls within each other while checking; the parser bounds how deep programs nest."""
+"""Maximum depth of Python calls while checking; the parser limits the nesting of programs."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
 class CheckOutcome:
-    """The result of checking; the program only if nothing prevents it from running."""
+    """Result of a check, with the program unless an error prevents it from running."""
 
     program: Program | None
-    """None where there is an error, here or where the parser gave up a stretch of text."""
+    """None after an error, here or in text that the parser skipped."""
     diagnostics: tuple[Diagnostic, ...]
-    """Ordered by file as given, then by place."""
+    """Findings in the order of the files, then by position."""
 
 
 @gc_paused()
@@ -63,9 +63,9 @@ def check(
 
     Args:
         files: The task's files; of two equal names, the one in the later file is the duplicate.
-        rules: What to look for beyond what keeps a program from running: see `rules/table.py`.
-        cell: What the configuration declares besides the modules.
-        visitor: An external file that also sees the LOCAL names of the task's modules.
+        rules: Additional detectors of findings that do not prevent a run: see `rules/table.py`.
+        cell: Names that the configuration declares in addition to the modules.
+        visitor: An external file that can also access the LOCAL names of the task's modules.
 
     Returns:
         The program with its symbols and types, and all findings. Never raises on user input.
@@ -127,7 +127,7 @@ def _check_routine(
 
 
 def _symbols_of(home: Context) -> Iterator[object]:
-    """The symbols that a module declares outside its routines, in order."""
+    """Yield the symbols that a module declares outside its routines, in order."""
     for item in home.module.items:
         symbol = home.analysis.symbol_of.get(item)
         if symbol is not None:
@@ -154,7 +154,7 @@ def _program(
 
 
 def _unread_text(modules: Sequence[tree.Module]) -> str:
-    """The folded text of every stretch that the parser gave up."""
+    """Folded text of all parts that the parser skipped."""
     unread = [
         module.span(part).text.lower()
         for module in modules
@@ -166,8 +166,8 @@ def _unread_text(modules: Sequence[tree.Module]) -> str:
 
 
 def _loads_modules(modules: Sequence[tree.Module]) -> bool:
-    """Whether an instruction takes other modules into the program."""
-    # Few programs do, so that most are never walked through. Names have no symbols yet.
+    """Whether an instruction adds other modules to the program."""
+    # Few programs have one, so most are never traversed. Names have no symbols yet.
     return any(
         isinstance(part, tree.Call) and Trait.LOAD in does(installed_symbol(part.name.key))
         for module in modules

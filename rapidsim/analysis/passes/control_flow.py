@@ -25,7 +25,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _MAY_FOLLOW = NORMAL | EdgeKind.TRYNEXT | EdgeKind.UNREAD
-"""The edges by which a statement counts as reached."""
+"""Edges that make a statement reachable."""
 
 
 def check_flow(routine: tree.Routine, context: Context) -> None:
@@ -42,7 +42,7 @@ def check_flow(routine: tree.Routine, context: Context) -> None:
 
 
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
-    """Declarations stand before the first statement of the routine's body."""
+    """Report declarations after the first statement of the routine's body."""
     in_front = True
     for statement in routine.body:
         if isinstance(statement, tree.Data):
@@ -50,7 +50,7 @@ def _check_declarations(routine: tree.Routine, context: Context) -> None:
                 where = "after the first statement of the routine"
                 context.report(LateDataDeclaration(statement.name.text, where), statement)
         else:
-            # What could not be read may have been a declaration.
+            # The unread text may have been a declaration.
             in_front = in_front and isinstance(statement, tree.InvalidStatement)
     nested = [part for statement in routine.body for part in blocks(statement)]
     handlers = [body for body in clauses(routine) if body is not routine.body]
@@ -60,7 +60,7 @@ def _check_declarations(routine: tree.Routine, context: Context) -> None:
 
 
 def _check_answers(routine: tree.Routine, context: Context) -> None:
-    """RETRY, TRYNEXT and RAISE alone answer an error; only an ERROR clause has one."""
+    """Report RETRY, TRYNEXT and RAISE outside of ERROR clauses."""
     outside = [body for body in clauses(routine) if not _is_handler(body, routine)]
     for node in statements(*outside):
         match node:
@@ -79,7 +79,7 @@ def _check_answers(routine: tree.Routine, context: Context) -> None:
 
 
 def _check_next_turns(body: tree.Body, context: Context) -> None:
-    """CONTINUE has a loop around it."""
+    """Report a CONTINUE outside loops."""
     for statement in body:
         if isinstance(statement, tree.For | tree.While):
             continue
@@ -118,7 +118,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
         )
     handler = routine.error if isinstance(routine, tree.Func) else None
     if handler is not None and not any(depends_on_error(one) for one in statements(handler.body)):
-        # A clause that decides by ERRNO may be complete for the errors that occur.
+        # A clause that selects by ERRNO may be complete for the errors that occur.
         assert isinstance(routine, tree.Func)
         graph = context.analysis.flow(routine)
         if graph.handler is not None and _can_complete(graph, graph.handler):
@@ -129,7 +129,7 @@ def _check_returns(routine: tree.Routine, context: Context) -> None:
 def _check_reached(
     body: tree.Body, graph: ControlFlowGraph, reached: Container[int], context: Context
 ) -> None:
-    """Report the unreachable statements of a list, each time the first one up to the next reached.
+    """Report the first of consecutive unreachable statements of a list.
 
     Args:
         body: A statement list that control enters.
@@ -153,7 +153,7 @@ def _check_reached(
 
 
 def _can_complete(graph: ControlFlowGraph, start: int = ENTRY) -> bool:
-    """Whether control can get from a block to the end of its clause's text without a RETURN."""
+    """Whether control can reach the end of a clause's text from a block without a RETURN."""
     return any(
         edge.to == EXIT and edge.by is None
         for index in graph.reached(NORMAL, (start,))
@@ -162,7 +162,7 @@ def _can_complete(graph: ControlFlowGraph, start: int = ENTRY) -> bool:
 
 
 def _check_labels(routine: tree.Routine, context: Context) -> None:
-    """A jump may leave blocks and never enter one."""
+    """Report jumps into a block; jumps out of one are valid."""
     seen: dict[str, tree.Label] = {}
     for node in statements(*clauses(routine)):
         if isinstance(node, tree.Label):

@@ -44,7 +44,7 @@ def declare_task(
     """Declare everything outside routines.
 
     Returns:
-        A context for each module, and the meaning of type names.
+        A context for each module, and the types by name.
     """
     shared = SymbolTable({})
     homes = [Context(analysis, module, SymbolTable({}, shared)) for module in modules]
@@ -73,9 +73,9 @@ def declare_task(
 
 
 def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) -> None:
-    """Make LOCAL names visible to all modules, where only one module has the name.
+    """Make LOCAL names visible to all modules, if only one module declares the name.
 
-    Their own names and the global ones take precedence.
+    A module's own names and the global ones take precedence.
     """
     by_name: dict[str, list[Symbol]] = {}
     for home in homes:
@@ -92,7 +92,7 @@ def show_local_names(visitors: Sequence[tree.Module], homes: Sequence[Context]) 
 def declare_data(
     node: tree.Data, context: Context, user_types: UserTypes, *, local: bool = False
 ) -> DataSymbol:
-    """The symbol of a data declaration."""
+    """Create the symbol of a data declaration."""
     of = user_types.named(node.type, context)
     sizes = tuple(_size(dimension, node, context) for dimension in node.dimensions)
     if len(sizes) > MAX_DIMENSIONS:
@@ -117,7 +117,7 @@ def declare_data(
 
 
 def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes) -> Context:
-    """The scope inside a routine, with its parameters and data."""
+    """Create the scope inside a routine, with its parameters and data."""
     context = replace(home, scope=SymbolTable({}, home.scope), routine=routine)
     names = context.scope.names
     for parameter in routine.parameters:
@@ -138,13 +138,13 @@ def declare_locals(routine: RoutineSymbol, home: Context, user_types: UserTypes)
 
 
 def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declaration]]:
-    """The declarations of a task in order, without those whose name is taken."""
+    """Yield the declarations of a task in order, without duplicate names."""
     accepted: list[tuple[Context, Declaration]] = []
     modules: dict[str, Context] = {}
     shared: dict[str, tuple[Context, Declaration]] = {}
     for home in homes:
         first_home = modules.setdefault(home.module.name.key, home)
-        # A name that could not be read is told, and no other name.
+        # Unreadable module names are reported elsewhere and are all empty.
         if first_home is not home and home.module.name.key:
             place = first_home.module.span(first_home.module.name)
             violation = DuplicateName(home.module.name.text, " as a module", kind="module")
@@ -169,7 +169,7 @@ def _without_duplicates(homes: Sequence[Context]) -> list[tuple[Context, Declara
             if node.scope != "LOCAL":
                 other, there = shared.setdefault(name.key, (home, node))
                 if there is not node:
-                    # Of two copies of a module all names are the same; it is told once.
+                    # In two copies of a module all names are equal; only the module is reported.
                     if other.module.name.key != home.module.name.key:
                         _report_redeclaration(node, there, other, home)
                     continue
@@ -229,7 +229,7 @@ def _declare_routine(node: tree.Routine, context: Context, user_types: UserTypes
             continue
         group += 1
         optional = isinstance(part, tree.OptionalGroup)
-        # Where an alternative is not filled in, a placeholder stands among them.
+        # If an alternative is not filled in, a placeholder is among them.
         alternatives = children(part) if optional else (part,)
         parameters += [
             _declare_parameter(parameter, optional, group, context, user_types)
@@ -268,7 +268,7 @@ def _declare_parameter(
 
 
 def _type_problem(of: Type, node: tree.ParameterDeclaration, optional: bool) -> str:
-    """Why a parameter cannot have a type; empty if it can."""
+    """Reason why a parameter cannot have a type; empty if it can."""
     if of == types.ANYTYPE:
         return "only installed routines have such parameters"
     if of == types.SWITCH:
@@ -287,7 +287,7 @@ def _array(element: Type, sizes: Iterable[int | None]) -> ArrayOf:
 
 
 def _size(dimension: tree.Expression, node: tree.Data, context: Context) -> int | None:
-    """The size of one dimension; None, after a finding, where it is no size."""
+    """Size of one dimension; None, after a finding, if it is invalid."""
     if isinstance(dimension, tree.Placeholder):
         return None
     undeclared = [

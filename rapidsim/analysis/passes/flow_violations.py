@@ -13,11 +13,11 @@ class MissingReturn(Violation, code="F404"):
     function: str
     type: str
     is_clause: bool = False
-    """Whether the ERROR clause of the function ends without it."""
+    """Whether control reaches the end of the function's ERROR clause instead."""
 
     @property
     def message(self) -> str:
-        """The function, or its clause."""
+        """Message about the function, or about its clause."""
         if self.is_clause:
             return f"the ERROR clause of `{self.function}` ends without RETURN"
         return super().message
@@ -27,16 +27,16 @@ class GotoTarget(Violation, code="F405"):
     problem: str
     nearest: str | None = None
     is_unknown: bool = True
-    """Whether the routine has no such label; else it is inside another block."""
+    """Whether the routine has no such label; otherwise the label is inside another block."""
 
     @property
     def case(self) -> str:
-        """No label, or one inside another block."""
+        """Case of the rule: no label, or a label inside another block."""
         return "unknown" if self.is_unknown else "inside a block"
 
     @property
     def help(self) -> str | None:
-        """The nearest label."""
+        """Suggestion of the nearest label."""
         return f"did you mean `{self.nearest}`?" if self.nearest else None
 
 
@@ -45,12 +45,12 @@ class RaiseRetryPlacement(Violation, code="F406"):
 
     @property
     def case(self) -> str:
-        """By the statement."""
+        """Case of the rule by the statement."""
         return self.statement.partition(" ")[0]
 
     @property
     def help(self) -> str | None:
-        """What is allowed here."""
+        """Suggestion of an allowed statement."""
         if self.statement == "RAISE without a number":
             return "give RAISE an error number to raise an error of your own"
         return None
@@ -67,7 +67,7 @@ class ReturnValue(Violation, code="F415"):
 
     @property
     def case(self) -> str:
-        """A value too much, or none."""
+        """Case of the rule: an unexpected value, or a missing one."""
         return "value" if self.gives_value else "no value"
 
 
@@ -78,5 +78,5 @@ class BadConnect(Violation, code="F416"):
 
     @property
     def case(self) -> str:
-        """The interrupt variable, or the trap."""
+        """Case of the rule: the interrupt variable, or the trap."""
         return "trap" if "TRAP" in self.wanted else "variable"

@@ -78,7 +78,7 @@ def _check_statement(statement: tree.Statement, context: Context) -> None:
         case tree.Connect():
             _check_connect(statement, context)
         case _:
-            # The rest has no names: declarations are checked where data are declared.
+            # The rest has no names: declarations are checked elsewhere.
             pass
 
 
@@ -95,13 +95,13 @@ def _check_assignment(statement: tree.Assignment, context: Context) -> None:
     of = type_of_target(target, context, type_of_expression)
     if of is None:
         if isinstance(statement.value, tree.Aggregate | tree.LiteralAggregate):
-            # What it is made of, only its type could tell.
+            # The types of its elements depend on the unknown type of the target.
             context.analysis.runs = False
         else:
             type_of_expression(statement.value, context, None)
         return
     if resolved(of) in types.SIGNALS:
-        # A signal can be read as a number, and is set by instructions alone.
+        # A signal can be read as a number, but only instructions set it.
         require_value(target, types.Atomic(of.name, Kind.NON_VALUE), "assigned", context)
     elif require_value(target, of, "assigned", context):
         declared = context.declaration(find(root_of(target).name.key, context))
@@ -143,7 +143,7 @@ def _check_return(value: tree.Expression | None, context: Context) -> None:
     if value is None or routine is None:
         return
     if routine.result is None:
-        # That a procedure returns a value is reported with the flow.
+        # The flow check reports procedures that return a value.
         if not isinstance(value, tree.Aggregate | tree.LiteralAggregate):
             type_of_expression(value, context, None)
         return

@@ -12,7 +12,7 @@ from rapidsim.language.types import BOOL, DNUM, NUM, SIGNAL_DI, Type, resolved
 
 
 def decide_undeclared(analysis: Analysis) -> None:
-    """Take undeclared names for signals if they are used or spelt like one; report the others.
+    """Resolve undeclared names to signals if used or spelt like one; report the others.
 
     A signal is reported at its first use.
     """
@@ -46,9 +46,9 @@ def decide_undeclared(analysis: Analysis) -> None:
 
 
 def _of_siblings(key: str, analysis: Analysis) -> Type | None:
-    """The kind of the signals whose names begin with the same word, if it is spelt in front.
+    """Kind of the signals whose names share the first word, if that word indicates a kind.
 
-    Where `WaitDI DIPLC_Ready,1` stands, `DIPLC_Service` is a signal, too.
+    For example, `WaitDI DIPLC_Ready,1` makes `DIPLC_Service` a signal as well.
     """
     word, underscore, _ = key.partition("_")
     if not underscore:

@@ -1,4 +1,4 @@
-"""Features newer than the cell's RobotWare; errors, as its controller refuses them."""
+"""Features newer than the cell's RobotWare: errors, because its controller rejects them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rapidsim.syntax import tree
 
 
 def find_newer(facts: Facts) -> Iterator[Diagnostic]:
-    """Uses of features newer than the cell's RobotWare; none where the version is not known."""
+    """Report uses of features newer than the cell's RobotWare; none if its version is unknown."""
     has = facts.analysis.cell.robotware
     if has is None:
         return
@@ -25,7 +25,7 @@ def find_newer(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _installed_names(part: ProgramPart, facts: Facts) -> Iterator[tuple[tree.Node, str]]:
-    r"""The installed routines, options and data that are named; options as `ReadStr\Status`."""
+    r"""Yield the installed routines, options and data in use; options as `ReadStr\Status`."""
     for call in part.calls:
         symbol = facts.symbol(call)
         if isinstance(symbol, LibrarySymbol):

@@ -128,7 +128,7 @@ DETECTORS = (
 def detectors_of(
     is_wanted: Callable[[Rule], bool] = lambda rule: rule.on_by_default,
 ) -> tuple[Callable[[Facts], Iterable[Diagnostic]], ...]:
-    """The detectors for some rules; by default, for those that are on by default."""
+    """Return the detectors for some rules; by default, for the rules that are on by default."""
     return tuple(
         detector.find
         for detector in DETECTORS

@@ -1,4 +1,4 @@
-"""Aggregates, `[a,b,c]`: typed by the record or array that they are given to.
+"""Aggregates, `[a,b,c]`: typed by the record or array that they are assigned to.
 
 An aggregate of literals is one value without nodes; errors are found in the value, and only then is
 the source position looked up.
@@ -27,7 +27,7 @@ from rapidsim.syntax import tree
 
 _MARK = re.compile(r'"(?:[^"\r\n]|"")*"|![^\r\n]*|[\[\],]')
 _LONGEST_LIST = 8
-"""Components that are listed in a message."""
+"""Maximum number of components that a message lists."""
 
 
 def type_of_aggregate(
@@ -39,7 +39,7 @@ def type_of_aggregate(
     """Check an aggregate against the type that its context requires.
 
     Returns:
-        The required type; None if there is none, or it is not a record or array.
+        The required type; None without one, or if it is not a record or array.
     """
     target = None if wanted is None else resolved(wanted.type)
     if wanted is None or not isinstance(target, Record | ArrayOf):
@@ -61,7 +61,7 @@ def _report_untyped(
     node: tree.Aggregate | tree.LiteralAggregate, context: Context, wanted: ExpectedType | None
 ) -> None:
     if wanted is not None and is_unknown(wanted.type):
-        # What it is made of, only the missing declaration could tell.
+        # The types of its elements depend on the missing declaration.
         context.analysis.runs = False
         return
     is_open = wanted is None or wanted.type is types.ANYTYPE
@@ -90,7 +90,7 @@ def _check_elements(
 def _literal_mistakes(
     value: tree.LiteralValue, of: Type, by: str, place: tuple[int, ...]
 ) -> list[tuple[Violation, tuple[int, ...]]]:
-    """What is wrong with a literal of a type, and in which element of which element."""
+    """Errors in a literal of a type, each with the indices of the nested element."""
     target = resolved(of)
     if isinstance(value, tuple):
         if not isinstance(target, Record | ArrayOf):
@@ -100,7 +100,7 @@ def _literal_mistakes(
             return [(parts, place)]
         mistakes = []
         for k, (part, part_type) in enumerate(zip(value, parts, strict=True)):
-            # Most parts are numbers that fit; they must cost nothing.
+            # Most parts are numbers that fit; they must be checked cheaply.
             if part_type is types.NUM and type(part) is float and abs(part) <= LARGEST_SINGLE:
                 continue
             mistakes += _literal_mistakes(part, part_type, _called(target, k), (*place, k))
@@ -121,14 +121,14 @@ def _literal_mistakes(
 
 
 def _called(target: Record | ArrayOf, index: int) -> str:
-    """What to call the place of one value of a record or array."""
+    """Description of the place of one value of a record or array."""
     if isinstance(target, Record):
         return f"component `{target.components[index].name}` of {target.name}"
     return f"an element of {target.name}"
 
 
 def _parts(target: Record | ArrayOf, count: int, by: str) -> Sequence[Type] | RecordShape:
-    """The types of the values of a record or array."""
+    """Types of the values of a record or array."""
     if isinstance(target, Record):
         wanted = len(target.components)
         if count != wanted:
@@ -144,7 +144,7 @@ def _parts(target: Record | ArrayOf, count: int, by: str) -> Sequence[Type] | Re
 
 
 def _element(node: tree.LiteralAggregate, place: tuple[int, ...], context: Context) -> tree.Node:
-    """The place in the text of an element of an element of a literal aggregate."""
+    """Text of a nested element of a literal aggregate, by its indices."""
     start, end = node.start, node.end
     text = context.module.source.text
     for wanted in place:

@@ -1,6 +1,6 @@
 """Matching the arguments of a call to parameters.
 
-Required arguments follow the order of their parameters. Optional ones are named and keep their
+Required arguments follow the order of their parameters. Optional ones are named and have their
 place between the required ones; among themselves any order is accepted.
 """
 
@@ -26,17 +26,17 @@ from rapidsim.syntax import tree
 
 Bound: TypeAlias = tuple[tree.Argument, Formal]
 _MOST_WAYS = 200
-"""Ways of leaving parameters out that are compared."""
+"""Maximum number of combinations of omitted parameters that are compared."""
 _NUMBERS = (types.NUM, types.DNUM, types.ANYTYPE)
 
 
 def bind(
     call: tree.Node, arguments: Sequence[tree.Argument], callee: Callee, context: Context
 ) -> tuple[list[Bound], list[tree.Argument]]:
-    """Match arguments to parameters; findings for what is superfluous and what is missing.
+    """Match arguments to parameters; report superfluous and missing ones.
 
     Returns:
-        The arguments with their parameters, and those without.
+        The matched arguments with their parameters, and the unmatched ones.
     """
     formals = callee.parameters
     left_out = _likely_missing(arguments, formals, context)
@@ -90,7 +90,7 @@ def bind(
 
 
 def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | None:
-    """The position of the parameter a named argument names."""
+    """Position of the parameter that a named argument names."""
     optional = not isinstance(argument, tree.RequiredArgument)
     name = argument.name
     assert name is not None
@@ -109,9 +109,9 @@ def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | N
 
 
 def _is_misplaced(position: int, next_required: int, formals: Sequence[Formal]) -> bool:
-    """Whether a named argument stands on the wrong side of a required one.
+    """Whether a named argument is on the wrong side of a required one.
 
-    The required arguments up to `next_required` have been given, the others follow.
+    The required arguments up to `next_required` precede it, the others follow.
     """
     low, high = sorted((position, next_required))
     return any(not formal.optional for formal in formals[low:high])
@@ -120,10 +120,10 @@ def _is_misplaced(position: int, next_required: int, formals: Sequence[Formal]) 
 def _likely_missing(
     arguments: Sequence[tree.Argument], formals: Sequence[Formal], context: Context
 ) -> frozenset[int]:
-    """Positions of the required parameters that a call with too few arguments leaves out.
+    """Positions of the required parameters that a call with too few arguments omits.
 
-    Chosen so that the types of the arguments given fit best: a call without its zone is told that
-    the zone is missing, not that the tool is no zone.
+    They are chosen so that the types of the arguments fit best: for a call without its zone the
+    message is that the zone is missing, not that the tool is no zone.
     """
     required = [k for k, formal in enumerate(formals) if not formal.optional]
     values = [part.value for part in arguments if isinstance(part, tree.RequiredArgument)]
@@ -141,7 +141,7 @@ def _likely_missing(
 
 
 def fits(value: tree.Expression, formal: Formal, context: Context) -> bool:
-    """Whether an argument looks like one for a parameter; True where nothing speaks against it."""
+    """Whether an argument may fit a parameter; True without evidence against it."""
     found = _evident_type(value, context)
     if found is not None:
         return any(agrees(found, of) for of in formal.types)

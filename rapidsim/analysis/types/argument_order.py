@@ -1,8 +1,8 @@
-"""Two arguments of a call in each other's place: one mistake, and the fix is evident.
+"""Two exchanged arguments of a call: one mistake, with an evident fix.
 
 `MoveL p10,fine,v300,gripper` passes a zone where the speed belongs and a speed where the zone
-belongs. Types alone decide: both arguments have a type of their own that their parameters refuse,
-and each fits the parameter of the other.
+belongs. Only types decide: each argument has a type that its own parameter rejects and that the
+parameter of the other accepts.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix
 from rapidsim.syntax import tree
 
 _LONGEST = 40
-"""Characters of an argument that a message repeats."""
+"""Maximum number of characters of an argument in a message."""
 
 
 def without_exchange(bound: list[Bound], callee: Callee, context: Context) -> list[Bound]:
     """Report two exchanged arguments, and bind each to the parameter that it fits.
 
     Returns:
-        The arguments with their parameters; the same if no two are exchanged.
+        The arguments with their parameters; unchanged if no two are exchanged.
     """
     misfits = [
         (index, argument.value)

@@ -1,4 +1,4 @@
-r"""Rules T3 about arguments: number, order, and what they refer to."""
+r"""Rules T3 about arguments: number, order, and the data they refer to."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from rapidsim.diagnostics import Violation
 class BadArguments(Violation, code="T302"):
     problem: str
     fault: str
-    """`too few`, `too many`, `swapped`, or which argument is in the wrong place."""
+    """`too few`, `too many`, `swapped`, or the misplaced argument."""
     order: str = ""
-    """The call as it is declared."""
+    """The declared call."""
 
     @property
     def case(self) -> str:
-        """By what is wrong."""
+        """Case of the rule by the kind of the mistake."""
         return self.fault
 
     @property
@@ -30,12 +30,12 @@ class BadArgumentMode(Violation, code="T303"):
 
     @property
     def case(self) -> str:
-        """By what is wanted."""
+        """Case of the rule by the required kind of argument."""
         return self.wanted.removeprefix("a ").replace("or a ", "or ")
 
     @property
     def help(self) -> str | None:
-        """What could be given instead."""
+        """Suggestion of a valid argument."""
         if self.wanted == "a persistent":
             return "declare it as PERS in a module"
         return "give a variable that holds the value" if self.wanted != "data" else None
@@ -50,12 +50,12 @@ class UnknownArgument(Violation, code="T312"):
 
     @property
     def case(self) -> str:
-        """By the kind of the argument."""
+        """Case of the rule by the kind of the argument."""
         return self.argument_kind
 
     @property
     def help(self) -> str | None:
-        """The nearest argument, or all of them."""
+        """Suggestion of the nearest argument, or all of them."""
         if self.nearest:
             return f"did you mean `{self.nearest}`?"
         return f"it has {', '.join(self.candidates)}" if self.candidates else None
@@ -64,12 +64,12 @@ class UnknownArgument(Violation, code="T312"):
 class BadOption(Violation, code="T315"):
     problem: str
     fault: str
-    """In the words of rule.toml."""
+    """Case of the rule, in the terms of rule.toml."""
     suggestion: str = ""
 
     @property
     def case(self) -> str:
-        """By what is wrong."""
+        """Case of the rule by the kind of the mistake."""
         return self.fault
 
 

@@ -1,4 +1,4 @@
-"""Checks one argument against its parameter: its type, and what a reference may refer to.
+"""Check of one argument against its parameter: its type, and the data of a reference.
 
 Source: RAPID Overview, "Routines", the table of parameter access modes.
 """
@@ -49,7 +49,7 @@ def check_argument(
         context: The scope of the call.
         type_of: Finds the types of expressions.
         other_type: Type of the preceding argument that may be num or dnum; literals follow it.
-        same_type: What to assume of an undeclared signal if the parameter takes every kind.
+        same_type: Assumed type of an undeclared signal if the parameter accepts every kind.
 
     Returns:
         The type of the argument; None if it is not known.
@@ -83,7 +83,7 @@ def check_argument(
 
 
 def _wanted(value: tree.Expression, formal: Formal, other_type: Type | None) -> ExpectedType:
-    """The type that guides literals and aggregates where several are taken.
+    """Return the expected type of literals and aggregates if the parameter accepts several.
 
     A literal follows the data it is used with, as in `Add d, 0.2`; without any it is a num unless
     only a dnum holds it exactly, as in `SetGO go, 4294967295`.
@@ -103,7 +103,7 @@ def _wanted(value: tree.Expression, formal: Formal, other_type: Type | None) -> 
 
 def _fits(actual: Type, formal: Formal) -> bool:
     if formal.mode is not ParameterMode.IN and value_type(actual) != resolved(actual):
-        # What is referred to is the signal itself, not the number it reads as.
+        # The reference is to the signal itself, not to the number that it reads as.
         wanted = formal.types if formal.only is None else formal.only.types
         return types.ANYTYPE in wanted or resolved(actual) in map(resolved, wanted)
     fits = any(agrees(actual, of) for of in formal.types)
@@ -127,7 +127,7 @@ def _check_mode(value: tree.Expression, formal: Formal, context: Context) -> Non
         and formal.mode is ParameterMode.REF
         and formal.signal is not None
     ):
-        # A signal may be named by a string where it is only looked up.
+        # A signal may be named by a string if the routine only looks it up.
         return
     if not isinstance(value, tree.DataPath):
         found = (
@@ -159,7 +159,7 @@ def _may_refer(symbol: Symbol, mode: ParameterMode) -> bool:
         case _ if is_read_only(symbol):
             return mode is ParameterMode.REF
         case ParameterSymbol(mode=ParameterMode.INOUT):
-            # What it is bound to is not known here.
+            # The data that it is bound to are unknown here.
             return True
         case _ if mode is ParameterMode.PERS:
             return _is_persistent(symbol)

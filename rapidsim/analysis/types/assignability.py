@@ -16,14 +16,14 @@ from rapidsim.syntax import tree
 def require(
     expression: tree.Expression, wanted: ExpectedType, context: Context, type_of: TypeOf
 ) -> None:
-    """Type an expression and report it if its value does not have the required type."""
+    """Determine the type of an expression, and report a value that lacks the required type."""
     found = type_of(expression, context, wanted)
     if found is not None and not agrees(found, wanted.type):
         report_mismatch(expression, found, wanted, context)
 
 
 def agrees(actual: Type, wanted: Type) -> bool:
-    """Whether a value of one type fits where another is required; anytype takes everything."""
+    """Whether a value of one type satisfies another required type; anytype accepts all."""
     if actual is wanted or wanted is types.ANYTYPE:
         return True
     value = value_type(actual)
@@ -36,7 +36,7 @@ def agrees(actual: Type, wanted: Type) -> bool:
 
 
 def is_unknown(of: Type) -> bool:
-    """Whether it is an undeclared type, or an array of one."""
+    """Whether a type is undeclared, or an array of an undeclared one."""
     target = resolved(of)
     inner = resolved(target.element) if isinstance(target, ArrayOf) else target
     return isinstance(inner, Atomic) and inner.kind is Kind.UNKNOWN
@@ -54,12 +54,12 @@ def report_mismatch(
 
 
 def require_value(expression: tree.Node, actual: Type, used: str, context: Context) -> bool:
-    """Report a type without values where a value is needed.
+    """Report an expression of a type without values if a value is required.
 
     Args:
         expression: The expression of that type.
         actual: The type.
-        used: What is done with the value, as in "assigned".
+        used: The use of the value, such as "assigned".
         context: The scope.
 
     Returns:

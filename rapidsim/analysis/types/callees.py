@@ -56,8 +56,8 @@ def callee_of_installed(symbol: LibrarySymbol) -> Callee:
             parameter.name,
             parameter.name.lower(),
             parameter.types,
-            # What is known of a routine that no run simulates may be too strict here: some take
-            # names in strings as well.
+            # The mode may be too strict for a routine that is not simulated: some also accept
+            # names in strings.
             ParameterMode.IN
             if parameter.mode is ParameterMode.REF and not symbol.routine.simulated
             else parameter.mode,

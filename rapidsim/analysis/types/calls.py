@@ -1,4 +1,4 @@
-"""Calls of procedures and functions: resolves the callee and checks every argument."""
+"""Calls of procedures and functions: resolution of the callee and checks of every argument."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def check_call(call: tree.Call, context: Context, type_of: TypeOf) -> None:
 def type_of_call(
     call: tree.FunctionCall, context: Context, wanted: ExpectedType | None, type_of: TypeOf
 ) -> Type | None:
-    """Check a function call; its type is None if the function is not known.
+    """Check a function call; return its type, or None if the function is unknown.
 
     The value of an unknown function is assumed to have the type required by its context.
     """
@@ -53,7 +53,7 @@ def type_of_call(
 
 
 def check_unbound(arguments: Sequence[tree.Argument], context: Context, type_of: TypeOf) -> None:
-    """Check the arguments of a call whose parameters are not known.
+    """Check the arguments of a call whose parameters are unknown.
 
     The call is skipped, so an undeclared name in its arguments is no error unless it looks like a
     misspelling of a known one.
@@ -119,9 +119,9 @@ def _check_arguments(
 def _paired_signal_type(
     argument: tree.RequiredArgument, bound: Sequence[Bound], context: Context
 ) -> Type | None:
-    """The kind of signal that another argument is, where a call connects two of any kind.
+    """Kind of signal of another argument, if a call connects two signals of any kind.
 
-    `AliasIO glue,alias` takes `glue` for what `alias` is declared as.
+    `AliasIO glue,alias` resolves `glue` to the declared type of `alias`.
     """
     takes_all = [
         one.value
@@ -157,7 +157,7 @@ def _check_option(
 
 
 def _check_conditional(argument: tree.ConditionalArgument, context: Context) -> None:
-    r"""`\Par?q`: q is an optional parameter of the routine that the call stands in."""
+    r"""Check `\Par?q`: q must be an optional parameter of the calling routine."""
     symbol = context.scope.find(argument.present.key)
     if isinstance(symbol, ParameterSymbol) and symbol.optional:
         context.analysis.symbol_of[argument] = symbol

@@ -31,16 +31,16 @@ from rapidsim.syntax import tree
 
 
 def type_of_path(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    """The type of the data at a path; None, after a finding, if there are none.
+    """Return the type of the data at a path; None, after a finding, if there are no data.
 
-    Also None if the type is undeclared: what may be done with it is not known.
+    Also None if the type is undeclared: its valid uses are unknown.
     """
     found = _written_type(path, context, type_of)
     return None if found is None or is_unknown(found) else found
 
 
 def type_of_target(path: tree.DataPath, context: Context, type_of: TypeOf) -> Type | None:
-    """The type of data that are assigned to; a finding if they cannot be."""
+    """Return the type of data that are assigned to; report data that cannot be."""
     root = root_of(path)
     symbol = find(root.name.key, context)
     if symbol is None:
@@ -68,14 +68,14 @@ def is_read_only(symbol: Symbol | None) -> bool:
 
 
 def root_of(path: tree.DataPath) -> tree.DataReference:
-    """The name a path begins with."""
+    """Return the name at the root of a path."""
     while not isinstance(path, tree.DataReference):
         path = path.array if isinstance(path, tree.Index) else path.record
     return path
 
 
 def type_of_data(symbol: DataLike) -> Type:
-    """The declared type of data."""
+    """Return the declared type of data."""
     return types.NUM if isinstance(symbol, CounterSymbol) else symbol.type
 
 

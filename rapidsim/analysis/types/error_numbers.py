@@ -1,4 +1,4 @@
-"""Comparisons of ERRNO: with names or the numbers a program may raise, not with others."""
+"""Comparisons of ERRNO, which must be with names or with numbers that a program may raise."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from rapidsim.analysis.types.error_violations import RawErrorNumber
 from rapidsim.syntax import tree
 
 _LARGEST_OF_PROGRAMS = 90.0
-"""RAISE takes 1 to 90 without asking."""
+"""RAISE accepts 1 to 90 without booking."""
 
 
 def check_error_number(subject: tree.Expression, value: tree.Expression, context: Context) -> None:
-    """Report a number that ERRNO is compared with but never has."""
+    """Report a comparison of ERRNO with a number that it never has."""
     if not (isinstance(subject, tree.DataReference) and subject.name.key == "errno"):
         return
     symbol = find("errno", context)

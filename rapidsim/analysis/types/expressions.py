@@ -1,7 +1,7 @@
 """The types of expressions.
 
 Every expression gets its type in the side table. Literal numbers are num or dnum and aggregates
-take their type from their context; everything else has a type of its own.
+take their type from their context; the type of other expressions is independent of it.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _LARGEST_DOUBLE = 1.7976931348623157e308
 def type_of_expression(
     node: tree.Expression, context: Context, wanted: ExpectedType | None
 ) -> Type | None:
-    """Find the types of an expression and of everything in it; see `context.TypeOf`."""
+    """Determine the types of an expression and its subexpressions; see `context.TypeOf`."""
     type_of = context.analysis.type_of
     match node:
         case tree.NumberLiteral():
@@ -101,7 +101,7 @@ def _unary(node: tree.Unary, context: Context, wanted: ExpectedType | None) -> T
 
 
 def _binary(node: tree.Binary, context: Context, wanted: ExpectedType | None) -> Type | None:
-    # What an arithmetic expression wants goes on to the literals in it.
+    # The expected type of an arithmetic expression applies to its literals.
     is_dnum = wanted is not None and resolved(wanted.type) == types.DNUM
     hint = wanted if is_dnum and node.operator in ARITHMETIC else None
     if _waits_for_other(node.left):
@@ -123,10 +123,10 @@ def _operand(
     hint: ExpectedType | None,
     context: Context,
 ) -> Type | None:
-    """The type of an operand; a literal beside a value takes the type of the value."""
+    """Type of an operand; a literal takes the type of the opposite value."""
     is_aggregate = isinstance(node, tree.Aggregate | tree.LiteralAggregate)
     if other is None and is_aggregate and not _waits_for_other(opposite):
-        # The other side is wrong or not known, and that has been said.
+        # The other operand is invalid or unknown, already reported.
         context.analysis.runs = False
         return None
     if other is None or not _waits_for_other(node):
@@ -142,14 +142,14 @@ def _operand(
 def _result(
     node: tree.Binary, left: Type | None, right: Type | None, context: Context
 ) -> Type | None:
-    """The type of an operation whose operands are typed."""
+    """Type of an operation whose operands are typed."""
     operator = node.operator
     type_of = context.analysis.type_of
     if left is None or right is None:
         known = left if left is not None else right
         unknown = node.left if left is None else node.right
         if known is not None and isinstance(unknown, tree.FunctionCall):
-            # An unknown function is taken to give what the other side is.
+            # An unknown function is assumed to return the type of the other operand.
             type_of[unknown] = value_type(known)
         if operator in LOGICAL or operator in ORDERING or operator in EQUALITY:
             type_of[node] = types.BOOL
@@ -158,7 +158,7 @@ def _result(
         return None
     result = binary_result(operator, left, right)
     if result is None and {left, right} == {types.NUM, types.DNUM}:
-        # Literals were taken for num before a dnum was seen beside them.
+        # Literals were assumed to be num before the dnum operand was known.
         literal = node.left if left == types.NUM else node.right
         if is_literal_number(literal):
             type_of_expression(literal, context, ExpectedType(types.DNUM, ""))

@@ -57,7 +57,7 @@ def binary_result(operator: str, left: Type, right: Type) -> Type | None:
 
 
 def _comparable(a: Type, b: Type) -> bool:
-    """Whether two types are one, or arrays that may have the same sizes."""
+    """Whether two types are equal, or arrays that may have the same sizes."""
     if not isinstance(a, ArrayOf) or not isinstance(b, ArrayOf):
         return a == b
     sizes = zip(a.dimensions, b.dimensions, strict=False)
@@ -92,12 +92,12 @@ def has_value(of: Type) -> bool:
         case Record(components=components):
             return all(has_value(component.type) for component in components)
         case ArrayOf(element=element):
-            # Signals are read one at a time.
+            # An array of signals cannot be read as a whole.
             return has_value(element) and value_type(element) == resolved(element)
 
 
 def likely_fix(operator: str, left: Type, right: Type) -> str:
-    """The likely fix for a combination that does not exist; empty when unclear."""
+    """Suggest a fix for an invalid combination; empty if unclear."""
     names = {value_type(left).name.lower(), value_type(right).name.lower()}
     if names == {"num", "dnum"}:
         return "convert one of them with NumToDnum(...) or DnumToNum(...)"

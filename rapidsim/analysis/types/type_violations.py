@@ -22,7 +22,7 @@ _CONVERSIONS = {
     ("robtarget", "jointtarget"): "convert it with CalcRobT(...)",
     ("jointtarget", "robtarget"): "convert it with CalcJointT(...)",
 }
-"""The cure, by the type that is wanted and the type that is there."""
+"""Suggestion by the expected and the actual type."""
 
 
 _OPERATORS = {
@@ -41,16 +41,16 @@ class TypeMismatch(Violation, code="T301"):
     wanted: str
     actual: str
     configured: str = ""
-    """The name that the configuration of the cell, and no module, gives that type."""
+    """Name that only the configuration of the cell declares, with that type; empty without one."""
 
     @property
     def case(self) -> str:
-        """An aggregate, or any other value."""
+        """Case of the rule: an aggregate, or any other value."""
         return "aggregate" if self.actual == "an aggregate" else "value"
 
     @property
     def help(self) -> str | None:
-        """The conversion, where RAPID has one."""
+        """Suggestion of the conversion, if RAPID has one."""
         if self.configured:
             return f"the I/O configuration declares `{self.configured}` as {self.actual}"
         return _CONVERSIONS.get((self.wanted, self.actual))
@@ -62,7 +62,7 @@ class WriteToReadOnly(Violation, code="T304"):
 
     @property
     def help(self) -> str | None:
-        """What could be changed instead."""
+        """Suggestion of a writable alternative."""
         if "counter" in self.kind:
             return "use a WHILE loop to step as you like"
         return "declare it as VAR or PERS" if "constant" in self.kind else None
@@ -77,7 +77,7 @@ class RecordShape(Violation, code="T305"):
 
     @property
     def case(self) -> str:
-        """An array, or a record with too few or too many components."""
+        """Case of the rule: an array, or a record with too few or too many components."""
         if self.is_array:
             return "array"
         return "too few" if self.actual < self.wanted else "too many"
@@ -96,7 +96,7 @@ class WrongOperands(Violation, code="T313"):
 
     @property
     def case(self) -> str:
-        """By the operator."""
+        """Case of the rule by the operator."""
         return _OPERATORS.get(self.operator.strip("`"), "sign")
 
 
@@ -108,7 +108,7 @@ class NotAnArray(Violation, code="T314"):
 
     @property
     def case(self) -> str:
-        """No array, or another number of indices."""
+        """Case of the rule: no array, or a different number of indices."""
         return "no array" if self.wanted == "no indices" else "indices"
 
 
@@ -122,7 +122,7 @@ class NoValue(Violation, code="T318"):
 
     @property
     def case(self) -> str:
-        """By the use."""
+        """Case of the rule by the use."""
         return self.used if self.used in ("assigned", "compared", "tested") else "other"
 
 

@@ -26,7 +26,7 @@ class AstBuilder:
     __slots__ = ("_where", "line")
 
     def __init__(self, line: int, column: int, end_column: int) -> None:
-        """Name the place: line from 1, columns from 0 in UTF-8 bytes."""
+        """Set the position: line from 1, columns from 0 in UTF-8 bytes."""
         self.line = line
         self._where: dict[str, Any] = {
             "lineno": line,
@@ -82,16 +82,16 @@ class AstBuilder:
         return ast.UnaryOp(operator, operand, **self._where)
 
     def compare(self, left: ast.expr, *rest: tuple[ast.cmpop, ast.expr]) -> ast.Compare:
-        """A comparison, chained where several follow."""
+        """A comparison, chained if there are several operators."""
         operators = [operator for operator, _ in rest]
         return ast.Compare(left, operators, [operand for _, operand in rest], **self._where)
 
     def both_or_either(self, operator: ast.boolop, *operands: ast.expr) -> ast.BoolOp:
-        """`and` or `or`, the right operand evaluated only where it matters."""
+        """Combine operands by `and` or `or`, with short-circuit evaluation."""
         return ast.BoolOp(operator, list(operands), **self._where)
 
     def choice(self, condition: ast.expr, value: ast.expr, else_value: ast.expr) -> ast.IfExp:
-        """`value if condition else otherwise`."""
+        """`value if condition else else_value`."""
         return ast.IfExp(condition, value, else_value, **self._where)
 
     def named(self, name: str, value: ast.expr) -> ast.NamedExpr:
@@ -176,7 +176,7 @@ class AstBuilder:
         return ast.Break(**self._where)
 
     def nothing(self) -> ast.Pass:
-        """`pass`: a line for tools to stop at where a RAPID statement does nothing."""
+        """`pass`: a line at which tools can stop although the RAPID statement has no effect."""
         return ast.Pass(**self._where)
 
     def outer(self, names: Sequence[str]) -> ast.Nonlocal:
@@ -200,7 +200,7 @@ class AstBuilder:
             kwarg=None,
             defaults=list(defaults),
         )
-        # Through a mapping: Python 3.12 added `type_params`, which 3.11 does not take.
+        # Python 3.12 added `type_params`, which 3.11 rejects; hence the mapping.
         fields: dict[str, Any] = {
             "name": name,
             "args": arguments,
@@ -227,10 +227,10 @@ class Positions:
         """Read positions of a source."""
         self._source = source
         self._ascii = source.text.isascii()
-        # The line that was asked for last, as offsets; most questions follow on the same one.
+        # Offsets of the line of the last request; most requests are for the same line.
         self._line = 0
         self._start = self._end = 0
-        # Likewise the place: a name, the path it is and the expression that is all ask for theirs.
+        # Offsets and position of the last request: a name, its path and the expression share them.
         self._asked = (-1, -1)
         self._at = AstBuilder(0, 0, 0)
 
@@ -260,7 +260,7 @@ class Positions:
         self._end = self._start + len(self._source.line(line))
 
     def within(self, statement: AstBuilder, node: tree.Node) -> AstBuilder:
-        """The position of a part of a statement.
+        """Return the position of a part of a statement.
 
         Parts on later lines get the position of the whole statement, so a statement is one line
         event to debuggers and coverage tools, however many lines it spans.

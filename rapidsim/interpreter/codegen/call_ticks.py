@@ -1,7 +1,7 @@
-"""Which routines take a tick of virtual time per call, as a loop does per iteration.
+"""Routines that take a tick of virtual time per call, as a loop does per iteration.
 
-Without loops a program can run forever only by recursion, direct or indirect, or by call chains
-that multiply. A tick there keeps it within the limits of a run.
+Without loops a program can run indefinitely only by recursion, direct or indirect, or by call
+chains that multiply. A tick there keeps it within the limits of a run.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 MOST_CALLS = 1000
-"""Calls, those of what is called included, that may follow from one call without a tick."""
+"""Limit of the calls, direct and indirect, that may result from one call without a tick."""
 
 
 def tick(at: AstBuilder) -> list[ast.stmt]:
-    """Let a little virtual time pass, and handle what is due."""
+    """Let one tick of virtual time pass, and handle due events."""
     left = at.attribute("_clock", "ticks_left")
     due = at.compare(left, (ast.Lt(), at.constant(0)))
     serve = at.do(at.call(at.attribute("_clock", "service")))
@@ -33,9 +33,9 @@ class Callees:
     """The routines that a routine calls."""
 
     named: Sequence[RoutineSymbol]
-    """One for each call that is written."""
+    """One entry per call in the text."""
     anybody: bool
-    """Whether it calls by a name that only the run knows, or what is loaded later."""
+    """Whether it calls a routine by a computed name or from a module loaded later."""
 
 
 def callees(nodes: Sequence[tree.Node], program: Program) -> Callees:
@@ -57,13 +57,14 @@ def callees(nodes: Sequence[tree.Node], program: Program) -> Callees:
 
 
 def ticking(calls: Mapping[RoutineSymbol, Callees]) -> frozenset[RoutineSymbol]:
-    """The routines that take a tick, given the callees of each.
+    """Return the routines that take a tick.
 
-    Every call cycle contains a routine that is met again while still open in the search; it ticks.
+    Every call cycle contains a routine that the search reaches again while it is still open; that
+    routine ticks.
     """
     found = {routine for routine, called in calls.items() if called.anybody}
     following: dict[RoutineSymbol, int] = {}
-    """How many calls follow from one call of a routine, up to the next tick."""
+    """Number of calls that one call of a routine causes, up to the next tick."""
     for start in calls:
         stack = [(start, iter(calls[start].named))]
         open_now = {start}

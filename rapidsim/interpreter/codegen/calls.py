@@ -1,6 +1,6 @@
 """Calls in generated code: matching arguments to parameters, reporting positions, special forms.
 
-User routines take all their parameters by position, `ABSENT` for options that are not given.
+User routines take all their parameters by position, `ABSENT` for absent options.
 Library functions take required parameters by position and options by keyword. A call that reports
 to the controller first sets the position of the statement.
 """
@@ -43,22 +43,22 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _SMALL = 60
-"""Nodes of a small routine."""
+"""Maximum number of nodes of a small routine."""
 
 
 @value_class(frozen=True, slots=True)
 class BoundArgument:
-    """What a call passes for one parameter; no value for a switch."""
+    """Argument that a call passes for one parameter; without a value for a switch."""
 
     value: tree.Expression | None = None
     caller_option: tree.Name | None = None
-    """Of a conditional argument, the option of the calling routine."""
+    """Option of the calling routine that a conditional argument depends on."""
 
 
 def match_arguments(
     arguments: Sequence[tree.Argument], parameters: Sequence[ParameterSymbol | Parameter]
 ) -> dict[str, BoundArgument]:
-    """What a call passes, by folded parameter name."""
+    """Match the arguments of a call to parameters, by folded parameter name."""
     required = (p.name.lower() for p in parameters if not p.optional)
     given: dict[str, BoundArgument] = {}
     for argument in arguments:
@@ -88,7 +88,7 @@ def takes_elements(routine: RoutineSymbol, program: Program) -> bool:
 
 
 def _only_takes_values(callee: Symbol) -> bool:
-    """Whether a call of something asks neither for names nor for references."""
+    """Whether a callee takes all its arguments by value."""
     return isinstance(callee, LibrarySymbol) and all(
         parameter.mode is ParameterMode.IN for parameter in callee.routine.signature.parameters
     )
@@ -98,7 +98,7 @@ class Calls:
     """Translates the calls of one routine."""
 
     def __init__(self, expressions: Operands, paths: DataPathTranslator) -> None:
-        """Translate with the names and the place that expressions have."""
+        """Translate with the names and the position of `expressions`."""
         self._expressions = expressions
         self._paths = paths
         self._names = expressions.names
@@ -175,7 +175,7 @@ class Calls:
     def _late_arguments(
         self, call: tree.LateCall | tree.Call | tree.FunctionCall, name: ast.expr, at: AstBuilder
     ) -> list[ast.expr]:
-        """Place, name, shapes and values of a call whose routine only the run finds."""
+        """Position, name, shapes and values of a call whose routine is resolved at run time."""
         shapes: list[DeferredArgument] = []
         values: list[ast.expr] = []
         for argument in call.arguments:
@@ -226,9 +226,9 @@ class Calls:
     def _elements(
         self, symbol: RoutineSymbol, arguments: dict[str, BoundArgument]
     ) -> dict[ParameterSymbol, tuple[ast.expr, ast.expr]]:
-        """Array and position of the elements that a call lends to a small routine.
+        """Array and index of the elements that a call passes to a small routine.
 
-        A reference to each would cost more than all that the routine does with it.
+        Creating a reference to each would cost more than the routine itself.
         """
         found: dict[ParameterSymbol, tuple[ast.expr, ast.expr]] = {}
         if symbol.module is not self._names.module.module:
@@ -292,15 +292,15 @@ class Calls:
         nodes: dict[str, ast.expr],
         at: AstBuilder,
     ) -> None:
-        """Where two options exclude each other and only the run shows who is there, check then.
+        """Add a run-time check for options that exclude each other and are present conditionally.
 
-        The last of them is wrapped, so that the others have their values before.
+        The last of them is wrapped, so that the others are evaluated before.
 
         Args:
-            parameters: Of the routine.
-            arguments: What the call gives, by folded parameter name.
-            nodes: The arguments, likewise; changed where a check is needed.
-            at: The place of the call.
+            parameters: Parameters of the routine.
+            arguments: Arguments of the call, by folded parameter name.
+            nodes: Nodes of the arguments, by folded parameter name; changed if a check is needed.
+            at: Position of the call.
         """
         if not any(one.caller_option for one in arguments.values()):
             return
@@ -314,7 +314,7 @@ class Calls:
                 nodes[names[-1]] = at.call("_at_most_one", [nodes[names[-1]], *flags])
 
     def _presence(self, argument: BoundArgument, at: AstBuilder) -> ast.expr:
-        """Whether an argument is given: a conditional one only if the caller's option is."""
+        """Whether an argument is present: a conditional one only if the caller's option is."""
         if argument.caller_option is None:
             return at.constant(True)
         symbol = self._caller_option(argument.caller_option)
@@ -355,12 +355,12 @@ class Calls:
         if Trait.OUTPUT in routine.traits and Trait.MOVE not in routine.traits:
             return [at.do(at.call("_set_at", [place, function, asked, *values], options))]
         if calls:
-            # A call among the arguments reports places of its own; ours comes after.
+            # A call among the arguments sets positions of its own, so this one is set afterwards.
             return [at.do(at.call("_call_at", [place, function, asked, *values], options))]
         return _reported(place, at.call(function, [asked, *values], options), at)
 
     def row(self, run: tree.BulkStatements, at: AstBuilder) -> tuple[ast.expr, list[ast.stmt]]:
-        """The rows of a run of moves, and what is done for each."""
+        """Return the rows of bulk moves, and the statements that execute one row."""
         call = run.like
         assert isinstance(call, tree.Call)
         symbol, target = self._program.symbol_of[call], call.arguments[0]
@@ -387,10 +387,10 @@ class Calls:
         """Positional arguments, keyword options, and whether calls are among them.
 
         Args:
-            signature: Of what is called.
-            arguments: What the call gives.
-            at: Its place.
-            of_row: Folded name of the parameter that takes the target of the row whose turn it is.
+            signature: Signature of the callee.
+            arguments: Arguments of the call.
+            at: Position of the call.
+            of_row: Folded name of the parameter that takes the target of the current row.
         """
         there = [(p, key) for p in signature.parameters if (key := p.name.lower()) in arguments]
         nodes: dict[str, ast.expr] = {}
@@ -417,7 +417,7 @@ class Calls:
             node = self._forwarded(argument.caller_option, parameter.mode, at)
             if parameter.is_switch:
                 return Code(node)
-            # The Python functions know no ABSENT; None is how they say it.
+            # Python functions do not know ABSENT; an absent option is None there.
             present = at.compare(at.named("_given", node), (ast.IsNot(), at.name("_ABSENT")))
             return Code(at.choice(present, at.name("_given"), at.constant(None)))
         if argument.value is None:
@@ -480,7 +480,7 @@ class Calls:
         return initial_value(of) if of is not None else 0.0
 
     def _taken_for(self, call: tree.FunctionCall, value: object) -> str:
-        """What is done instead of calling a function that nobody declares."""
+        """Description of the effect of a call of an undeclared function."""
         of = self._program.type_of.get(call, NUM)
         if value is None:
             return "skipped"
@@ -488,5 +488,5 @@ class Calls:
 
 
 def _reported(place: ast.expr, call: ast.expr, at: AstBuilder) -> list[ast.stmt]:
-    """A call, and before it the place from which what it does is told."""
+    """A call, preceded by setting the position that its reports refer to."""
     return [at.assign(at.store_attribute("_clock", "place"), place), at.do(call)]

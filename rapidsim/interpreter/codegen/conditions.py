@@ -1,4 +1,4 @@
-"""What conditions imply about the integers of a routine.
+"""Bounds of integer variables that follow from the conditions of a routine.
 
 After `IF n<2 RETURN;` n is at least 2, and in `WHILE k<=9` k is at most 9 until it is assigned.
 Sums of such integers need no check. A forward analysis over the control-flow graph.
@@ -30,17 +30,17 @@ _MIRRORED = {"<": ">", ">": "<", "<=": ">=", ">=": "<=", "=": "=", "<>": "<>"}
 def narrowed(
     routine: RoutineSymbol, program: Program, integers: _Bounds, of: _Of
 ) -> dict[tree.Node, Interval]:
-    """Narrower bounds of integers at the references where the text implies them.
+    """Return narrower bounds of integers at the references where control flow implies them.
 
     Args:
-        routine: The routine to look at.
+        routine: The routine to analyse.
         program: Resolves names.
         integers: Bounds of variables that hold everywhere, by declaration.
-        of: Gives the bounds of an expression.
+        of: Computes the bounds of an expression.
     """
     graph = build_graph(routine.node, lambda call: does(program.symbol_of.get(call)), ())
     conditions = _Conditions(program, integers, of)
-    # A clause can be entered from anywhere, and so can what RETRY and TRYNEXT lead to.
+    # A clause can be entered from any statement, and so can the targets of RETRY and TRYNEXT.
     resumed = [
         edge.to
         for block in graph.blocks
@@ -82,7 +82,7 @@ def _assigned_first(body: tree.Body, data: tree.Data, program: Program) -> bool:
 
 
 def _names(node: tree.Node, data: tree.Data, program: Program) -> int:
-    """How often a part of the text names a variable."""
+    """Number of references to a variable in a part of the text."""
     return sum(
         isinstance(one, tree.DataReference) and declaration(one, program) is data
         for one in descendants(node)
@@ -90,7 +90,7 @@ def _names(node: tree.Node, data: tree.Data, program: Program) -> int:
 
 
 def _is_jump_target(routine: RoutineSymbol) -> bool:
-    """Whether a statement may come to execution without those before it."""
+    """Whether control may reach a statement without executing those before it."""
     labels = (isinstance(one, tree.Label) for one in statements(routine.node.body))
     return routine.node.error is not None or routine.node.undo is not None or any(labels)
 
@@ -104,14 +104,14 @@ class _Conditions:
     of: _Of
 
     def after(self, node: tree.Node, bounds: _Bounds) -> _Bounds:
-        """What is known after a step."""
+        """Return the bounds after a step."""
         if not bounds or not isinstance(node, tree.Assignment | tree.Call):
             return bounds
         assigned = self._assigned(node)
         return {data: known for data, known in bounds.items() if data is not assigned}
 
     def along(self, edge: FlowEdge, bounds: _Bounds) -> _Bounds:
-        """What is known past an edge."""
+        """Return the bounds along an edge."""
         if edge.holds is None or not isinstance(
             edge.by, tree.Binary | tree.Unary | tree.Parenthesised
         ):
@@ -119,7 +119,7 @@ class _Conditions:
         return self._bounds_where(edge.by, bounds, holds=edge.holds)
 
     def at_references(self, node: tree.Node, bounds: _Bounds) -> dict[tree.Node, Interval]:
-        """The bounds of the variables that a step names, by reference."""
+        """Return the bounds of the variables that a step names, by reference."""
         if not bounds:
             return {}
         return {
@@ -141,7 +141,7 @@ class _Conditions:
                 return None
 
     def _bounds_where(self, condition: tree.Expression, bounds: _Bounds, *, holds: bool) -> _Bounds:
-        """What is known where a condition holds, or does not."""
+        """Return the bounds under the assumption that a condition holds, or does not."""
         match bare(condition):
             case tree.Unary(operator="NOT", operand=operand):
                 return self._bounds_where(operand, bounds, holds=not holds)
@@ -182,7 +182,7 @@ class _Conditions:
 
 
 def _common(one: _Bounds, other: _Bounds) -> _Bounds:
-    """What is known where two paths meet."""
+    """Join the bounds of two paths."""
     return {
         node: replace(
             bounds, low=min(bounds.low, other[node].low), high=max(bounds.high, other[node].high)

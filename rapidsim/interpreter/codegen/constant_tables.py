@@ -13,13 +13,13 @@ from rapidsim.language.types import NUM, ArrayOf, resolved
 from rapidsim.library.arithmetic import MAX_INTEGER
 
 _MOST_ELEMENTS = 1000
-"""Elements of a constant that are looked at whenever it is read."""
+"""Maximum number of elements of a constant that are examined each time it is read."""
 
 
 def constant_table(
     symbol: DataSymbol, indices: int, constant_value: Callable[[DataSymbol], Value]
 ) -> list[Any] | None:
-    """The value of a CONST num array of the given number of dimensions; None otherwise."""
+    """Return the value of a CONST num array with this number of dimensions; None otherwise."""
     of = resolved(symbol.type)
     if symbol.storage is not Storage.CONST or symbol.node is None or not isinstance(of, ArrayOf):
         return None
@@ -30,7 +30,7 @@ def constant_table(
 
 
 def bounds_of(table: list[Any]) -> Interval | None:
-    """The bounds of a small table of integer nums, none of them a negative zero."""
+    """Return the bounds of a small table of integer nums; None with a negative zero."""
     numbers = table
     while numbers and isinstance(numbers[0], list):
         numbers = [number for row in numbers for number in row]

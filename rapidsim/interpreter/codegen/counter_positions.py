@@ -1,7 +1,7 @@
 """The zero-based index of a FOR counter, computed once per iteration.
 
-RAPID counts elements from 1 and Python from 0, so `i - 1` occurs all over a loop that goes through
-an array. Nothing can assign to a counter, so each iteration keeps the result: `_i_0 = i - 1`.
+RAPID counts elements from 1 and Python from 0, so `i - 1` occurs repeatedly in loops over arrays.
+Nothing can assign to a counter, so each iteration stores the result: `_i_0 = i - 1`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 
 
 def position_once(body: list[ast.stmt], counter: str, at: AstBuilder) -> list[ast.stmt]:
-    """The body of a loop with an integer counter; unchanged where that saves nothing."""
+    """Rewrite the body of a loop with an integer counter; unchanged if that saves nothing."""
     if not _pays(body, counter):
         return body
     position = f"_{counter}_0"
@@ -24,7 +24,7 @@ def position_once(body: list[ast.stmt], counter: str, at: AstBuilder) -> list[as
 
 
 def _pays(body: Sequence[ast.stmt], counter: str) -> bool:
-    """Whether the position is named twice, or in a loop within this one."""
+    """Whether the index is used twice, or in a nested loop."""
     uses = 0
     for statement in body:
         for node in ast.walk(statement):
@@ -50,7 +50,7 @@ class _Positions(ast.NodeTransformer):
         self._position = position
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.expr:
-        """The variable in place of the difference."""
+        """Replace the difference by the variable."""
         if _is_position(node, self._counter):
             return ast.copy_location(ast.Name(self._position, ast.Load()), node)
         self.generic_visit(node)

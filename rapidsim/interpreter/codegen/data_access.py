@@ -1,8 +1,8 @@
 """Data in generated code: reading, writing and referring to `a{i}.trans.x`.
 
-Where data live: module variables in cells, as do locals that are passed by reference; other locals
-in plain Python variables; arrays in lists, which every reference to them shares. By-reference
-parameters hold whatever reference they were given.
+Storage: module variables live in cells, as do locals that are passed by reference; other locals
+live in plain Python variables; arrays in lists, which every reference to them shares. By-reference
+parameters hold the reference that the caller passes.
 """
 
 from __future__ import annotations
@@ -44,11 +44,11 @@ _KEPT_BY = MappingProxyType(
         "c_progdisp": ("_motion", "settings", "c_progdisp"),
     }
 )
-"""Where the controller keeps predefined data: a concern, and the way in it."""
+"""Predefined data of the controller: the service and the attribute path in it."""
 
 
 class StorageKind(Enum):
-    """Where a whole variable is kept."""
+    """Kind of storage of a whole variable."""
 
     PLAIN = "plain"
     """In a Python variable."""
@@ -57,16 +57,16 @@ class StorageKind(Enum):
     ARRAY = "array"
     """In the list that the name holds."""
     ELEMENT = "element"
-    """In an array that the name holds, at a position that another one holds."""
+    """In an array in one Python variable, at an index in another."""
     CONTROLLER = "controller"
-    """ERRNO, INTNO and the settings of the motion, which the controller keeps."""
+    """In the controller: ERRNO, INTNO and the motion settings."""
     SIGNAL = "signal"
-    """Behind a reference to a signal, whose value the controller keeps."""
+    """Behind a reference to a signal, whose value is in the controller."""
 
 
 @value_class(frozen=True, slots=True)
 class RootVariable:
-    """The data that a path begins with."""
+    """Data at the root of a path."""
 
     home: StorageKind
     node: ast.expr
@@ -74,10 +74,10 @@ class RootVariable:
     type: Type
     name: str = ""
     optional: bool = False
-    """A parameter that may be absent and does not find out by itself."""
+    """Whether it is a parameter that may be absent and whose absence needs a check."""
     may_raise: bool = False
     declared: tree.Node | None = None
-    """Where a local variable or parameter is declared."""
+    """Declaration of a local variable or parameter."""
 
 
 def by_reference(mode: ParameterMode) -> bool:
@@ -86,10 +86,10 @@ def by_reference(mode: ParameterMode) -> bool:
 
 
 class DataPathTranslator:
-    """Translates the paths of one statement after the other."""
+    """Translates the paths of one statement after another."""
 
     def __init__(self, expressions: Operands) -> None:
-        """Translate with the names and the place that expressions have."""
+        """Translate with the names and the position of `expressions`."""
         self._expressions = expressions
         self._names = expressions.names
         self._program = expressions.program
@@ -103,7 +103,7 @@ class DataPathTranslator:
         parts = flat(path)
         symbol = self._program.symbol_of[parts.reference]
         if isinstance(symbol, UnknownSymbol):
-            # A signal of the kind that the check has found for it.
+            # A signal of the kind that the checker inferred.
             return self._program.type_of.get(parts.reference, SIGNAL_DI)
         of = _symbol_type(symbol)
         for _ in parts.indices:
@@ -134,7 +134,7 @@ class DataPathTranslator:
         return Code(node, may_raise=code.may_raise, calls=code.calls)
 
     def _table_of_integers(self, parts: FlatPath) -> tuple[str, Interval] | None:
-        """The integers of an array that is a CONST of them, by name, and their bounds."""
+        """Name and bounds of an array that is a CONST with integer elements only."""
         symbol = self._program.symbol_of[parts.reference]
         if parts.names or not isinstance(symbol, DataSymbol):
             return None
@@ -153,7 +153,7 @@ class DataPathTranslator:
         before: list[ast.stmt] = []
         node = value.node
         if value.calls:
-            # The call may change the very record, so it comes before the other components.
+            # The call may change the same record, so it precedes the reads of the other components.
             before.append(at.set("_value", node))
             node = at.name("_value")
         if not parts.indices:
@@ -179,7 +179,7 @@ class DataPathTranslator:
         ]
 
     def size(self, path: tree.DataPath, dimension: int) -> Code | None:
-        """The size of one dimension, if it is declared or kept in a variable; None otherwise.
+        """Return the size of one dimension if it is declared or in a variable; None otherwise.
 
         Args:
             path: The path to the array.
@@ -220,7 +220,7 @@ class DataPathTranslator:
             elif whole.home is StorageKind.ELEMENT:
                 node = at.call("_Element", [whole.node, at.name(position_of(whole.name))])
             else:
-                # Installed routines look at constants and counters through references too.
+                # Installed routines also read constants and counters through references.
                 value = finished(self._read_whole(whole, parts.reference, at), at)
                 node = at.call("_Box", [value.node])
             may_raise = calls = False
@@ -277,7 +277,7 @@ class DataPathTranslator:
                 assert name is not None
                 in_reference = by_reference(mode) or symbol in self._names.in_cell
                 home = _home(of, in_reference)
-                # Absent references refuse by themselves; other absent values must be asked.
+                # Absent references raise on use; other absent values need a check.
                 if symbol in self._names.elements:
                     home = StorageKind.ELEMENT
                 asks = (
@@ -355,7 +355,7 @@ class DataPathTranslator:
         return [at.assign(at.store_item(array, index), value)]
 
     def _element(self, variable: RootVariable, parts: FlatPath, at: AstBuilder) -> Code:
-        """The element that the indices choose, or the whole where there are none."""
+        """The indexed element, or the whole variable without indices."""
         if not parts.indices:
             return Code(self._value(variable, at), may_raise=variable.may_raise)
         array, index, code = self._array_and_index(variable, parts, at)
@@ -364,7 +364,7 @@ class DataPathTranslator:
     def _array_and_index(
         self, variable: RootVariable, parts: FlatPath, at: AstBuilder
     ) -> tuple[ast.expr, ast.expr, Code]:
-        """The innermost list, the position in it, and what both together may do."""
+        """The innermost list, the index in it, and the effects of evaluating both."""
         node = variable.node
         of = resolved(variable.type)
         assert isinstance(of, ArrayOf)
@@ -394,7 +394,7 @@ class DataPathTranslator:
             table = self._names.index_table(whole.name, depth, optional=whole.optional)
         else:
             table = self._names.module.index_table(size)
-        # The table rounds, where that makes a difference.
+        # The index table rounds numbers that are not integers.
         value = (
             code
             if code.deferred in (DeferredCheck.SINGLE, DeferredCheck.CHECKED_SINGLE)
@@ -405,13 +405,13 @@ class DataPathTranslator:
     def _integer_index(
         self, code: Code, integer: Interval, size: int | str, at: AstBuilder
     ) -> Code:
-        """The index of which is known that it is an integer, checked as far as need be.
+        """Return the index expression of a known integer, with the checks it still needs.
 
         Args:
             code: The index as a Python integer.
-            integer: What it can be.
-            size: Of the array; a string names the Python variable that holds it.
-            at: The place of the index.
+            integer: Its interval.
+            size: Size of the array; a string names the Python variable with the size.
+            at: The position of the index.
         """
         fits = integer.high <= size if isinstance(size, int) else integer.size == size
         if integer.low >= 1 and fits:
@@ -428,7 +428,7 @@ class DataPathTranslator:
     def _with_component(
         self, of: Type, names: tuple[str, ...], record: ast.expr, value: ast.expr, at: AstBuilder
     ) -> ast.expr:
-        """A record like `record`, which is cheap to evaluate again, with one component replaced."""
+        """Build a copy of `record` with one component replaced; `record` is cheap to evaluate."""
         target = resolved(of)
         assert isinstance(target, Record)
         replaced, inner = _component(of, names[0])
@@ -445,14 +445,14 @@ class DataPathTranslator:
 
 def number(value: float, at: AstBuilder) -> Code:
     """A number as a constant that records whether it is an integer."""
-    # A zero with a sign is no integer.
+    # A negative zero is no integer.
     whole = value.is_integer() and abs(value) < MAX_EXACT and str(value) != "-0.0"
     integer = Interval(int(value), int(value)) if whole else None
     return Code(at.constant(value), integer=integer, literal=value)
 
 
 def whole_number(expression: tree.Expression | None) -> int | None:
-    """The value of an integer literal that a single holds exactly; None otherwise."""
+    """Return the value of an integer literal that a single holds exactly; None otherwise."""
     value = literal(expression, NUM) if expression is not None else None
     if isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER:
         return int(value)

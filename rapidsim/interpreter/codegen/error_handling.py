@@ -10,7 +10,7 @@
                 continue
         break
 
-Retries are counted per statement: a program that retries now and then for hours is fine.
+Retries are counted per statement: occasional retries over hours reach no limit.
 
 Source: Technical reference manual RAPID Overview, "Error recovery": RETRY and TRYNEXT.
 """
@@ -26,7 +26,7 @@ from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 def protected(
     body: Sequence[ast.stmt], at: AstBuilder, *, else_body: Sequence[ast.stmt] = ()
 ) -> list[ast.stmt]:
-    """The statements in such a loop; `else_body` runs when TRYNEXT skips them."""
+    """Wrap statements in such a loop; `else_body` runs when TRYNEXT skips them."""
     recovered = at.call("_recover", [at.name("ERROR"), at.name("_e"), at.name("_tries")])
     handler = [
         at.set("_tries", recovered),

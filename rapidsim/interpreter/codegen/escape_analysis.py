@@ -1,4 +1,4 @@
-"""Which local data escape by reference; those must live in a cell."""
+"""Escape analysis: local data that are passed by reference must live in a cell."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def lent_symbols(
             if isinstance(declared, DataSymbol) and is_signal(declared.type):
                 yield declared
         elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
-            # Which parameters take references, only the run will show.
+            # The parameters that take references are known only at run time.
             for argument in node.arguments:
                 if (
                     not isinstance(argument, tree.ConditionalArgument)
@@ -90,7 +90,7 @@ def _parameters(callee: Symbol) -> _Parameters:
 def _taking_references(parameters: _Parameters) -> Iterator[str]:
     """Folded names of the parameters that take references."""
     for parameter in parameters:
-        # REF parameters look at a name, not at what is behind it.
+        # REF parameters read the name of the argument, not its value.
         if by_reference(parameter.mode) and parameter.mode is not ParameterMode.REF:
             yield parameter.name.lower()
 
@@ -107,7 +107,7 @@ def _lendable(expression: tree.Expression, program: Program) -> Iterator[Symbol]
 
 
 def _lives_in_variable(parameter: ParameterSymbol) -> bool:
-    """Whether the routine has a copy of its own, not a reference or a list."""
+    """Whether the routine has its own copy of the argument, not a reference or a list."""
     is_array = isinstance(resolved(parameter.type), ArrayOf)
     return not (
         by_reference(parameter.mode) or is_array or parameter.is_switch or is_signal(parameter.type)

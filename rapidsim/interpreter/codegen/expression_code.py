@@ -3,7 +3,7 @@
 A num is rounded once, where an arithmetic expression is consumed; until then the node computes in
 doubles. Integers remain Python integers, which are fastest for counting and indexing: FOR counters,
 variables that `integer_inference` proves integer, sums and products of these. They become floats
-where they are used as anything else, and are rounded like floats, which few of them need.
+where they are used otherwise, and are then rounded like floats, which few of them need.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from rapidsim.values import value_class
 
 
 class DeferredCheck(Enum):
-    """What must be done to a result before it can be observed."""
+    """Check or rounding that a result needs before it can be observed."""
 
     NOTHING = "nothing"
     SINGLE = "round to single"
@@ -31,33 +31,33 @@ class DeferredCheck(Enum):
 
 @value_class(slots=True)
 class Code:
-    """One expression."""
+    """A translated expression."""
 
     node: ast.expr
     deferred: DeferredCheck = DeferredCheck.NOTHING
     may_raise: bool = False
     calls: bool = False
-    """Contains a call that may change variables or the place that is reported."""
+    """Contains a call that may change variables or the reported position."""
     integer: Interval | None = None
-    """Where it is an integer: of which size. Literals are written as floats all the same."""
+    """Interval of an integer expression, else None. Literals are written as floats nevertheless."""
     literal: float | None = None
-    """The value, where it is a literal."""
+    """Value of a literal, else None."""
     too_exact: bool = False
-    """An integer that as a double might have been rounded."""
+    """Whether it is an integer that would be rounded as a double."""
     integral: Interval | None = None
-    """Of a double: the integers that it is one of, where that is known."""
+    """Interval of the integer value of a double; None if unknown."""
     most: float = math.inf
-    """No double of it is larger, either way."""
+    """Upper bound of the magnitude of a double."""
 
     def __post_init__(self) -> None:
-        """Know the size of integers and literals."""
+        """Derive the bounds of integers and literals."""
         if self.literal is not None:
             self.most = abs(self.literal)
         elif self.integer is not None and self.integer.is_double:
             self.most = float(max(-self.integer.low, self.integer.high))
 
     def as_integer(self, at: AstBuilder) -> ast.expr:
-        """The node as a Python integer to compute with; only where `integer` is known."""
+        """The node as a Python integer to compute with; requires `integer`."""
         if self.literal is not None:
             return at.constant(int(self.literal))
         if self.too_exact:
@@ -71,7 +71,7 @@ class Code:
 
 
 def finished(code: Code, at: AstBuilder) -> Code:
-    """Apply what is owed; the node then has the value that RAPID would store."""
+    """Apply the deferred check; the node then has the value that RAPID would store."""
     exact = code.integral is not None and code.integral.exact
     if code.deferred is DeferredCheck.NOTHING or exact:
         if not code.stays_integer:
@@ -134,7 +134,7 @@ def within(
 
 
 def _same_magnitude(code: Code, most: int, default: str, at: AstBuilder) -> ast.expr:
-    """An integer that is no larger, either way; of others what a function gives."""
+    """Reduce an integer to a magnitude limit: within it unchanged, else by calling a function."""
     assert code.integer is not None
     low = None if code.integer.low >= -most else -most
     high = None if code.integer.high <= most else most
@@ -145,18 +145,18 @@ def _same_magnitude(code: Code, most: int, default: str, at: AstBuilder) -> ast.
 
 
 def _rounded(node: ast.expr, at: AstBuilder) -> ast.expr:
-    """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single`."""
+    """`(_t := (_x := node) * SPLIT) - (_t - _x)`: see `language.single_precision`."""
     return _split(at.named("_x", node), at)
 
 
 def _split(x: ast.expr, at: AstBuilder) -> ast.expr:
-    """The same, once `_x` is set or where `x` sets it."""
+    """Split `_x`, which is set already or by `x`, as in `_rounded`."""
     scaled = at.operation(x, ast.Mult(), at.constant(SPLIT))
     rest = at.operation(at.name("_t"), ast.Sub(), at.name("_x"))
     return at.operation(at.named("_t", scaled), ast.Sub(), rest)
 
 
 def _in_range(node: ast.expr, limit: float, value: ast.expr, at: AstBuilder) -> ast.expr:
-    """A value made from `_x`, the node, or ERR_OVERFLOW where that is beyond the limit or none."""
+    """Value computed from `_x`, the node; ERR_OVERFLOW if that is beyond the limit or no number."""
     test = within(at.named("_x", node), -limit, limit, at)
     return at.choice(test, value, at.call("_overflow", [at.name("_x")]))

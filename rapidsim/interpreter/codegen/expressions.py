@@ -34,7 +34,7 @@ from rapidsim.library.arithmetic import MAX_INTEGER, WHOLE_FROM
 from rapidsim.syntax import tree
 
 ConstantValue = Callable[[DataSymbol], Value]
-"""Gives the value of a CONST."""
+"""Returns the value of a CONST."""
 
 _ARITHMETIC: dict[str, type[ast.operator]] = {
     "+": ast.Add,
@@ -54,7 +54,7 @@ _COMPARISONS: dict[str, type[ast.cmpop]] = {
 _LOGICAL: dict[str, type[ast.boolop]] = {"AND": ast.And, "OR": ast.Or}
 _INTEGER = {"DIV": "_quotient", "MOD": "_remainder"}
 _WHOLE = {"DIV": "_whole_quotient", "MOD": "_whole_remainder"}
-"""The same for Python integers."""
+"""Function by operator, for Python integers."""
 _POSITIONS = {
     ("+", "pos", "pos"): "_add_positions",
     ("-", "pos", "pos"): "_subtract_positions",
@@ -75,9 +75,9 @@ class Expressions:
     module: tree.Module
     constant_value: ConstantValue
     integers: Mapping[tree.Node, Interval]
-    """Variables and functions whose values are integers, as `integer_inference` knows them."""
+    """Variables and functions with integer values, from `integer_inference`."""
     statement: AstBuilder = field(default_factory=lambda: AstBuilder(1, 0, 0))
-    """Where the statement stands whose expressions are translated."""
+    """Position of the statement whose expressions are translated."""
     counters: dict[str, Interval] = field(default_factory=dict)
     """FOR counters that are Python integers, by Python name."""
     paths: DataPathTranslator = field(init=False)
@@ -85,7 +85,7 @@ class Expressions:
     _depth: int = 0
 
     def __post_init__(self) -> None:
-        """Join the parts that translate each other's operands."""
+        """Connect the translators that translate each other's operands."""
         self.paths = DataPathTranslator(self)
         self.calls = Calls(self, self.paths)
 
@@ -108,7 +108,7 @@ class Expressions:
         return finished(self.code(expression), self.at(expression))
 
     def copy(self, expression: tree.Expression, home: tree.Node | None = None) -> Code:
-        """Like `value`, but an array becomes a list that nothing else refers to.
+        """Like `value`, but an array is copied to an unshared list.
 
         Args:
             expression: The expression to copy.
@@ -117,7 +117,7 @@ class Expressions:
         if home in self.integers:
             return finished_integer(self.code(expression), self.at(expression))
         code = self.value(expression)
-        # A literal aggregate is a constant of the namespace; functions give a list of their own.
+        # A literal aggregate is a constant of the namespace; functions return lists of their own.
         shared = isinstance(
             bare(expression),
             tree.DataReference | tree.Index | tree.LiteralAggregate | tree.Aggregate,
@@ -278,7 +278,7 @@ class Expressions:
         operands = [finished(left, at).node, finished(right, at).node]
         calls = left.calls or right.calls
         if types == ("num", "pos"):
-            # The product does not depend on the order, but the operands are evaluated in theirs.
+            # The product is commutative, but the operands are evaluated in source order.
             return Code(at.call("_scaled_position", operands), may_raise=True, calls=calls)
         function = _POSITIONS[operator, types[0], types[1]]
         return Code(at.call(function, operands), may_raise=True, calls=calls)
@@ -329,7 +329,7 @@ class Expressions:
 
 
 def _folded(operator: str, left: Code, right: Code, at: AstBuilder) -> Code | None:
-    """The sum, difference or product of literals that is an integer."""
+    """Fold the sum, difference or product of literals, if it is an integer."""
     a, b = left.literal, right.literal
     if a is None or b is None or operator == "/":
         return None
@@ -338,7 +338,7 @@ def _folded(operator: str, left: Code, right: Code, at: AstBuilder) -> Code | No
 
 
 def _as_doubles(left: Code, right: Code, at: AstBuilder) -> tuple[ast.expr, ast.expr]:
-    """Operands for arithmetic in doubles; a zero of it may get a sign."""
+    """Operands for arithmetic in doubles, in which a zero result may have a sign."""
     first, second = (
         code.as_integer(at) if code.stays_integer else code.node for code in (left, right)
     )
@@ -348,7 +348,7 @@ def _as_doubles(left: Code, right: Code, at: AstBuilder) -> tuple[ast.expr, ast.
 
 
 def _integer_division(operator: str, left: Code, right: Code, at: AstBuilder) -> Code:
-    """DIV and MOD: in Python's own operators where these mean the same, which is from 0 up."""
+    """DIV and MOD, as Python's operators where these agree, which is from 0 up."""
     calls = left.calls or right.calls
     python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
     integer = _combined(operator, left, right)
@@ -358,7 +358,7 @@ def _integer_division(operator: str, left: Code, right: Code, at: AstBuilder) ->
     operands = [finished(left, at).node, finished(right, at).node]
     if b is None or b.low <= 0 or right.literal is None:
         return Code(at.call(_INTEGER[operator], operands), may_raise=True, calls=calls)
-    # n >= 0 and (n + WHOLE_FROM) - WHOLE_FROM == n, which is so for integers alone.
+    # n >= 0 and (n + WHOLE_FROM) - WHOLE_FROM == n, which holds for integers only.
     n, far = at.name("_n"), at.constant(WHOLE_FROM)
     whole = at.operation(at.operation(n, ast.Add(), far), ast.Sub(), far)
     easy = at.compare(at.constant(0.0), (ast.LtE(), at.named("_n", operands[0])), (ast.Eq(), whole))
@@ -372,7 +372,7 @@ def _integer_division(operator: str, left: Code, right: Code, at: AstBuilder) ->
 def _division_of_integers(
     operator: str, left: Code, right: Code, integer: Interval, at: AstBuilder
 ) -> Code:
-    """The same of Python integers; their quotient may be negative, their remainder is not."""
+    """DIV and MOD of Python integers; the quotient may be negative, the remainder may not."""
     calls, by_literal = left.calls or right.calls, right.literal is not None
     halves = right.literal is not None and math.frexp(right.literal)[0] == 0.5
     left, right = finished_integer(left, at), finished_integer(right, at)
@@ -402,7 +402,7 @@ def _division_of_integers(
 
 
 def _combined(operator: str, left: Code, right: Code) -> Interval | None:
-    """The integers that the result is; None where it is, or may be, none of Python's."""
+    """Interval of the result if it is a Python integer; None if it may be another number."""
     a, b = left.integer, right.integer
     if a is None or b is None or not (left.stays_integer or right.stays_integer):
         return None
@@ -410,7 +410,7 @@ def _combined(operator: str, left: Code, right: Code) -> Interval | None:
 
 
 def _bounded(code: Code, operator: str, left: Code, right: Code) -> Code:
-    """A result in doubles, with what its operands tell of it."""
+    """Result in doubles, with the bounds that follow from its operands."""
     a, b = left.integral or left.integer, right.integral or right.integer
     if operator == "/":
         code.most = math.inf if b is None or b.low <= 0 <= b.high else left.most

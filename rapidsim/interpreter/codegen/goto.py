@@ -8,8 +8,8 @@
         break
 
 A GOTO sets the section to continue with and continues that loop; from inner loops it first breaks
-out of each. CONTINUE reaches the next iteration of its loop the same way. A GOTO reaches labels of
-its own and of enclosing lists only, so every jump ends at a loop that encloses it.
+out of each. CONTINUE reaches the next iteration of its loop the same way. A GOTO can only reach
+labels of its own list and of enclosing lists, so every jump ends at a loop that encloses it.
 
 Source: Technical reference manual RAPID Overview, "GOTO"; ABB event 40023.
 """
@@ -27,7 +27,7 @@ from rapidsim.interpreter.codegen.ast_builder import AstBuilder
 from rapidsim.syntax import tree
 
 _NEXT_TURN = -1
-"""What `_jump` is on the way to the next turn of a FOR or WHILE; else the number of a machine."""
+"""Value of `_jump` before the next iteration of a FOR or WHILE; else the number of a machine."""
 
 
 @dataclass(slots=True)
@@ -35,13 +35,13 @@ class Loop:
     """A Python loop that encloses the statement being translated."""
 
     number: int = 0
-    """Of a state machine, its own number; 0 for a FOR or WHILE."""
+    """Number of a state machine; 0 for a FOR or WHILE."""
     sections: dict[str, int] = field(default_factory=dict)
-    """Of a state machine, the section behind each label."""
+    """Section behind each label of a state machine."""
     crossed: bool = False
-    """Whether a GOTO inside jumps out of it."""
+    """Whether a GOTO inside jumps out of the loop."""
     continued: bool = False
-    """Whether a CONTINUE inside does."""
+    """Whether a CONTINUE inside jumps out of the loop."""
 
 
 @dataclass(slots=True)
@@ -55,7 +55,7 @@ class Jumps:
 
     @property
     def depth(self) -> int:
-        """How many loops enclose the statement being translated."""
+        """Number of loops that enclose the statement being translated."""
         return len(self._loops)
 
     def has_target(self, body: tree.Body) -> bool:
@@ -114,7 +114,7 @@ class Jumps:
         return [at.set("_jump", at.constant(_NEXT_TURN)), at.stop()]
 
     def after(self, loop: Loop, at: AstBuilder) -> list[ast.stmt]:
-        """What follows a loop: if a GOTO broke out of it, propagate the jump."""
+        """Code after a loop: if a GOTO broke out of it, propagate the jump."""
         if not loop.crossed or not self._loops:
             return []
         outer = self._loops[-1]

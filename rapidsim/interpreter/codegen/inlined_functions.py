@@ -1,7 +1,7 @@
 """Functions that are an expression: a character, a number with its decimals, a magnitude, a root.
 
-Loops call these most. Valid arguments are handled inline; the rest, such as a position that may be
-a fraction, are left to the function, which reports the error.
+Loops call these most. Valid arguments are handled inline; for the rest, such as a fractional
+position, the function is called, which reports the error.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: Abs, NumToStr,
 Sqrt, StrPart.
@@ -34,7 +34,7 @@ def function_in_place(
     function: ast.Name,
     at: AstBuilder,
 ) -> Code | None:
-    """A call of an installed function as an inline expression; None where it must be called."""
+    """Translate a call of an installed function to an inline expression; None if impossible."""
     form = _FORMS.get(routine.function)
     values = [
         one.value
@@ -54,7 +54,7 @@ def _character(
     text, place, length = values
     string, position = expressions.value(text), expressions.code(place)
     one = expressions.value(length)
-    # Both are written down more than once.
+    # Both nodes occur more than once in the code.
     if one.literal != 1.0 or not (_is_plain(string.node) and _is_simple(position.node)):
         return None
     if not position.stays_integer:
@@ -95,7 +95,7 @@ def _magnitude(
 def _root(
     values: Sequence[tree.Expression], expressions: Operands, function: ast.expr, at: AstBuilder
 ) -> Code | None:
-    """The root of what has one, rounded; of the rest the refusal."""
+    """Sqrt: the rounded root of a number from 0 up; else the call, which raises."""
     value = expressions.value(values[0])
     has_root = at.compare(at.constant(0.0), (ast.LtE(), at.named("_x", value.node)))
     root = finished(Code(at.call("_root", [at.name("_x")]), DeferredCheck.SINGLE), at)
@@ -108,7 +108,7 @@ def _is_plain(node: ast.expr) -> bool:
 
 
 def _is_simple(node: ast.expr) -> bool:
-    """Whether it is no longer than a sum of two plain operands."""
+    """Whether a node is at most a sum of two plain operands."""
     if isinstance(node, ast.BinOp):
         return _is_plain(node.left) and _is_plain(node.right)
     return _is_plain(node)
@@ -117,4 +117,4 @@ def _is_simple(node: ast.expr) -> bool:
 _FORMS: Mapping[Callable[..., object], _Form] = MappingProxyType(
     {abs_: _magnitude, num_to_str: _decimals, sqrt: _root, str_part: _character}
 )
-"""By the function that they would call."""
+"""Translation by the function that it replaces."""

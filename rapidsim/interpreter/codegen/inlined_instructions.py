@@ -32,7 +32,7 @@ from rapidsim.syntax import tree
 _STEPS: Mapping[Callable[..., object], str | None] = MappingProxyType(
     {clear: None, decr: "-", incr: "+"}
 )
-"""By the function they would call: what combines the variable with 1; None sets it to 0."""
+"""Operator that combines the variable with 1, by function; None sets it to 0."""
 
 
 def assigned_in_place(call: tree.Call, program: Program) -> tree.DataReference | None:
@@ -78,7 +78,7 @@ def value_in_place(
         integer = combined(step, kept, ONE)
         return finished_integer(Code(node, DeferredCheck.SINGLE, integer=integer), at)
     node = at.operation(old.node, operator, at.constant(1.0))
-    # One more or less cannot leave the range of either type.
+    # Adding or subtracting 1 cannot leave the range of either type.
     is_dnum = resolved(paths.type_of(variable)) == DNUM
     owed = DeferredCheck.NOTHING if is_dnum else DeferredCheck.SINGLE
     return finished(Code(node, owed, old.may_raise), at)

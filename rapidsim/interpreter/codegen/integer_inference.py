@@ -1,13 +1,13 @@
-"""Which nums of a program are integers: local variables, parameters and function results.
+"""Inference of the nums of a program that are integers: locals, parameters, function results.
 
-A num is an integer if everything assigned to it is: integer literals and constants, counters, sums,
-differences and products of integers, results of DIV and MOD on them, lengths and sizes, and the
-arguments of all calls. This is found together with bounds, by iterating to a fixed point. Generated
-code uses Python integers of any size, and no program can tell the difference: see `intervals`.
+A num is an integer if every value assigned to it is: integer literals and constants, counters,
+sums, differences and products of integers, results of DIV and MOD on them, lengths and sizes, and
+the arguments of all calls. The inference also yields bounds, by iterating to a fixed point.
+Generated code uses Python integers of any size, which no program can observe: see `intervals`.
 
-Whatever other code may change or supply stays a float: module data, elements, components, data
+Values that other code may change or supply stay floats: module data, elements, components, data
 passed by reference, options, and parameters of routines called by a name known only at run time.
-Where modules are loaded and unloaded while the program runs, so do all parameters and functions.
+If modules are loaded and unloaded while the program runs, so do all parameters and functions.
 """
 
 from __future__ import annotations
@@ -51,28 +51,28 @@ from rapidsim.library.arithmetic import MAX_INTEGER
 from rapidsim.syntax import tree
 
 _SMALL = 3000
-"""Nodes of a routine of which it is worth asking whether initial values are seen."""
+"""Maximum number of nodes of a routine whose initial values are checked for being observed."""
 _SELDOM = 3
-"""How often bounds grow step by step."""
+"""Number of times that bounds grow step by step before they are widened."""
 _NEVER = Interval(1, 0)
-"""Of what is never executed, as far as is known."""
+"""Empty interval of an expression that is never executed, as far as known."""
 _INSTALLED = {"dim": Interval(1, MAX_INTEGER), "strlen": Interval(0, MAX_INTEGER)}
 """Installed functions whose values are integers, by folded name."""
 
 _Source = Callable[[], Interval | None]
-"""What gets somewhere, with what is known of the rest; None where it may be a fraction."""
+"""Value that flows to a target, from the current intervals; None if it may be a fraction."""
 
 
 def integers_of(
     program: Program, constant_value: Callable[[DataSymbol], Value]
 ) -> Mapping[tree.Node, Interval]:
-    """The integers among the nums of a program, by declaration; functions by their symbol.
+    """Return the intervals of integer nums by declaration; of functions by their symbol.
 
-    Where the text implies narrower bounds at a reference, the reference has its own entry.
+    If control flow implies narrower bounds at a reference, the reference has its own entry.
 
     Args:
-        program: The whole program, as every call counts.
-        constant_value: Gives the value of a CONST.
+        program: The whole program, because every call matters.
+        constant_value: Returns the value of a CONST.
     """
     routines = [
         symbol
@@ -96,22 +96,22 @@ class _Inference:
     program: Program
     constant_value: Callable[[DataSymbol], Value]
     _intervals: dict[tree.Node, Interval | None] = field(default_factory=dict)
-    """What may be an integer; None where it has turned out that it is none."""
+    """Candidates with their intervals; None for a candidate that proved to be no integer."""
     _arguments_of: dict[RoutineSymbol, tuple[ParameterSymbol, ...]] = field(default_factory=dict)
-    """The parameters among them."""
+    """Candidate parameters by routine."""
     _to_functions: bool = False
-    """Whether functions have such parameters."""
+    """Whether functions have candidate parameters."""
     _flows: list[tuple[tree.Node, _Source]] = field(default_factory=list)
-    """Where something gets, and what."""
+    """Flows: the target and the value that it receives."""
     _readers: dict[tree.Node, set[int]] = field(default_factory=dict)
-    """The flows that depend on something."""
+    """Indices of the flows that depend on a candidate."""
     _grown: dict[tree.Node, int] = field(default_factory=dict)
-    """How often more has become known of something."""
+    """Number of times that the interval of a candidate has grown."""
     _reading: int = 0
-    """The flow that is looked at."""
+    """Index of the flow that is being evaluated."""
 
     def candidates(self, routine: RoutineSymbol) -> bool:
-        """Collect the candidates of a routine; whether it has any of its own."""
+        """Collect the candidates of a routine; return whether it has any of its own."""
         node = routine.node
         is_open = self.program.loads_modules
         nums = [one for one in routine.parameters if _is_num(one.type) and not one.optional]
@@ -209,20 +209,20 @@ class _Inference:
                 self._flow(parameter.node, (lambda: None) if value is None else value)
 
     def _called_with_anything(self) -> None:
-        """A procedure is called by a name that only the run knows."""
+        """Handle the call of a procedure whose name is known only at run time."""
         for parameters in self._arguments_of.values():
             for parameter in parameters:
                 self._flow(parameter.node, lambda: None)
 
     def _read(self, node: tree.Node | None) -> Interval | None:
-        """What is known of something, for the flow that is looked at."""
+        """Interval of a candidate, read for the current flow."""
         if node not in self._intervals:
             return None
         self._readers.setdefault(node, set()).add(self._reading)
         return self._intervals[node]
 
     def bounds(self, expression: tree.Expression) -> Interval | None:
-        """The interval of an expression that is an integer."""
+        """Interval of an integer expression."""
         match expression:
             case tree.Parenthesised(inner=inner) | tree.Unary(operator="+", operand=inner):
                 return self.bounds(inner)
@@ -258,7 +258,7 @@ class _Inference:
                 return None
 
     def _element(self, path: tree.Index) -> Interval | None:
-        """Of the integers in a constant array."""
+        """Interval of the integers in a constant array."""
         parts = flat(path)
         symbol = self.program.symbol_of[parts.reference]
         if not isinstance(symbol, DataSymbol):
@@ -283,7 +283,7 @@ class _Inference:
 
 
 def _with(before: Interval, value: Interval | None, *, far: bool) -> Interval | None:
-    """What a variable is known to hold when it gets one more value; bounds that grow may go far."""
+    """Interval of a variable that receives one more value; `far` widens growing bounds."""
     if value is None or value == _NEVER:
         return None if value is None else before
     value = replace(rounded(value), size="", signed=True)
@@ -293,7 +293,7 @@ def _with(before: Interval, value: Interval | None, *, far: bool) -> Interval | 
 
 
 def _literal(value: Value) -> Interval | None:
-    """A number as an interval; as a literal, its zero has the sign that is written."""
+    """A number as an interval; a literal zero has the sign as written."""
     known = isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER
     return Interval(int(value), int(value), signed=True) if known else None
 

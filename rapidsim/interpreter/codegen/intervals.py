@@ -1,10 +1,10 @@
 """Intervals of integers, and arithmetic on them.
 
 Only this module decides which expressions are computed in Python integers: `integer_inference`
-asks for the variables of a program, the translation of expressions for each subexpression.
+queries it for the variables of a program, the translation of expressions for each subexpression.
 
-An expression that in floats could give a negative zero, as `-x` does for x = 0, is not one of them:
-the sign may be printed. FOR counters and literals never had such a sign.
+An expression that could be a negative zero in floats, such as `-x` for x = 0, is excluded: the sign
+may be printed. FOR counters and literals never have such a sign.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from rapidsim.values import value_class
 
 LARGEST = int(LARGEST_SINGLE)
 MAX_EXACT = 2**53
-"""Up to here a double holds every integer."""
+"""Limit up to which a double represents every integer."""
 _BOUNDS = (-LARGEST, -MAX_INTEGER, -1, 0, 1, MAX_INTEGER, LARGEST)
-"""Where the bounds of a variable come to that is seen to grow."""
+"""Bounds to which the interval of a growing variable is widened."""
 
 
 @value_class(frozen=True, slots=True)
@@ -29,17 +29,17 @@ class Interval:
     low: int
     high: int
     size: str = ""
-    """The Python variable with the size of an array, where none of them is larger than that."""
+    """Python variable with an array size that is an upper bound; empty without one."""
     signed: bool = False
     """Whether it is computed from variables, whose zeros would have signs as floats.
 
-    What is computed from these counts as what may raise where it may as floats: under an ERROR
-    clause a loop takes one tick more if its condition may raise.
+    Expressions computed from these count as raising if they may raise as floats: under an ERROR
+    clause a loop takes one more tick if its condition may raise.
     """
 
     @property
     def exact(self) -> bool:
-        """Whether a single represents each of them exactly."""
+        """Whether single precision represents each integer of the interval exactly."""
         return self.low >= -MAX_INTEGER and self.high <= MAX_INTEGER
 
     @property
@@ -53,7 +53,7 @@ ANY = Interval(-LARGEST, LARGEST)
 
 
 def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
-    """The interval of a sum, difference or product; None where the result is no integer."""
+    """Return the interval of a sum, difference or product; None if the result is no integer."""
     signed = a.signed or b.signed
     if operator in ("DIV", "MOD"):
         a, b = rounded(a), rounded(b)
@@ -77,7 +77,7 @@ def combined(operator: str, a: Interval, b: Interval) -> Interval | None:
 
 
 def negated(a: Interval) -> Interval | None:
-    """The interval of the negation; None where that could be a negative zero."""
+    """Return the interval of the negation; None if it could be a negative zero."""
     if a.signed and a.low <= 0 <= a.high:
         return None
     return Interval(-a.high, -a.low, signed=a.signed)
@@ -93,14 +93,14 @@ def rounded(a: Interval) -> Interval:
 
 
 def widened(a: Interval, b: Interval) -> Interval:
-    """An interval that holds both; bounds that must grow jump far, so that they seldom do."""
+    """Interval that contains both; growing bounds jump far, so that few iterations are needed."""
     low = a.low if a.low <= b.low else max(one for one in _BOUNDS if one <= b.low)
     high = a.high if a.high >= b.high else min(one for one in _BOUNDS if one >= b.high)
     return Interval(low, high, signed=True)
 
 
 def hull(intervals: Iterable[Interval]) -> Interval:
-    """The hull of the intervals, of which there is at least one."""
+    """Return the hull of one or more intervals."""
     every = list(intervals)
     low, high = min(one.low for one in every), max(one.high for one in every)
     return Interval(low, high, signed=any(one.signed for one in every))
@@ -121,10 +121,10 @@ def counted(first: Interval, last: Interval | None, step: int) -> Interval:
     Args:
         first: The start value.
         last: The end value; None if it may be fractional or beyond the integers exact in a single.
-        step: As given by `step_direction`, or the literal STEP.
+        step: Result of `step_direction`, or the literal STEP.
     """
     if last is None:
-        # Steps of 1 come no further: the integer after that is not a num.
+        # Steps of 1 stop at MAX_INTEGER: the next integer is no num.
         last = Interval(-MAX_INTEGER, MAX_INTEGER) if first.exact and abs(step) <= 1 else ANY
     if step > 0:
         return Interval(first.low, max(first.low, last.high), last.size, first.signed)
@@ -135,7 +135,7 @@ def counted(first: Interval, last: Interval | None, step: int) -> Interval:
 
 
 def _meet(a: Interval, b: Interval) -> bool:
-    """Whether a zero may meet a negative factor."""
+    """Whether a zero and a negative factor are possible."""
     return a.low <= 0 <= a.high and b.low < 0
 
 

@@ -1,15 +1,15 @@
 """The ticks of compute-only loops, counted in a Python variable of their routine.
 
-The clock's own count is an attribute, which costs as much as the rest of a small loop. So a loop
-takes the remaining ticks from the clock, counts down by itself, and gives back what it has not
-used: where it ends, returns or fails, and before every statement in it that could look at the
-clock. It does so only where that costs less than it saves. The behaviour is unchanged: a loop asks
-for new ticks in the same iteration, and every observer sees the same time.
+The clock's own count is an attribute, which costs as much as the rest of a small loop. Therefore a
+loop takes the remaining ticks from the clock, counts down locally, and returns the unused ticks
+when it ends, returns or fails, and before every statement in it that could read the clock. It does
+so only if that costs less than it saves. The behaviour is unchanged: a loop requests new ticks in
+the same iteration, and every observer reads the same time.
 
-Where all iterations of a FOR fit into the remaining ticks, they are subtracted at once.
+If all iterations of a FOR fit into the remaining ticks, they are subtracted at once.
 
-An exception raised by the clock, or by a statement that could look at it, leaves a correct count;
-the loop recognises that by its own count being negative.
+An exception raised by the clock, or by a statement that could read it, leaves a correct count; a
+negative count tells the loop that it has been returned already.
 """
 
 from __future__ import annotations
@@ -31,20 +31,20 @@ COMPUTING = frozenset(
         *("_whole_quotient", "_whole_remainder", "_Box", "_Element", "_Component", "_not_present"),
     }
 )
-"""Functions of the namespace that are quick and look at no clock."""
+"""Functions of the namespace that are quick and do not read the clock."""
 _MOST = 100
-"""Statements of a loop: while it counts by itself, nobody can take its ticks away."""
+"""Maximum number of statements of a loop: during local counting its ticks cannot be revoked."""
 _DEEPEST = 10
-"""Loops within loops: what catches exceptions is one more block of the 20 that CPython allows."""
+"""Maximum loop nesting: catching exceptions takes one more block of the 20 that CPython allows."""
 
 
 @value_class(frozen=True, slots=True)
 class _Plan:
-    """What counting in a variable would save in a loop, and cost."""
+    """Savings and costs of counting a loop's ticks in a variable."""
 
     ticks: int
     clock_reads: int
-    """Statements that could look at the clock."""
+    """Statements that could read the clock."""
     statements: int
 
     @property
@@ -53,14 +53,13 @@ class _Plan:
 
 
 def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[str]) -> None:
-    """Let the loops of a module's routines count for themselves where that pays.
+    """Let the loops of a module's routines count locally where that pays.
 
-    Only for programs that share no data with other tasks, which would look at the clock at any
-    time.
+    Requires a program that shares no data with other tasks, which would read the clock at any time.
 
     Args:
         functions: The routines' functions, changed in place.
-        computing: Names of quick functions that do not look at the clock, besides `COMPUTING`.
+        computing: Names of quick functions that do not read the clock, in addition to `COMPUTING`.
     """
     statements = dict.fromkeys((*computing, *COMPUTING), 0)
     installed = _Loops(statements)
@@ -72,21 +71,21 @@ def count_locally(functions: Sequence[ast.FunctionDef], computing: Collection[st
 
 class _Loops:
     def __init__(self, computing: Mapping[str, int]) -> None:
-        """Take the functions that look at no clock, and how many statements each has."""
+        """Take the functions that do not read the clock, with their numbers of statements."""
         self._computing = computing
 
     def none_in(self, function: ast.FunctionDef) -> bool:
-        """Whether a routine has no loops and only computes; it calls no other, so it is quick."""
+        """Whether a routine has no loops and calls no other routine, so that it is quick."""
         parts = (ast.For, ast.While, ast.FunctionDef)
         return not self._reads_clock(function) and not any(
             isinstance(part, parts) for statement in function.body for part in ast.walk(statement)
         )
 
     def at_depth(self, body: Sequence[ast.stmt], depth: int = 0) -> Iterator[ast.stmt]:
-        """Statements at loop nesting `depth`, with the loops among and below them changed."""
+        """Statements at loop nesting `depth`, with the loops among and below them rewritten."""
         for statement in body:
             plan = self._plan(statement, depth) if _is_loop(statement) else None
-            # Loops in loops are entered often, and mostly have few turns.
+            # Nested loops are entered often, and most have few iterations.
             if plan is not None and plan.pays and (plan.ticks > 1 or not depth):
                 yield from self._region(statement)
                 continue
@@ -95,7 +94,7 @@ class _Loops:
             yield statement
 
     def _plan(self, loop: ast.stmt, outer: int) -> _Plan | None:
-        """What there is in a loop; None where it cannot count for itself."""
+        """Plan of a loop; None if it cannot count locally."""
         ticks, looks, statements = 0, 0, 0
         waiting = [(loop, outer)]
         while waiting:
@@ -105,7 +104,7 @@ class _Loops:
                 decides = statement.iter if isinstance(statement, ast.For) else statement.test
                 statements += self._called(decides)
                 if isinstance(decides, ast.Attribute) and decides.attr == "watches":
-                    continue  # It seldom looks.
+                    continue  # It seldom reads the clock.
                 if self._reads_clock(decides) or depth > _DEEPEST:
                     return None
                 ticks += _is_loop(statement)
@@ -117,7 +116,7 @@ class _Loops:
         return _Plan(ticks, looks, statements)
 
     def _reads_clock(self, node: ast.AST) -> bool:
-        """Whether a part of a program could look at the clock, or takes long."""
+        """Whether a part of a program could read the clock, or takes long."""
         for part in ast.walk(node):
             if isinstance(part, ast.Call):
                 function = part.func
@@ -128,12 +127,12 @@ class _Loops:
         return False
 
     def _called(self, node: ast.AST) -> int:
-        """The statements of routines that a part of a program calls."""
+        """Number of statements of the routines that a part of a program calls."""
         calls = (part.func for part in ast.walk(node) if isinstance(part, ast.Call))
         return sum(self._computing.get(one.id, 0) for one in calls if isinstance(one, ast.Name))
 
     def _all_at_once(self, loop: ast.For) -> bool:
-        """Whether all turns of a loop may be taken away at once, if so many are left."""
+        """Whether the ticks of all iterations may be subtracted at once, if enough remain."""
         parts = [part for statement in loop.body[2:] for part in ast.walk(statement)]
         return isinstance(loop.iter, ast.Call) and not any(
             isinstance(part, ast.For | ast.While | ast.Break | ast.Return)
@@ -143,7 +142,7 @@ class _Loops:
         )
 
     def _turns(self, loop: ast.For) -> Iterator[ast.stmt]:
-        """The loop twice: without ticks, where so many are left, and with them."""
+        """Yield the loop twice: without ticks if enough remain, and with them."""
         at = _place(loop)
         counter = loop.target
         assert isinstance(counter, ast.Name)
@@ -177,7 +176,7 @@ class _Loops:
             body[:] = [new for old in body for new in self._counting(old)]
 
     def _counting(self, statement: ast.stmt) -> Iterator[ast.stmt]:
-        """A statement of a loop that counts for itself."""
+        """Rewrite a statement of a loop that counts locally."""
         at = _place(statement)
         match statement:
             case ast.AugAssign() if _is_tick(statement):
@@ -219,12 +218,12 @@ def _is_tick(statement: ast.stmt) -> bool:
 
 
 def _is_loop(statement: ast.stmt) -> TypeGuard[ast.For | ast.While]:
-    """Whether a statement is a loop of the program, which takes ticks."""
+    """Whether a statement is a loop of the program, and therefore takes ticks."""
     return isinstance(statement, ast.For | ast.While) and _is_tick(statement.body[0])
 
 
 def _is_block(statement: ast.stmt) -> TypeGuard[ast.If | ast.For | ast.While]:
-    """Whether its parts are looked at one by one; the loop around what may fail is one."""
+    """Whether its parts are handled one by one, as in a loop around statements that may raise."""
     if isinstance(statement, ast.While):
         return _is_loop(statement)
     return isinstance(statement, ast.If | ast.For) and not _is_tick(statement)

@@ -1,4 +1,4 @@
-"""The meaning of names in generated code.
+"""Names in generated code, and the objects that they are bound to.
 
 One Python namespace belongs to one RAPID module; a RAPID name keeps its folded spelling there
 unless it is taken. RAPID names never begin with an underscore, so internal names do. A namespace is
@@ -37,7 +37,7 @@ class TaskIndependent:
 
 
 Binding: TypeAlias = DataSymbol | RoutineSymbol | TaskIndependent
-"""What a name of a namespace stands for: a variable, a routine, or an object."""
+"""Binding of a name in a namespace: a variable, a routine, or an object."""
 
 
 @value_class(slots=True)
@@ -47,18 +47,18 @@ class ModuleNames:
     module: tree.Module
     bindings: dict[str, Binding] = field(default_factory=dict)
     computing: set[str] = field(default_factory=set)
-    """Names of installed functions that are quick and ask nothing of the controller."""
+    """Names of installed functions that are quick and do not use the controller."""
     for_elements: dict[tuple[RoutineSymbol, frozenset[ParameterSymbol]], str] = field(
         default_factory=dict
     )
-    """Functions for calls that lend elements of arrays, by routine and the parameters for these."""
+    """Function variants that take elements of arrays, by routine and their parameters."""
     runs: dict[tree.Node, tree.BulkStatements] = field(init=False)
-    """Runs of moves, by the statement before each that they are like."""
+    """Bulk moves, by the statement before each that they repeat."""
     _name_of: dict[object, str] = field(default_factory=dict)
     _counts: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        """Find the runs of the module."""
+        """Find the bulk moves of the module."""
         self.runs = {run.like: run for run in self.module.runs}
 
     def variable(self, symbol: DataSymbol) -> str:
@@ -130,14 +130,14 @@ class ModuleNames:
 
 @value_class(frozen=True, slots=True)
 class ArrayDimension:
-    """One dimension of an array parameter whose size the caller decides."""
+    """One dimension of an array parameter that is sized by the caller."""
 
     array: str
-    """The Python variable."""
+    """Its Python variable."""
     depth: int
-    """From 0."""
+    """Index of the dimension, from 0."""
     optional: bool
-    """The array may be absent."""
+    """Whether the array may be absent."""
 
 
 @value_class(slots=True)
@@ -153,7 +153,7 @@ class LocalNames:
     in_cell: frozenset[Symbol] = frozenset()
     """Local scalars that are passed by reference and so live in a cell."""
     elements: frozenset[ParameterSymbol] = frozenset()
-    """Parameters that come as an array and a position in it."""
+    """Parameters that are passed as an array and an index in it."""
     assigned: set[str] = field(default_factory=set)
     """Plain locals that the function being written assigns."""
     tables: dict[str, ArrayDimension] = field(default_factory=dict)
@@ -164,7 +164,7 @@ class LocalNames:
     _used: set[str] = field(default_factory=set)
 
     def declare(self, symbol: Symbol, wanted: str) -> str:
-        """Give a parameter or a local its Python name."""
+        """Assign a Python name to a parameter or a local."""
         name = free_name(wanted.lower(), self._used | self.reserved)
         self._used.add(name)
         self._name_of[symbol] = name

@@ -34,7 +34,7 @@ class Operands(Protocol):
 
     @property
     def constant_value(self) -> Callable[[DataSymbol], Value]:
-        """Gives the value of a CONST."""
+        """Return the value of a CONST."""
         ...
 
     def at(self, node: tree.Node) -> AstBuilder:

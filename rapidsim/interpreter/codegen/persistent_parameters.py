@@ -1,8 +1,8 @@
-"""Which by-reference parameters may be bound to a persistent.
+"""By-reference parameters that may be bound to a persistent.
 
-Assigning to a persistent can raise the interrupts that watch it, so a routine must check for them
-wherever it assigns to a parameter that may be one. The calls in the text are all there are, unless
-a routine is called by a name known only at run time, or modules are loaded and unloaded.
+Assigning to a persistent can raise its interrupts, so a routine must check for them wherever it
+assigns to such a parameter. The calls in the text are complete, unless a routine is called by a
+name known only at run time, or modules are loaded and unloaded.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def persistent_parameters(program: Program) -> frozenset[tree.Node]:
     if program.loads_modules:
         return frozenset(found | lent)
     takers: dict[tree.Node, set[tree.Node]] = {}
-    """What a parameter is lent on to."""
+    """Parameters to which each parameter is passed on."""
     for routine in routines if lent else ():
         options = {one.name.lower(): one for one in routine.parameters}
         for node in descendants(routine.node):
@@ -69,7 +69,7 @@ def persistent_parameters(program: Program) -> frozenset[tree.Node]:
 def _lent(
     node: tree.Node, options: Mapping[str, ParameterSymbol], program: Program
 ) -> Iterator[tuple[tree.Node, Symbol | None]]:
-    """What a call lends to INOUT parameters of a user routine, by declaration of the parameter."""
+    """Data that a call passes to INOUT parameters of a user routine, by their declarations."""
     if not isinstance(node, tree.Call | tree.FunctionCall):
         return
     callee = program.symbol_of[node]
@@ -85,7 +85,7 @@ def _lent(
 def _giver(
     argument: BoundArgument, options: Mapping[str, ParameterSymbol], program: Program
 ) -> Symbol | None:
-    """The data that an argument is made of; None for a value that nobody else has."""
+    """Data that an argument refers to; None for a temporary value."""
     if argument.caller_option is not None:
         return options.get(argument.caller_option.key)
     value = None if argument.value is None else bare(argument.value)

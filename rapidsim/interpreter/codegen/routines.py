@@ -61,20 +61,17 @@ class TranslatedRoutine:
 
     function: ast.FunctionDef
     handler: ast.FunctionDef | None
-    """Its ERROR clause, if that is a function beside it."""
+    """Its ERROR clause, if that is a separate function."""
     numbers: ast.FunctionDef | None
-    """Gives the numbers that a long-jump ERROR clause lists."""
+    """Function that returns the error numbers of a long-jump ERROR clause."""
     callees: Callees
     tick: list[ast.stmt]
-    """What the function begins with if its calls take a tick."""
-
-
-"""What is done instead of a routine of a stub module."""
+    """Statements to insert at the start of the function if its calls take a tick."""
 
 
 @value_class(frozen=True, slots=True)
 class ModuleContext:
-    """What the translations of all routines of a module share."""
+    """Context shared by the translations of all routines of a module."""
 
     program: Program
     names: ModuleNames
@@ -93,8 +90,8 @@ def translate_routine(
 
     Args:
         symbol: The routine.
-        context: What the routines of its module share.
-        elements: Parameters to pass as an array and a position in it.
+        context: Context shared by the routines of its module.
+        elements: Parameters to pass as an array and an index in it.
     """
     return _RoutineTranslation(symbol, context, elements).translate()
 
@@ -159,7 +156,7 @@ class _RoutineTranslation:
         return TranslatedRoutine(function, beside, self._numbers(name), called, tick(at))
 
     def _declare(self) -> list[str]:
-        """Name the variables, clear of what the routine uses of its module."""
+        """Assign names to the variables, distinct from the module names that the routine uses."""
         nodes = self._nodes
         used = {id(s): s for s in map(self._context.program.symbol_of.get, nodes) if s is not None}
         self._names.reserved = frozenset(
@@ -176,7 +173,7 @@ class _RoutineTranslation:
         return parameters
 
     def _module_name(self, symbol: Symbol) -> str | None:
-        """The name in the module's namespace of what is not the routine's own."""
+        """Name in the module's namespace of a symbol that is not local to the routine."""
         names = self._context.names
         match symbol:
             case RoutineSymbol():
@@ -193,7 +190,7 @@ class _RoutineTranslation:
                 return None
 
     def _prologue(self) -> Iterator[ast.stmt]:
-        """Cells for parameters that are lent on, tables for arrays sized by the caller."""
+        """Create cells for parameters passed by reference, and tables for arrays of the caller."""
         at = self._header
         if self._symbol.module.source.file in self._context.program.cell.stubs:
             yield self._stub(at)
@@ -215,7 +212,7 @@ class _RoutineTranslation:
                 yield at.set(name, at.item("_index_tables", _size(dimension, at)))
 
     def _stub(self, at: AstBuilder) -> ast.stmt:
-        """Say that the routine stands for another one."""
+        """Report that the routine is a stub."""
         span = self._symbol.module.span(self._node.name)
         place = self._context.names.place(Place(span, self._symbol.name))
         said = [at.constant(self._symbol.name), at.constant(STUB), at.constant(None)]
@@ -255,9 +252,9 @@ class _RoutineTranslation:
     def _clause(
         self, name: str, parameters: list[str], body: tree.Body, *, in_handler: bool
     ) -> ast.FunctionDef:
-        """A clause as a function inside the routine's, which sees its variables.
+        """Translate a clause to a function inside the routine's, with access to its variables.
 
-        It takes the header's line: on its own line it would look executed in each call.
+        It has the line of the header: on its own line it would look executed in each call.
         """
         at = self._header
         self._names.assigned.clear()
@@ -279,17 +276,17 @@ class _RoutineTranslation:
         return self._symbol.result is None and not ends.every and bool(ends.statements)
 
     def _sees_locals(self, clause: ast.FunctionDef) -> bool:
-        """Whether a clause names anything that the routine's function holds."""
+        """Whether a clause uses any variable of the routine's function."""
         used = {node.id for node in ast.walk(clause) if isinstance(node, ast.Name)}
         return not used.isdisjoint(self._names.data_variables())
 
     def _without_value(self) -> ast.stmt:
-        """The end of a function that has returned no value, or of its ERROR clause."""
+        """Raise for a function that ends without a value, or for its ERROR clause."""
         end = self._context.positions.between(self._node.end - 1, self._node.end)
         return end.throw(end.call("_no_return", [end.constant(self._symbol.name)]))
 
     def _fall_off(self, at: AstBuilder, ends: Answers) -> ast.stmt:
-        """The end of an ERROR clause is the end of the routine; a function owes its value."""
+        """End the routine at the end of its ERROR clause; a function lacks its value then."""
         if self._symbol.result is not None:
             return self._without_value()
         answered = at.call("_Leave", [at.constant(None)])

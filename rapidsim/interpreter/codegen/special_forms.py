@@ -1,8 +1,8 @@
-"""Functions whose calls need a translation of their own.
+"""Functions whose calls need a special translation.
 
 Most need their argument's name or location rather than its value: they take a REF parameter, which
-no Python function can have. StrLen is here because a length is an integer, which makes loops and
-indices fast.
+no Python function can have. StrLen is included because a length is an integer, which makes loops
+and indices fast.
 
 Source: Technical reference manual RAPID Instructions, Functions and Data types: ArgName, Dim,
 IsPers, IsVar, Present, StrLen, Type.
@@ -87,7 +87,7 @@ def _is_storage(
     at: AstBuilder,
     storage: Storage,
 ) -> Code:
-    """Known from the declaration; of a by-reference parameter from what the caller gave."""
+    """IsPers and IsVar: from the declaration, or for a by-reference parameter from the argument."""
     path = _argument(expressions, call)
     symbol = paths.symbol(path)
     if isinstance(symbol, DataSymbol):
@@ -125,7 +125,7 @@ def _type(
 def _arg_name(
     expressions: Operands, paths: DataPathTranslator, call: tree.FunctionCall, at: AstBuilder
 ) -> Code:
-    """Of a parameter the name of what was given for it, found when asked for."""
+    """ArgName: for a parameter the name of its argument, determined at the call of ArgName."""
     symbol = paths.symbol(_argument(expressions, call))
     if not isinstance(symbol, ParameterSymbol):
         return Code(at.constant(symbol.name))
@@ -151,4 +151,4 @@ SPECIAL_FORMS: Mapping[str, SpecialForm] = MappingProxyType(
         "type": _type,
     }
 )
-"""By folded name."""
+"""Translation by folded name."""

@@ -48,7 +48,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 ANSWERED = "_answered"
-"""Whether a statement of an ERROR clause has answered the error."""
+"""Python variable: whether a statement of an ERROR clause has answered the error."""
 
 
 @dataclass(slots=True)
@@ -58,15 +58,15 @@ class Statements:
     expressions: Expressions
     jumps: Jumps
     persistents: Set[tree.Node]
-    """Parameters that may stand for a persistent."""
+    """Parameters that may be bound to a persistent."""
     is_protected: bool
-    """The routine has an ERROR clause, and this is not in it."""
+    """Whether the routine has an ERROR clause and this is outside it."""
     in_handler: bool = False
-    """This is the ERROR clause."""
+    """Whether this is the ERROR clause."""
     routine: tree.Node | None = None
-    """Whose statements these are."""
+    """Routine that contains the statements."""
     answering: Collection[tree.Node] = ()
-    """The statements of an ERROR clause that answer an error that others fall through."""
+    """The statements of an ERROR clause that answer an error; other errors fall through."""
 
     def body(self, body: tree.Body) -> list[ast.stmt]:
         """Translate a statement list."""
@@ -132,13 +132,13 @@ class Statements:
     def _guard(
         self, body: Sequence[ast.stmt], at: AstBuilder, *, else_body: Sequence[ast.stmt] = ()
     ) -> list[ast.stmt]:
-        """Protect statements that may raise, where there is an ERROR clause to protect them."""
+        """Protect statements that may raise, if there is an ERROR clause."""
         return protected(body, at, else_body=else_body) if self.is_protected else list(body)
 
     def _assignment(self, statement: tree.Assignment, at: AstBuilder) -> list[ast.stmt]:
         if isinstance(statement.target, tree.Placeholder):
             return self._guard([at.do(at.call("_unfinished"))], at)
-        # Whole arrays are copied element by element where they arrive.
+        # Whole arrays are copied element by element at the target.
         paths = self.expressions.paths
         value = self._value_for(statement.target, statement.value)
         body = [
@@ -150,7 +150,7 @@ class Statements:
         return self._guard(body, at) if may_raise else body
 
     def _value_for(self, target: tree.DataPath, value: tree.Expression) -> Code:
-        """What an assignment puts there; of arrays not a copy."""
+        """Value that an assignment stores; an array is not copied."""
         home = declaration(target, self.expressions.program)
         if home in self.expressions.integers:
             return self.expressions.copy(value, home)
@@ -166,7 +166,7 @@ class Statements:
             run = self.expressions.names.module.runs.get(statement)
             if run is not None:
                 return [*called, *self._run(run, at)]
-            # The checker lets it stand in ERROR clauses only.
+            # The checker permits StartMoveRetry in ERROR clauses only.
             retries = is_start_move_retry(statement, program)
             return [*called, at.leave(at.constant(1))] if retries else called
         paths = self.expressions.paths
@@ -177,13 +177,13 @@ class Statements:
         )
 
     def _run(self, run: tree.BulkStatements, at: AstBuilder) -> list[ast.stmt]:
-        """The moves of a run, one turn of a loop each."""
+        """Execute bulk moves in a loop, one move per iteration."""
         rows, move = self.expressions.calls.row(run, at)
         turn = at.each(at.store(ROW), rows, self._guard(move, at))
         return [turn, at.set(ROW, at.constant(None))]
 
     def _serve_persistent_interrupts(self, target: tree.DataPath, at: AstBuilder) -> list[ast.stmt]:
-        """Let the interrupts come that wait for a change of a persistent."""
+        """Serve the interrupts that wait for a change of a persistent."""
         match self.expressions.paths.symbol(target):
             case DataSymbol(storage=Storage.PERS):
                 pass
@@ -214,7 +214,7 @@ class Statements:
         return self._choose(tests, places, bodies, else_body, at)
 
     def _line_of(self, condition: tree.Expression) -> AstBuilder:
-        """A branch's condition stands on the line of its ELSEIF."""
+        """Position of a branch's condition, which is on the line of its ELSEIF."""
         return self.expressions.positions.at(condition)
 
     def _choose(
@@ -228,7 +228,7 @@ class Statements:
         *,
         may_raise: bool = False,
     ) -> list[ast.stmt]:
-        """Branches by conditions; `before` evaluates what they share."""
+        """Branch by conditions; `before` evaluates their common parts."""
         if not self.is_protected or not (may_raise or any(test.may_raise for test in tests)):
             nodes = [test.node for test in tests]
             return [*before, *self._branches(nodes, places, bodies, else_body)]
@@ -236,7 +236,7 @@ class Statements:
         for position in range(len(tests), 0, -1):
             place = places[position - 1]
             number = place.choice(tests[position - 1].node, place.constant(position), number)
-        # RETRY decides again from the first condition, TRYNEXT goes on behind the statement.
+        # RETRY decides again from the first condition, TRYNEXT continues after the statement.
         decide = self._guard(
             [*before, at.set("_branch", number)],
             at,
@@ -262,7 +262,7 @@ class Statements:
         bodies: Sequence[tree.Body],
         else_body: tree.Body,
     ) -> list[ast.stmt]:
-        """Python's `if`, `elif`, `else`; bodies in order of writing."""
+        """Python's `if`, `elif`, `else`; bodies in source order."""
         written = [self.body(body) for body in bodies]
         chain = self.body(else_body)
         for place, test, body in reversed(list(zip(places, tests, written, strict=True))):
@@ -338,7 +338,7 @@ class Statements:
     def _counter_values(
         self, statement: tree.For, at: AstBuilder
     ) -> tuple[ast.expr, Interval | None, bool]:
-        """What a FOR runs over, the integers its counter can be, and whether that may raise."""
+        """Values of a FOR, the interval of its counter if integer, and whether they may raise."""
         parts = [statement.first, statement.last, statement.step]
         codes = [self.expressions.code(part) for part in parts if part is not None]
         may_raise = any(finished(code, at).may_raise for code in codes)
@@ -421,7 +421,7 @@ class Statements:
         return self._guard(self.expressions.paths.write(statement.interrupt, value, at), at)
 
     def _data(self, statement: tree.Data, at: AstBuilder) -> list[ast.stmt]:
-        """A local variable gets its initial value at each call."""
+        """Assign a local variable its initial value at each call."""
         if statement.storage != "VAR":
             return []
         symbol = self.expressions.program.symbol_of[statement]
@@ -453,5 +453,5 @@ class Statements:
 
 
 def _exact(code: Code) -> bool:
-    """Whether it is an integer that a single holds."""
+    """Whether it is an integer that a single represents."""
     return code.integer is not None and code.integer.exact

@@ -1,8 +1,8 @@
-"""The name of the data passed for a parameter, as ArgName returns it.
+"""Names of the data passed for a parameter, as ArgName returns them.
 
-Calls carry no extra information for the few programs that ask. The call is found in the tree of
-the calling routine, at the position where Python is executing that routine; if the argument is a
-parameter of the caller, its own caller is asked in turn.
+Calls carry no extra information for the few programs that use ArgName. The call is found in the
+tree of the calling routine, at the position where Python is executing that routine; if the argument
+is a parameter of the caller, the search continues with the caller's own caller.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ _Call = tree.Call | tree.FunctionCall | tree.LateCall
 
 
 def argument_name(frame: FrameType, parameter: str) -> str | None:
-    """The name of the data passed for a parameter.
+    """Return the name of the data passed for a parameter.
 
     Args:
-        frame: The frame of the routine that asks, or of one of its clauses.
+        frame: The frame of the routine that calls ArgName, or of one of its clauses.
         parameter: Its folded name.
 
     Returns:
-        The name as declared; None if several calls of the routine are so close together that it is
-        not clear which one is running.
+        The name as declared; None if several calls of the routine are so close together that the
+        running one is ambiguous.
 
     Raises:
         RapidError: ERR_ARGNAME if the argument is absent, or is an expression or a switch.
@@ -64,7 +64,7 @@ def argument_name(frame: FrameType, parameter: str) -> str | None:
 
 
 def _routine_frame(frame: FrameType) -> FrameType:
-    """The frame of the routine that a clause, or a part evaluated later, belongs to."""
+    """Frame of the routine that a clause, or a deferred expression, belongs to."""
     name = frame.f_code.co_qualname.partition(".")[0]
     while frame.f_code.co_qualname != name or not is_generated(frame):
         assert frame.f_back is not None
@@ -78,7 +78,7 @@ def _routine(frame: FrameType) -> RoutineSymbol | None:
 
 
 def _outer(frame: FrameType) -> FrameType | None:
-    """The frame of the program that called a routine."""
+    """Frame of the program that called a routine."""
     outer = frame.f_back
     while outer is not None and not is_generated(outer):
         outer = outer.f_back
@@ -86,9 +86,9 @@ def _outer(frame: FrameType) -> FrameType | None:
 
 
 def _calls_at(caller: FrameType, routine: RoutineSymbol) -> list[_Call]:
-    """The calls of a routine that may be the one at which its caller is.
+    """Return the calls of a routine at which its caller may be.
 
-    Parts of a statement on its later lines stand, for Python, where the statement begins.
+    For Python, the parts of a statement on its later lines are at the start of the statement.
     """
     origin: Origin = caller.f_globals[GENERATED]
     symbol_of = origin.program().symbol_of
@@ -111,7 +111,7 @@ def _calls_at(caller: FrameType, routine: RoutineSymbol) -> list[_Call]:
 
 
 def _may_call(node: _Call, routine: RoutineSymbol, symbol_of: Mapping[tree.Node, Symbol]) -> bool:
-    """Whether a call may be one of a routine: of its name, or of one that only the run knows."""
+    """Whether a call may be one of a routine: by its name, or by a name computed at run time."""
     callee = symbol_of.get(node)
     if isinstance(callee, RoutineSymbol):
         return callee.node is routine.node

@@ -1,8 +1,8 @@
 """The modules of one task linked into Python functions, and their memory.
 
-`link` takes a program and prepares what is new in it; modules that stay keep their functions and
-variables. That is how a task starts, and how modules are loaded and unloaded while it runs: the
-program is a value, checked as a whole each time, and only this object changes.
+`link` takes a program and prepares the new modules in it; the remaining ones keep their functions
+and variables. A task starts in this way, and loads and unloads modules while it runs: the program
+is an immutable value, checked as a whole each time, and only this object changes.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class LinkedProgram:
         controller: Controller,
         shared: SharedPersistents | None = None,
     ) -> None:
-        """Link the first program; `shared` holds the data that other tasks have too.
+        """Link the first program; `shared` has the data that other tasks share.
 
         Raises:
             NotExecutableError: If it needs something that cannot be simulated.
@@ -67,12 +67,12 @@ class LinkedProgram:
         self._namespaces: dict[tree.Module, dict[str, Any]] = {}
         self.link(program)
 
-    # Until the translation is dropped, so that the collector never walks through it.
+    # Until the translation is dropped, so that the collector never traverses it.
     @gc_paused()
     def link(self, program: Program) -> None:
-        """Replace the program: prepare the modules that are new, drop those that are gone.
+        """Replace the program: prepare new modules, and drop removed ones.
 
-        If it raises, nothing has changed.
+        An exception leaves everything unchanged.
 
         Raises:
             NotExecutableError: If a new module needs something that cannot be simulated.
@@ -106,10 +106,10 @@ class LinkedProgram:
         self._name_routines()
 
     def _is_compatible(self, translation: Translation, added: Sequence[tree.Module]) -> bool:
-        """Whether new modules give routines that stay what these were made for.
+        """Whether new modules keep the assumptions valid under which the others were compiled.
 
-        Who asks about a program that has ended may call its functions with any number. Where
-        modules are loaded while one runs, nothing is taken for granted of a call.
+        Queries after the end of a program may call its functions with any number. For programs that
+        load modules at run time, no assumptions are made about calls.
         """
         own = {node for module in added for node in descendants(*module.routines)}
         known = translation.integers
@@ -140,7 +140,7 @@ class LinkedProgram:
         return frozenset(found)
 
     def _define(self, module: TranslatedModule, code: CodeType) -> None:
-        """Make the functions of a new module."""
+        """Create the functions of a new module."""
         namespace = self._namespaces[module.module] = {
             **FUNCTIONS,
             **task_functions(self.controller, self.recovery, self.late, module.module.name.key),
@@ -159,7 +159,7 @@ class LinkedProgram:
             self.recovery.long_jumps[jumper.__code__] = _function(namespace, numbers)
 
     def _bind(self, module: TranslatedModule) -> None:
-        """Give the names of a module's namespace their objects."""
+        """Bind the names of a module's namespace to their objects."""
         namespace = self._namespaces[module.module]
         for name, binding in module.bindings.items():
             match binding:
@@ -171,7 +171,7 @@ class LinkedProgram:
                     namespace[name] = value
 
     def _drop(self, module: tree.Module) -> None:
-        """Forget a module; what still runs in it keeps what it holds."""
+        """Remove a module; calls that are still running in it keep their data."""
         self._namespaces.pop(module, None)
         self.memory.forget(module)
         if self._shared is not None:
@@ -183,7 +183,7 @@ class LinkedProgram:
                 self.recovery.long_jumps.pop(function.__code__, None)
 
     def _name_routines(self) -> None:
-        """Tell late binding what can be called by name now."""
+        """Update the routines that late binding can call by name."""
         symbols = self.program.symbol_of
         by_module: dict[str, dict[str, UserRoutine]] = {}
         for module in self.program.modules:
@@ -200,14 +200,14 @@ class LinkedProgram:
 
 
 def show_lines_of(source: Source) -> None:
-    """Let Python's tools print RAPID lines; they would otherwise expect a UTF-8 file."""
-    # What is declared as a list is only read.
+    """Make Python's tools print RAPID lines; otherwise they would expect a UTF-8 file."""
+    # Python declares a list here, but only reads it.
     lines = cast("list[str]", _Lines(source))
     linecache.cache[source.file] = (len(source.text), None, lines, source.file)
 
 
 class _Lines(Sequence[str]):
-    """The lines of a source, each made when somebody asks for it: there may be a million."""
+    """The lines of a source, each created on demand, because there may be a million."""
 
     def __init__(self, source: Source) -> None:
         self._source = source

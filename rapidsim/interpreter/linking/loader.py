@@ -31,12 +31,12 @@ from rapidsim.values import value_class
 __all__ = ["CallFrame", "FatalError", "Task", "load", "running"]
 
 ERR_STACK_OVERFLOW = 40222.0
-"""Not catchable, so the number is the controller's event, which no program compares with."""
+"""Number of the controller's event; ERROR clauses cannot catch it, so no program tests for it."""
 
 
 @value_class(frozen=True, slots=True)
 class Task:
-    """A program with its memory. Variables keep their values from one run to the next."""
+    """A program with its memory. Variables keep their values between runs."""
 
     _linked: LinkedProgram
 
@@ -63,7 +63,7 @@ class Task:
             self._linked.function(symbol)(*_absent(symbol))
 
     def take(self, program: Program) -> None:
-        """Continue with a changed set of modules; those that stay keep their values.
+        """Continue with a changed set of modules; remaining modules keep their values.
 
         Raises:
             FatalError: If a constant or an initial value of a new module fails.
@@ -73,7 +73,7 @@ class Task:
             self._linked.link(program)
 
     def call(self, function: RoutineSymbol) -> Value:
-        """The value of a function without parameters.
+        """Return the value of a function without parameters.
 
         Raises:
             FatalError: If an error reaches no ERROR clause.
@@ -83,7 +83,7 @@ class Task:
             return value
 
     def value(self, name: str, module: str | None = None) -> Value:
-        """The current value of declared or predefined data.
+        """Return the current value of declared or predefined data.
 
         Args:
             name: As in the program, in any case.
@@ -104,11 +104,11 @@ class Task:
         return self._linked.memory.predefined(name.lower(), predefined.value)
 
     def value_of(self, symbol: DataSymbol) -> Value:
-        """A copy of the current value of declared data."""
+        """Return a copy of the current value of declared data."""
         return self._linked.value_of(symbol)
 
     def keep(self, before: Task) -> None:
-        """Take over the persistents of an earlier run of the same program."""
+        """Copy the persistents of an earlier run of the same program."""
         for symbol in before._linked.memory.persistents():
             kept, home = before.value_of(symbol), self._linked.memory.home(symbol)
             if isinstance(home, list):
@@ -117,11 +117,11 @@ class Task:
                 home.value = kept
 
     def persistents(self) -> tuple[ChangedPersistent, ...]:
-        """The PERS data of the initial modules whose values have changed since they were loaded."""
+        """Return the PERS data of the initial modules whose values have changed since loading."""
         return self._linked.memory.changed()
 
     def data(self, name: str, module: str | None = None) -> DataSymbol | None:
-        """Declared data by name, found as by `value`; None if there are none."""
+        """Return declared data by name, found as by `value`; None without a match."""
         key, module = name.lower(), module.lower() if module else None
         found: DataSymbol | None = None
         for symbol in module_data(self.program):
@@ -154,7 +154,7 @@ def load(program: Program, controller: Controller, shared: SharedPersistents | N
     linked.memory.remember()
 
     def call_procedure(name: str) -> None:
-        # It runs like a trap, so its errors do not reach the statement that it interrupts.
+        # It runs like a trap, so its errors do not reach the interrupted statement.
         late, main_module = linked.late, linked.program.modules[0].name.key
         linked.recovery.trap(lambda: late.call(main_module, controller.clock.place, name, (), ()))()
 
@@ -185,7 +185,7 @@ def _absent(symbol: RoutineSymbol) -> list[object]:
 
 @contextmanager
 def _fatal_errors() -> Iterator[None]:
-    """Turn what no ERROR clause dealt with into a `FatalError`."""
+    """Convert an error that no ERROR clause handled to a `FatalError`."""
     try:
         yield
     except Unrecoverable as last:
@@ -199,7 +199,7 @@ def _fatal_errors() -> Iterator[None]:
 
 def _stack_overflow(stack: tuple[CallFrame, ...]) -> RapidError:
     innermost = f" in {stack[-1].routine}" if stack else ""
-    # In round figures: how deep Python comes depends a little on its version.
+    # Rounded, because the depth that Python reaches depends slightly on its version.
     depth = round(len(stack), -2)
     return RapidError(
         ERR_STACK_OVERFLOW,

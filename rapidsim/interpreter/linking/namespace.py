@@ -1,4 +1,4 @@
-"""What the namespace of generated code contains besides the program's own names.
+"""Names in the namespace of generated code in addition to the program's own names.
 
 All these names begin with an underscore, which no RAPID name does. `FUNCTIONS` are the same for
 every task; `task_functions` call one task's controller.
@@ -35,15 +35,15 @@ from rapidsim.library import arithmetic
 
 
 def unfinished() -> NoReturn:
-    """Refuse to execute a placeholder."""
+    """Raise for the execution of a placeholder."""
     raise rapid_error(ERR_EXECPHR, "the program is unfinished here: a placeholder was reached")
 
 
 def at_most_one(value: object, *is_there: bool) -> object:
-    """The last of several options that exclude each other.
+    """Return the last of several options that exclude each other.
 
     Raises:
-        RapidError: ERR_ARGDUPCND if more than one is given.
+        RapidError: ERR_ARGDUPCND if more than one is present.
     """
     if sum(is_there) > 1:
         raise rapid_error(ERR_ARGDUPCND, "two optional arguments that exclude each other are given")
@@ -108,13 +108,13 @@ FUNCTIONS: Mapping[str, object] = MappingProxyType(
         "_whole_remainder": arithmetic.whole_remainder,
     }
 )
-"""By the name generated code calls them."""
+"""Functions by their names in generated code."""
 
 
 def task_functions(
     controller: Controller, recovery_of_task: Recovery, late: LateBinding, module: str
 ) -> dict[str, object]:
-    """What code of one module, by folded name, needs to reach its task's controller."""
+    """Functions with which the code of one module, by folded name, calls its task's controller."""
     clock, interrupts = controller.clock, controller.interrupts
 
     def call_at(
@@ -138,7 +138,7 @@ def task_functions(
         deeds = clock.effect_count
         body(query, *values, **options)
         if clock.effect_count == deeds:
-            # The output had this value already: to a loop that is no more than a look.
+            # The output had this value already: to a loop this is only a read.
             clock.place = before
 
     def stand_in(place: Place, name: str, replacement: str, value: object) -> object:

@@ -16,7 +16,7 @@ from rapidsim.syntax import tree
 
 
 def text_of(module: tree.Module) -> str:
-    """The text of a module as it was read, from its first to its last word."""
+    """Return the original text of a module, from its first to its last word."""
     return module.source.text[module.start : module.end] + "\n"
 
 
@@ -38,7 +38,7 @@ def saved_text(module: tree.Module, linked: LinkedProgram) -> str:
 
 
 def declared_value(symbol: DataSymbol) -> Span:
-    """The initial value in a declaration; empty, before the semicolon, where there is none."""
+    """Span of the initial value in a declaration; without one empty, before the semicolon."""
     node, module = symbol.node, symbol.module
     assert isinstance(node, tree.Data)
     assert module is not None

@@ -26,7 +26,7 @@ class TaskSymbols:
     """The data that a task's modules declare."""
 
     def __init__(self, linked: LinkedProgram) -> None:
-        """Look into a program and its memory."""
+        """Provide access to a program and its memory."""
         self._linked = linked
         self._found: deque[DataName] = deque()
 
@@ -88,7 +88,7 @@ class TaskSymbols:
                 yield DataName(symbol.name, symbol.module.name.text)
 
     def _symbol(self, name: str, data_name: DataName | None) -> DataSymbol:
-        """The data of a name: those that a search found, else global ones before local ones."""
+        """Find data by name: the match of a search, otherwise global before local data."""
         key = name.strip().lower()
         named = [one for one in module_data(self._linked.program) if one.name.lower() == key]
         if data_name is not None:
@@ -103,7 +103,7 @@ class TaskSymbols:
 
 
 def _check_type(symbol: DataSymbol, of: Type) -> None:
-    """Refuse data of another type, or of another number of dimensions."""
+    """Reject data of another type, or of another number of dimensions."""
     have, want = symbol.type, of
     dimensions = [len(one.dimensions) if isinstance(one, ArrayOf) else 0 for one in (have, want)]
     elements = [one.element if isinstance(one, ArrayOf) else one for one in (have, want)]

@@ -1,6 +1,6 @@
 """Modules that a running task loads and unloads: implements `language.modules.Modules`.
 
-Every change makes a program of all modules and checks it as a whole, so a `Program` never has
+Every change builds a program of all modules and checks it as a whole, so a `Program` never has
 errors. A module that uses undeclared names is loaded, as on the controller, but stays outside the
 program until another module declares them.
 
@@ -40,9 +40,9 @@ from rapidsim.syntax.parser import Parsed, parse
 from rapidsim.values import value_class
 
 PROGRAM_MEMORY = 50_000_000
-"""Characters of all that a task may have loaded at one time."""
+"""Maximum number of characters of the modules that a task has loaded at one time."""
 MOST_KNOWN = 16
-"""How many files, and combinations of modules, are kept ready for the next time."""
+"""Maximum number of cached files, and of cached combinations of modules."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -51,7 +51,7 @@ class _Entry:
 
     module: tree.Module
     path: str | None = None
-    """The file it was loaded from; None where the task began with it."""
+    """The file it was loaded from; None if it is an initial module of the task."""
 
     @property
     def name(self) -> str:
@@ -64,7 +64,7 @@ class TaskModules:
     def __init__(self, linked: LinkedProgram) -> None:
         """Begin with the modules of a linked program."""
         self._linked = linked
-        # A cell loads the same few files again and again.
+        # A cell loads the same few files repeatedly.
         self._parse = lru_cache(maxsize=MOST_KNOWN)(_parsed)
         self._check = lru_cache(maxsize=MOST_KNOWN)(partial(_checked, cell=linked.program.cell))
         self._entries = [_Entry(module) for module in linked.program.modules]
@@ -74,7 +74,7 @@ class TaskModules:
         return any(entry.module.name.key == name.lower() for entry in self._entries)
 
     def load(self, source: Source, path: str, *, check_references: bool) -> None:
-        """Load the modules of a file; raises as `Modules.load` says."""
+        """Load the modules of a file; raises the errors of `Modules.load`."""
         parsed = self._parse(source.file, source.text)
         errors = [one for one in parsed.diagnostics if one.severity is Severity.ERROR]
         if errors:
@@ -150,12 +150,12 @@ class TaskModules:
     def _become(
         self, entries: list[_Entry], errno: float, *, check_references: bool = False
     ) -> None:
-        """Let the program memory hold these modules; where it raises, it is as before.
+        """Replace the modules in the program memory; an exception leaves it unchanged.
 
         Args:
-            entries: All of them.
-            errno: Of the error for modules that do not fit together.
-            check_references: Let no module wait for names.
+            entries: All modules.
+            errno: Error number for modules that are incompatible.
+            check_references: Reject modules that use undeclared names.
         """
         checked, waiting = self._check(tuple(entry.module for entry in entries))
         executing = self._linked.executing()
@@ -182,7 +182,7 @@ _UNDECLARED = (UndefinedName, UnknownRoutine, UnknownType)
 
 
 def _parsed(file: str, text: str) -> Parsed:
-    """Read a file; by its text, because each time it is read it is a new `Source`."""
+    """Parse a file; cached by text, because each read creates a new `Source`."""
     return parse(Source(file, text))
 
 
@@ -192,8 +192,8 @@ def _checked(
     """Check modules together.
 
     Returns:
-        What checking found once no module uses names that nothing declares; and the modules that
-        do, each with the first such use.
+        The outcome without the modules that use undeclared names; and those modules, each with its
+        first undeclared name.
     """
     linked = list(modules)
     waiting: dict[tree.Module, Diagnostic] = {}
@@ -210,7 +210,7 @@ def _checked(
 
 
 def _undeclared(checked: CheckOutcome) -> list[Diagnostic]:
-    """What another module could mend; none where there is an error of another kind."""
+    """Undeclared names that another module could declare; empty if there is any other error."""
     errors = _errors(checked)
     if not errors:
         return [
@@ -226,10 +226,10 @@ def _errors(checked: CheckOutcome) -> list[Diagnostic]:
 def _require_references(
     checked: CheckOutcome, waiting: Mapping[tree.Module, Diagnostic], entries: Iterable[_Entry]
 ) -> None:
-    """Refuse a program of which a loaded module uses something that nothing declares.
+    """Raise if a loaded module of a program uses undeclared names.
 
-    What the modules use that the task began with is taken to come from add-ins: a controller would
-    not have started them without.
+    Undeclared names in the initial modules are assumed to come from add-ins: a controller would not
+    have started the task without them.
     """
     loaded = [entry for entry in entries if entry.path is not None]
     missing = [
@@ -246,7 +246,7 @@ def _require_references(
 
 
 def _holds(module: tree.Module, finding: Diagnostic) -> bool:
-    """Whether a finding stands in a module."""
+    """Whether a finding is located in a module."""
     span = finding.span
     if span is None or span.source is not module.source:
         return False
@@ -254,7 +254,7 @@ def _holds(module: tree.Module, finding: Diagnostic) -> bool:
 
 
 def _summary(findings: Sequence[Diagnostic]) -> str:
-    """The first of some findings with its place, and how many more there are."""
+    """Message of the first finding with its position, and the number of the others."""
     first = findings[0]
     place = f"{first.span.file}:{first.span.line}: " if first.span else ""
     more = f" (and {len(findings) - 1} more)" if len(findings) > 1 else ""
@@ -266,6 +266,6 @@ def _same_file(path: str | None, other: str) -> bool:
 
 
 def _folded(path: str) -> str:
-    r"""A path of the home folder without what may be written in several ways: HOME:/a, /a, a."""
+    r"""Canonical form of a path of the home folder: the same for HOME:/a, /a and a."""
     _, _, rest = path.replace("\\", "/").lower().rpartition("home:")
     return "/".join(part for part in rest.split("/") if part not in ("", "."))

@@ -1,6 +1,6 @@
-"""A program as Python syntax trees, one per module, and the bindings of their names.
+"""Translation of a program to Python syntax trees, one per module, with bindings of their names.
 
-Nothing here depends on a task; `loader` fills in what does.
+The translation is independent of tasks; `loader` adds the bindings of one.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 INITIALISE = "_initialise"
-"""The function that gives module variables the initial values that are more than literals."""
+"""The function that assigns initial values of module variables that are not literals."""
 
 _POINTER_BYTES = 8
 
 
 @value_class(frozen=True, slots=True)
 class TranslatedModule:
-    """The code of one module, and how to fill its namespace."""
+    """The code of one module, and the bindings of its namespace."""
 
     module: tree.Module
     code: ast.Module
@@ -54,12 +54,13 @@ class TranslatedModule:
     functions: Mapping[str, RoutineSymbol]
     """The module's routines by the name of their function."""
     shown_as: Mapping[str, str]
-    """What call stack, debugger and profiler call functions that stand for a routine, or for a
-    clause of it, by the name they have in the namespace."""
+    """Displayed name, in call stack, debugger and profiler, of functions for a routine or a clause,
+    by their name in the namespace.
+    """
     computing: Set[str]
-    """Names of installed functions that are quick and ask nothing of the controller."""
+    """Names of installed functions that are quick and do not use the controller."""
     long_jumps: tuple[tuple[str, str], ...]
-    """Names of functions with a long-jump ERROR clause and of those that give its numbers."""
+    """Pairs of function names: one with a long-jump ERROR clause, one returning its numbers."""
 
 
 @value_class(frozen=True, slots=True)
@@ -69,9 +70,9 @@ class Translation:
     modules: tuple[TranslatedModule, ...]
     constants: Constants
     integers: Mapping[tree.Node, Interval]
-    """What was known of nums: functions and their callers must know the same."""
+    """Inferred integers: functions and their callers must agree on them."""
     persistents: Set[tree.Node]
-    """And which parameters may stand for a persistent."""
+    """Parameters that may be bound to a persistent; functions and their callers must agree."""
 
 
 def translate(
@@ -82,7 +83,7 @@ def translate(
     Args:
         program: The program, with everything that the modules refer to.
         modules: The modules to translate; None for all.
-        shares: Whether other tasks, which look at its clock, may share data with it.
+        shares: Whether other tasks, which read its clock, may share data with it.
 
     Raises:
         NotExecutableError: If the program needs something that cannot be simulated.
@@ -144,7 +145,7 @@ def _translate_module(
         if translated.numbers is not None:
             body.append(translated.numbers)
             long_jumps.append((translated.function.name, translated.numbers.name))
-    # Such routines call none, so no others come up meanwhile.
+    # These routines call no others, so the loop adds no elements.
     for (symbol, parameters), name in names.for_elements.items():
         body.append(translate_routine(symbol, context, parameters).function)
         shown_as[name] = names.routine(symbol)
@@ -182,7 +183,7 @@ def _refuse_huge_arrays(program: Program) -> None:
 
 
 def _bytes_of(value: object) -> int:
-    """Memory of a value with its components."""
+    """Memory [bytes] of a value with its components."""
     components = value if isinstance(value, tuple) else ()
     return sys.getsizeof(value) + sum(map(_bytes_of, components))
 

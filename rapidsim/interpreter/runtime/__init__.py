@@ -1,1 +1,1 @@
-"""What generated code uses at run time: values, memory, errors, late calls."""
+"""Run-time support for generated code: values, memory, errors, late calls."""

@@ -33,7 +33,7 @@ class IndexTable(dict[float, int]):
     """
 
     def __missing__(self, index: float) -> int:
-        """The entry of the index as a num; refuse any other."""
+        """Return the entry of the index rounded to num; raise for any other."""
         rounded = single(index)
         if rounded not in self:
             out_of_bounds(rounded, len(self))
@@ -41,10 +41,10 @@ class IndexTable(dict[float, int]):
 
 
 class _AbsentTable(IndexTable):
-    """Stands for the sizes of an array that was not given."""
+    """Index table of an array parameter that is absent."""
 
     def __missing__(self, index: float) -> NoReturn:
-        """Refuse every index."""
+        """Raise for every index."""
         not_present("of this routine")
 
 
@@ -55,13 +55,13 @@ class _IndexTables(dict[int, IndexTable]):
 
 
 INDEX_TABLES: Mapping[int, IndexTable] = _IndexTables()
-"""The tables by size of the array; each is made once, when it is first asked for."""
+"""Index tables by size of the array, each created on first use."""
 
 _ABSENT_TABLE = _AbsentTable()
 
 
 def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
-    """The table for one dimension of an array that the caller may have omitted.
+    """Return the index table for one dimension of an array that the caller may have omitted.
 
     Args:
         array: Nested lists, or `ABSENT`.
@@ -75,7 +75,7 @@ def index_table_of(array: list[Any] | Absent, depth: int) -> IndexTable:
 
 
 def copy_array(array: list[Any] | Absent) -> list[Any]:
-    """A copy that shares no list with the original; elements are immutable."""
+    """Copy an array so that it shares no list with the original; elements are immutable."""
     if isinstance(array, Absent):
         not_present("of this routine")
     if array and isinstance(array[0], list):

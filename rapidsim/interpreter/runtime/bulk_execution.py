@@ -1,7 +1,7 @@
-"""The rows of a run of alike moves during execution, one after the other.
+"""Execution of bulk moves, one row after the other.
 
-A run is one loop in generated code. Each row's values are created when its turn comes, so a million
-moves take no memory in advance.
+Bulk moves are one loop in generated code. Each row's values are created when it is executed, so a
+million moves take no memory in advance.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from rapidsim.syntax.tree.bulk_statements import Numbers
 
 ROW = "_row"
-"""The variable of generated code with the row whose turn it is; None outside of runs."""
+"""Variable of generated code with the current row; None outside bulk moves."""
 _AT_ONCE = 1000
-"""Rows whose columns become objects together."""
+"""Number of rows that are converted to objects together."""
 _PARTS: tuple[tuple[slice, Any], ...] = (
     (slice(0, 3), Pos),
     (slice(3, 7), Orient),
@@ -40,8 +40,8 @@ def targets_of(numbers: Numbers) -> Iterator[RobTarget]:
 
 
 def _part(numbers: Numbers, kind: Any) -> Iterable[Any]:
-    """A part of each target; one for all where all are the same, as of external axes."""
-    # By their bits, for 0 and -0 are equal and not the same.
+    """One part of each target; a single object if all are equal, as with external axes."""
+    # Compared by bits, because 0 and -0 are equal but not identical.
     bits = numbers.view("i4")
     if (bits == bits[0]).all():
         return repeat(kind(*numbers[0].tolist()), len(numbers))
@@ -49,12 +49,12 @@ def _part(numbers: Numbers, kind: Any) -> Iterable[Any]:
 
 
 class _Texts(Mapping[str, str]):
-    """What the arguments of a row are in the text: as those of the statement that it is like."""
+    """Texts of the arguments of a row: the statement's that it repeats, with its own target."""
 
     __slots__ = ("_end", "_of_like", "_source", "_start", "_target")
 
     def __init__(self, of_like: Mapping[str, str], target: str, source: Source, at: tree.Node):
-        """Look up all but the target, which stands at a place of its own."""
+        """Take all texts from the statement except the target, which has its own position."""
         self._of_like, self._target = of_like, target
         self._source, self._start, self._end = source, at.start, at.end
 
@@ -74,7 +74,7 @@ class _Texts(Mapping[str, str]):
 
 @value_class(frozen=True, slots=True, eq=False)
 class BulkMove:
-    """One move of a run."""
+    """One move of bulk moves."""
 
     written: tree.BulkRow
     place: Place
@@ -83,16 +83,16 @@ class BulkMove:
 
 @value_class(frozen=True, slots=True, eq=False)
 class BulkExecution:
-    """A run, iterated over whenever it is executed."""
+    """Bulk moves, iterated over at each execution."""
 
     run: tree.BulkStatements
     like: Place
-    """Of the statement in the tree."""
+    """Position of the statement in the tree."""
     parameter: str
-    """Folded name of the one that takes the target."""
+    """Folded name of the parameter that takes the target."""
 
     def __iter__(self) -> Iterator[BulkMove]:
-        """Its moves in their order."""
+        """Yield the moves in order."""
         source, routine, texts = self.like.span.source, self.like.routine, self.like.arguments
         for row, target in zip(self._rows(), targets_of(self.run.numbers), strict=True):
             arguments = _Texts(texts, self.parameter, source, row.target)

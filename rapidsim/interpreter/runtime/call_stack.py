@@ -1,7 +1,7 @@
 """The RAPID call stack of an error, read from Python's traceback.
 
-Generated code carries RAPID files, lines and columns, so the traceback has everything needed;
-frames of library functions in between are left out.
+Generated code carries RAPID files, lines and columns, so the traceback has all the information;
+frames of library functions in between are skipped.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class Origin:
-    """Where the code of a namespace comes from."""
+    """Module from which the code of a namespace was generated, with its program."""
 
     module: tree.Module
     routines: Mapping[str, RoutineSymbol]
-    """By the name of their function."""
+    """Routines by the name of their function."""
     value_of: Callable[[DataSymbol], Value]
-    """The value that declared data of any module have now."""
+    """Returns the current value of declared data of any module."""
     program: Callable[[], Program]
-    """The program that the module belongs to, with the modules it has now."""
+    """Returns the program that the module belongs to, with its current modules."""
 
     @property
     def source(self) -> Source:
@@ -39,7 +39,7 @@ class Origin:
 
 
 CLAUSES = MappingProxyType({"ERROR": "ERROR", "_undo": "UNDO"})
-"""The clauses of a routine that are functions inside its own, by the name of the function."""
+"""Clauses that are functions inside a routine's function, by the name of the function."""
 
 
 @value_class(frozen=True, slots=True)
@@ -47,17 +47,17 @@ class CallFrame:
     """A routine on the stack, and the position it had reached."""
 
     routine: str
-    """As RAPID spells it; "" for the initial values of a module."""
+    """Name in RAPID's spelling; "" for the initial values of a module."""
     clause: str
-    """ERROR or UNDO where that clause of the routine was running, else ""."""
+    """ERROR or UNDO if that clause of the routine was running, else ""."""
     source: Source
     start: int
-    """Offset of the part that was being executed; it ends on the line it begins on."""
+    """Offset of the part that was being executed; it ends on its first line."""
     end: int
 
     @property
     def place(self) -> str:
-        """The routine, or one of its clauses, in words."""
+        """Description of the routine or clause."""
         return f"the {self.clause} clause of {self.routine}" if self.clause else self.routine
 
     @property
@@ -80,10 +80,10 @@ class FatalError(Exception):
     """An error that no ERROR clause handled; it ends the program."""
 
     def __init__(self, error: RapidError, stack: tuple[CallFrame, ...]) -> None:
-        """Name the error and where it happened.
+        """Set the error and the stack.
 
         Args:
-            error: What went wrong.
+            error: The error.
             stack: The routines that were running, the outermost first.
         """
         super().__init__(error.message)
@@ -100,8 +100,8 @@ def rapid_stack(exception: BaseException) -> tuple[CallFrame, ...]:
     entries = list(_entries(exception.__traceback__))
     if isinstance(exception.__cause__, Exception):
         entries += _entries(exception.__cause__.__traceback__)
-    # An error that an ERROR clause passed on leaves its routine twice: where it was passed on, and
-    # then where it happened.
+    # An error that an ERROR clause propagates has two entries of its routine: one at the RAISE, and
+    # one at its origin.
     last_of_frame = [
         entry
         for entry, following in zip_longest(entries, entries[1:])
@@ -126,14 +126,14 @@ def frame_of(traceback: TracebackType) -> CallFrame:
     start, end = offsets_of(origin.source, code, traceback.tb_lasti, traceback.tb_lineno)
     row = traceback.tb_frame.f_locals.get(ROW)
     if row is not None:
-        # The code is that of the statement which the moves of the run are like.
+        # The code belongs to the statement that the bulk moves repeat.
         start, end = row.written.moved(start), row.written.moved(end)
     clause = CLAUSES.get(code.co_name, "")
     return CallFrame(routine.name if routine else "", clause, origin.source, start, end)
 
 
 def offsets_of(source: Source, code: CodeType, instruction: int, line: int) -> tuple[int, int]:
-    """Source offsets of what a Python instruction on a line executes."""
+    """Return the source offsets of the code that a Python instruction on a line executes."""
     _, _, column, end_column = next(
         islice(code.co_positions(), instruction // 2, None), (None,) * 4
     )

@@ -2,7 +2,7 @@
 
 A routine's ERROR clause is a function inside its Python function. It returns 1 for RETRY, 0 for
 TRYNEXT, raises `HandlerReturn` for RETURN and `ErrorPropagation` for RAISE. A statement that may
-fail is wrapped in a small loop that asks `recover` what to do.
+fail is wrapped in a small loop that calls `recover` for the decision.
 
 Source: Technical reference manual RAPID Overview, "Error recovery" and "UNDO".
 """
@@ -36,25 +36,25 @@ from rapidsim.language.errors import RaisedError, RaisedToUser, RapidError, RunL
 from rapidsim.values import value_class
 
 ERRORS: Final = (RapidError, ZeroDivisionError)
-"""What a program can catch. Python divides by zero on its own; any other exception is a defect."""
+"""Errors that a program can catch. Python itself raises on division by zero; any other is a bug."""
 
 GENERATED: Final = "_origin"
-"""The namespaces of generated code hold this name, and no other does."""
+"""A name that the namespaces of generated code have, and no other namespace."""
 
 Handler = Callable[[RapidError], int]
 
 
 class Trace(Protocol):
-    """Where is noted what ERROR clauses do about errors."""
+    """Recorder of the errors that ERROR clauses handle."""
 
     def mark(self) -> object:
-        """The present moment, for `answered`."""
+        """Return the current moment, for `answered`."""
         ...
 
     def answered(
         self, mark: object, error: RapidError, handler: Handler, outcome: ErrorOutcome
     ) -> None:
-        """Note what an ERROR clause did about an error that was raised at a moment."""
+        """Record the outcome of an ERROR clause for an error that was raised at a moment."""
         ...
 
 
@@ -62,13 +62,13 @@ class HandlerReturn(Exception):  # noqa: N818 - it is no error
     """RETURN in an ERROR clause: the routine returns a value."""
 
     def __init__(self, value: object) -> None:
-        """Carry the value of a function, None for other routines."""
+        """Take the value of a function, None for other routines."""
         super().__init__(value)
         self.value = value
 
 
 class FellThrough(HandlerReturn):
-    """The end of an ERROR clause that has nothing for the error."""
+    """The end of an ERROR clause that does not handle the error."""
 
 
 class ErrorPropagation(Exception):  # noqa: N818 - it carries one
@@ -81,10 +81,10 @@ class ErrorPropagation(Exception):  # noqa: N818 - it carries one
 
 
 class LongJump(RapidError):  # noqa: N818 - it is no new error
-    """An error on its way to an ERROR clause further up that lists its number."""
+    """An error that propagates to the ERROR clause of an outer routine that lists its number."""
 
     def __init__(self, error: RapidError, target: FrameType) -> None:
-        """Send an error to the routine that runs in a frame."""
+        """Take an error and the frame of the routine that handles it."""
         super().__init__(error.errno, error.message, cf=error.cf, name=error.name)
         self.error = error
         self.target = target
@@ -106,7 +106,7 @@ class Recovery:
     numbers: ErrorNumbers
     trace: Trace
     long_jumps: dict[CodeType, Callable[[], tuple[float, ...]]] = field(default_factory=dict)
-    """For each routine whose ERROR clause lists numbers: a function that gives them now."""
+    """For each routine whose ERROR clause lists numbers: a function that returns them."""
 
     def recover(self, handler: Handler, error: Exception, tries: int) -> int:
         """Let an ERROR clause decide about an error.
@@ -125,7 +125,7 @@ class Recovery:
         if isinstance(rapid, RaisedToUser) and _hides(sys._getframe(1)):
             raise rapid
         numbers = self.numbers
-        # Where a clause calls a routine with a clause of its own, each counts its own retries.
+        # If a clause calls a routine with an ERROR clause, each counts its own retries.
         around, tries_around = numbers.handler, numbers.retries
         numbers.errno, numbers.retries, numbers.handler = rapid.errno, tries, IN_ERROR
         mark, outcome = self.trace.mark(), ErrorOutcome.ENDED
@@ -143,7 +143,7 @@ class Recovery:
             outcome = ErrorOutcome.RAISED
             error = propagated.error
             if error.__traceback__ is None:
-                # It is a new one, raised in the clause.
+                # A new error, raised in the clause.
                 error = error.with_traceback(propagated.__traceback__)
             raise error from None
         except RaisedError as inside:
@@ -152,7 +152,7 @@ class Recovery:
         except ERRORS as inside:
             raise Unrecoverable(as_rapid_error(inside)) from inside
         finally:
-            # ResetRetryCount may have begun to count anew.
+            # ResetRetryCount may have restarted the count.
             tries = numbers.retries
             numbers.handler = around
             if around == IN_ERROR:
@@ -190,7 +190,7 @@ class Recovery:
         return ErrorPropagation(error if target is None else LongJump(error, target))
 
     def _long_jump_target(self, errno: float, frame: FrameType | None) -> FrameType | None:
-        """The nearest routine from a frame up whose ERROR clause lists the number."""
+        """Nearest routine, from a frame outwards, whose ERROR clause lists the number."""
         if not self.long_jumps:
             return None
         while frame is not None:
@@ -206,9 +206,9 @@ class Recovery:
         return None
 
     def trap(self, routine: Callable[[], object]) -> Callable[[], None]:
-        """A trap routine as the controller calls it: ERRNO is preserved, errors are fatal.
+        """Wrap a trap routine for the controller: ERRNO is preserved, errors are fatal.
 
-        An error listed in an ERROR clause of the interrupted routines goes there instead.
+        An error listed in an ERROR clause of the interrupted routines propagates there instead.
         """
         return partial(self._run_trap, routine)
 
@@ -253,18 +253,18 @@ def no_return(function: str) -> RapidError:
 
 
 def unwinds(exception: BaseException) -> bool:
-    """Whether an exception leaves a routine in a way that runs its UNDO clause."""
+    """Whether an exception leaves a routine such that its UNDO clause runs."""
     if isinstance(exception, LongJump):
         return exception.target is not sys._getframe(1)
     return isinstance(exception, Stopped) and not isinstance(exception, RunLimitReached)
 
 
 def as_rapid_error(error: Exception) -> RapidError:
-    """The RAPID error that a caught exception represents.
+    """Return the RAPID error that a caught exception represents.
 
     Raises:
-        ZeroDivisionError: If it is a Python error that does not come from generated code; that is a
-            defect of the library, not of the program.
+        ZeroDivisionError: If it is a Python error from outside generated code; that is a defect of
+            the library, not of the program.
     """
     if isinstance(error, RapidError):
         return error

@@ -1,7 +1,7 @@
-"""What became of each error: the place that raised it, and the ERROR clause that answered it.
+"""Record of errors: the statement that raised each, and the ERROR clause that answered it.
 
-Errors may be many. What is known of one depends on the code that raised and the code that answered
-it, so it is worked out once and looked up afterwards.
+Errors may be many. The record of one depends on the code that raised and the code that answered it,
+so it is determined once and looked up afterwards.
 """
 
 from __future__ import annotations
@@ -24,18 +24,18 @@ class ErrorTrace:
     """The errors of one task."""
 
     def __init__(self, reports: ErrorReports) -> None:
-        """Note them with a controller."""
+        """Record them with a controller."""
         self._reports = reports
         self._known: dict[_Key, AnsweredError] = {}
 
     def mark(self) -> object:
-        """The present moment, for `answered`."""
+        """Return the current moment, for `answered`."""
         return self._reports.error_mark()
 
     def answered(
         self, mark: object, error: RapidError, handler: Handler, outcome: ErrorOutcome
     ) -> None:
-        """Note what an ERROR clause did about an error."""
+        """Record the outcome of an ERROR clause for an error."""
         entry = _innermost(error)
         if entry is None:
             # An error of an initial value: no routine runs.

@@ -1,7 +1,7 @@
-"""Everything that determines what a task's program does next, as a comparable value.
+"""State that determines the further execution of a task's program, as a comparable value.
 
-If two such states are equal and the program only read from the controller in between, it will do
-the same again.
+If two such states are equal and the program only read from the controller in between, it will
+repeat the same execution.
 """
 
 from __future__ import annotations
@@ -15,26 +15,26 @@ from rapidsim.interpreter.runtime.error_recovery import is_generated
 from rapidsim.language.reference import Box
 
 LEFT, TURNS = "_left", "_turns"
-"""The variables of a routine whose loops count their ticks; see `codegen.local_ticks`."""
+"""Variables of a routine whose loops count their ticks; see `codegen.local_ticks`."""
 MOST_VALUES = 20_000
-"""Values beyond which the state of a program is too much to compare now and then."""
+"""Number of values beyond which the state of a program is too large to compare repeatedly."""
 
 
 class _TooMuchError(Exception):
-    """There are more values than anybody would compare."""
+    """The state has too many values to compare."""
 
 
 def idle_state(
     module_data: Callable[[], Iterable[Any]], other_state: Callable[[], object]
 ) -> Iterator[object]:
-    """The position of the program, and the values of its variables.
+    """Yield the position of the program, and the values of its variables.
 
-    Part by part, innermost routine first, because two states usually differ there: comparing a deep
-    recursion then need not walk all of it. The last part is None if there is too much.
+    The parts begin with the innermost routine, because two states usually differ there: comparing a
+    deep recursion then need not visit all of it. The last part is None if the state is too large.
 
     Args:
-        module_data: The cells and lists of all variables outside routines.
-        other_state: What else counts, such as ERRNO.
+        module_data: Returns the cells and lists of all variables outside routines.
+        other_state: Returns the remaining state, such as ERRNO.
     """
     left = [MOST_VALUES]
     try:
@@ -47,10 +47,10 @@ def idle_state(
 
 
 def _frames(frame: FrameType | None, remaining: list[int]) -> Iterator[object]:
-    """The routines that run, each with its place and what it holds."""
+    """Yield the running routines, each with its position and its variables."""
     while frame is not None:
         if is_generated(frame):
-            # How many ticks are left is no business of the program.
+            # Exclude the tick counter from the program state.
             data = (one for name, one in frame.f_locals.items() if name not in (LEFT, TURNS))
             values = tuple(_frozen(one, remaining) for one in data)
             yield id(frame), frame.f_lasti, values
@@ -58,7 +58,7 @@ def _frames(frame: FrameType | None, remaining: list[int]) -> Iterator[object]:
 
 
 def _frozen(value: Any, remaining: list[int]) -> object:
-    """A value that stays as it is; what is neither data nor a variable counts as itself."""
+    """Immutable copy of a value; an object that is neither data nor a variable is kept as it is."""
     remaining[0] -= 1
     if remaining[0] < 0:
         raise _TooMuchError

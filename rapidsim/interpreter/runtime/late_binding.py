@@ -1,6 +1,6 @@
 """Calls of a procedure whose name is only known at run time: `%"job" + n% args;`.
 
-The name is looked up from the module of the call: its own procedures, then the global ones of the
+The search begins in the module of the call: its own procedures, then the global ones of the
 task, then installed instructions. `"Module:proc"` looks in one module, `":proc"` in the task.
 
 Source: Technical reference manual RAPID Overview, "Procedure calls with late binding".
@@ -40,14 +40,14 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class DeferredArgument:
-    """What is known of an argument before its parameter is."""
+    """An argument before the parameter that it belongs to is known."""
 
     key: str | None
     """Folded parameter name; None for a positional argument."""
     is_reference: bool
-    """The argument arrives as an object with a `value`."""
+    """Whether the argument is passed as an object with a `value`."""
     type: Type | None
-    """None for a switch."""
+    """Type of the argument; None for a switch."""
 
 
 @value_class(frozen=True, slots=True)
@@ -64,11 +64,11 @@ class LateBinding:
 
     controller: Controller
     global_routines: Mapping[str, UserRoutine] = field(default_factory=dict)
-    """By folded name."""
+    """Global procedures by folded name."""
     module_routines: Mapping[str, Mapping[str, UserRoutine]] = field(default_factory=dict)
     """All procedures of each module; both names folded."""
     waiting: Mapping[str, str] = field(default_factory=dict)
-    """Why routines of loaded modules cannot be called yet, by folded name."""
+    """Reason why routines of loaded modules cannot be called yet, by folded name."""
 
     def call(
         self,
@@ -78,7 +78,7 @@ class LateBinding:
         shapes: Sequence[DeferredArgument],
         values: Sequence[object],
     ) -> None:
-        """Call a procedure from a place in a module, given by its folded name.
+        """Call a procedure from a position in a module, the latter by its folded name.
 
         Raises:
             RapidError: ERR_REFUNKPRC if nothing has the name, ERR_CALLPROC if it is not a
@@ -102,7 +102,7 @@ class LateBinding:
         values: Sequence[object],
         of: Type,
     ) -> object:
-        """The value of a function that was declared after its call was translated.
+        """Return the value of a function that was declared after its call was translated.
 
         Raises:
             RapidError: ERR_REFUNKFUN if nothing has the name, or it is not a function of the type
@@ -116,7 +116,7 @@ class LateBinding:
         return _called(found, name, shapes, values)
 
     def trap(self, module: str, name: str) -> UserRoutine:
-        """A trap routine for CONNECT.
+        """Return a trap routine for CONNECT.
 
         Raises:
             RapidError: ERR_REFUNKTRP when no trap routine has the name.
@@ -135,7 +135,7 @@ class LateBinding:
         return found or self.global_routines.get(key)
 
     def _waits(self, name: str) -> RapidError:
-        """Why a routine of a loaded module cannot be called."""
+        """Error for a routine of a loaded module that cannot be called yet."""
         return rapid_error(
             ERR_REFUNKDAT, f'"{name}" cannot be called: {self.waiting[name.lower()]}'
         )
@@ -154,7 +154,7 @@ class LateBinding:
             raise rapid_error(ERR_REFUNKPRC, f'no procedure is named "{name}"')
         if installed.signature.result is not None:
             raise rapid_error(ERR_CALLPROC, f'"{name}" is not a procedure')
-        if Trait.CALL_BY_NAME in installed.traits:  # It is translated where it is written.
+        if Trait.CALL_BY_NAME in installed.traits:  # Such a call is translated in place.
             raise rapid_error(ERR_CALLPROC, f"{installed.name} by late binding is not simulated")
         return installed
 
@@ -196,7 +196,7 @@ class LateBinding:
 
 
 def numbered_name(name: str, number: float) -> str:
-    """The procedure that CallByVar calls; only the task's global ones are searched.
+    """Name of the procedure that CallByVar calls; only global ones of the task are searched.
 
     Raises:
         RapidError: ERR_ARGVALERR when the number is negative or not whole.
@@ -215,7 +215,7 @@ def _called(
 
 
 def key_of(name: str, parameters: Sequence[ParameterSymbol | Parameter]) -> str:
-    """The folded name of the parameter that a named argument means."""
+    """Folded name of the parameter that a named argument refers to."""
     for parameter in parameters:
         if isinstance(parameter, Parameter) and parameter.also.lower() == name:
             return parameter.name.lower()
@@ -228,7 +228,7 @@ def _bound(
     shapes: Sequence[DeferredArgument],
     values: Sequence[object],
 ) -> dict[str, tuple[DeferredArgument, Any]]:
-    """Arguments by folded parameter name, refused where they do not fit."""
+    """Match arguments to parameters by folded name; raise if they do not fit."""
     by_key = {parameter.name.lower(): parameter for parameter in parameters}
     required = [parameter.name.lower() for parameter in parameters if not parameter.optional]
     waiting = iter(required)
@@ -249,7 +249,7 @@ def _bound(
 
 
 def _accepted_types(parameter: ParameterSymbol | Parameter) -> tuple[tuple[Type, ...], str]:
-    """The types that a parameter takes, and how messages call them."""
+    """Types that a parameter accepts, and their description for messages."""
     if not isinstance(parameter, Parameter):
         return (parameter.type,), parameter.type.name
     if parameter.only is not None:
@@ -294,7 +294,7 @@ def unresolved_procedure(name: str) -> NoReturn:
 
 
 def unresolved_function(name: str) -> NoReturn:
-    """Raise the error for a call of an undeclared function, in such a task.
+    """Raise the error for a call of an undeclared function, in a task that allows such calls.
 
     Raises:
         RapidError: ERR_REFUNKFUN.
@@ -303,11 +303,11 @@ def unresolved_function(name: str) -> NoReturn:
 
 
 def unresolved_data(name: str, reason: str | None) -> NoReturn:
-    """Stop where a program uses undeclared data.
+    """Stop at the use of undeclared data.
 
     Raises:
-        RapidError: ERR_REFUNKDAT in such a task.
-        NotDeclared: In another, whose controller has them; `reason` says what is missing.
+        RapidError: ERR_REFUNKDAT in a task that allows undeclared names.
+        NotDeclared: In another task, whose controller declares them; `reason` is the missing part.
     """
     if reason is not None:
         raise NotDeclared(reason)

@@ -1,4 +1,4 @@
-"""Calls of routines that no module declares yet, but one loaded by then may."""
+"""Calls of undeclared routines that a module loaded at run time may declare."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rapidsim.syntax import tree
 
 
 def may_be_loaded(node: tree.Node, program: Program) -> TypeGuard[tree.Call | tree.FunctionCall]:
-    """Whether a node is such a call, with enough known of its arguments to make it."""
+    """Whether a node is such a call, with arguments that are typed without a declaration."""
     return (
         program.loads_modules
         and isinstance(node, tree.Call | tree.FunctionCall)

@@ -1,6 +1,6 @@
 """The variables of a task: one cell for each scalar or record, one list for each array.
 
-A persistent has a class of its own, so that references to it can still be recognised. Sharing a
+A persistent has a separate class, so that references to it remain recognisable. Sharing a
 cell or list means sharing the variable.
 """
 
@@ -46,16 +46,16 @@ class Memory:
 
     program: Program
     shared: Callable[[DataSymbol], Any] = lambda symbol: None
-    """The cell or array of data that other tasks have too; None for others."""
+    """Returns the cell or array of data that other tasks share; None for others."""
     _homes: dict[object, Any] = field(default_factory=dict)
     _loaded: dict[DataSymbol, Value] = field(default_factory=dict)
 
     def home(self, symbol: DataSymbol) -> Any:
-        """The cell or list of a variable, initialised on first use.
+        """Return the cell or list of a variable, initialised on first use.
 
-        Initial values that are not literals are assigned by generated code.
+        Generated code assigns the initial values that are not literals.
         """
-        # By its declaration: modules that are loaded later give a program of new symbols.
+        # By declaration: loading modules creates a program with new symbols.
         key: object = symbol.node if symbol.node is not None else symbol.name.lower()
         if key not in self._homes:
             shared = self.shared(symbol)
@@ -71,11 +71,11 @@ class Memory:
         return _value(self.home(symbol))
 
     def predefined(self, key: str, initial: Value) -> Value:
-        """The value of predefined data by folded name; the initial one if nothing uses them."""
+        """Return the value of predefined data by folded name; the initial one if unused."""
         return _value(self._homes[key]) if key in self._homes else copied(initial)
 
     def forget(self, module: tree.Module) -> None:
-        """Drop the variables of a module that is gone."""
+        """Drop the variables of a removed module."""
         for item in module.items:
             self._homes.pop(item, None)
 
@@ -120,13 +120,13 @@ def is_persistent(reference: object) -> bool:
         return True
     if isinstance(reference, list):
         return False
-    # Absent references refuse to be read; that is what asking about them shall do.
+    # Reading an absent reference raises, which this test must do as well.
     reference.value  # type: ignore[attr-defined]  # noqa: B018
     return False
 
 
 def initial_literal(symbol: DataSymbol) -> Value | None:
-    """The initial value of declared data; None if computing it takes code."""
+    """The initial value of declared data; None if code must compute it."""
     assert symbol.node is not None
     if symbol.node.value is None:
         return initial_value(symbol.type)

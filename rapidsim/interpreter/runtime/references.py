@@ -1,6 +1,6 @@
 """References that are not whole variables: array elements, record components, and absent ones.
 
-A routine that gets a reference reads and writes its `value` without knowing its kind. An array
+A routine reads and writes the `value` of a reference without knowing its kind. An array
 needs no reference object: the list is the reference.
 """
 
@@ -15,12 +15,12 @@ _new = tuple.__new__
 
 
 def not_present(name: str) -> NoReturn:
-    """Raise the error for reading an optional parameter that was not given."""
+    """Raise the error for reading an absent optional parameter."""
     raise rapid_error(ERR_NOTPRES, f"the optional argument {name} is used but was not given")
 
 
 class Absent:
-    """The value of an optional parameter that was not given; every use of it is an error."""
+    """The value of an absent optional parameter; every use of it is an error."""
 
     __slots__ = ()
 
@@ -34,15 +34,15 @@ class Absent:
         not_present("of this routine")
 
     def __getitem__(self, index: object) -> NoReturn:
-        """Refuse to be indexed as an array."""
+        """Raise the error for using it as an array."""
         not_present("of this routine")
 
     def __setitem__(self, index: object, value: object) -> None:
-        """Refuse to be written as an array."""
+        """Raise the error for writing to it as an array."""
         not_present("of this routine")
 
     def __len__(self) -> int:
-        """Refuse to have a size."""
+        """Raise the error for reading its size."""
         not_present("of this routine")
 
     def __repr__(self) -> str:
@@ -54,12 +54,12 @@ ABSENT = Absent()
 
 
 def position_of(name: str) -> str:
-    """The Python variable holding an element's position, beside the one that holds its array."""
+    """Name of the Python variable with an element's index, next to the one with its array."""
     return f"_{name}_at"
 
 
 class Element:
-    """An element of an array, its index checked when the reference is made."""
+    """An element of an array, with the index checked when the reference is created."""
 
     __slots__ = ("_array", "_index")
 
@@ -84,7 +84,7 @@ class ComponentReference:
     __slots__ = ("_path", "_record")
 
     def __init__(self, record: Reference[Any], path: tuple[int, ...]) -> None:
-        """Refer to the component reached by positions, counted from 0, one a nesting level."""
+        """Refer to a component by indices, counted from 0, one per nesting level."""
         self._record = record
         self._path = path
 
@@ -102,7 +102,7 @@ class ComponentReference:
 
 
 def with_component(record: Any, path: tuple[int, ...], value: object) -> Any:
-    """The record with one component, at any depth, replaced."""
+    """Return the record with one component, at any depth, replaced."""
     position = path[0]
     if len(path) > 1:
         value = with_component(record[position], path[1:], value)

@@ -1,8 +1,8 @@
 """Persistents that several tasks share: one variable per name, changes visible to all.
 
 A PERS that is neither LOCAL nor TASK and has the same name in several tasks is one variable. Its
-initial value is that of the first task that gives one. Before reading or writing it, a task must
-let the others come up to its time; a `SharedAccessObserver` sees to that.
+initial value is the first that a task declares. Before a task reads or writes it, the other tasks
+must be synchronised to its time; a `SharedAccessObserver` does that.
 
 Source: RAPID Overview, "Declarations", persistent declarations.
 """
@@ -29,14 +29,14 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _CONTENT = Box.__dict__["value"]
-"""Where a cell keeps its value; `SharedBox` hides it behind a property."""
+"""Slot of a cell's value, which `SharedBox` hides behind a property."""
 
 
 class SharedAccessObserver(Protocol):
     """Notified when shared data are read and changed."""
 
     def synchronise(self) -> None:
-        """Let every other task come up to the time of the current statement."""
+        """Synchronise every other task to the time of the current statement."""
         ...
 
     def notify(self) -> None:
@@ -50,7 +50,7 @@ class SharedBox(PersistentBox):
     __slots__ = ("_board",)
 
     def __init__(self, value: Any, board: SharedAccessObserver) -> None:
-        """Start with a value."""
+        """Set the initial value."""
         self._board = board
         _CONTENT.__set__(self, value)
 
@@ -73,14 +73,14 @@ class SharedArray(PersistentArray):
     __slots__ = ("_board",)
 
     def __init__(self, values: Sequence[Any], board: SharedAccessObserver) -> None:
-        """Start with values; rows are shared too."""
+        """Set the initial values; rows are shared too."""
         super().__init__(
             SharedArray(one, board) if isinstance(one, list) else one for one in values
         )
         self._board = board
 
     def __getitem__(self, index: SupportsIndex | slice) -> Any:
-        """Elements now."""
+        """Return the current elements."""
         self._board.synchronise()
         return super().__getitem__(index)
 
@@ -105,14 +105,14 @@ class SharedPersistents:
 
     board: SharedAccessObserver
     declared: dict[str, DataSymbol]
-    """The declaration that gives each its initial value."""
+    """The declaration with the initial value of each."""
     changing: frozenset[str]
-    """Those that some task may write. The others, tools as a rule, need no board."""
+    """Persistents that some task may write. The others, mostly tools, need no observer."""
     may_grow: bool = False
-    """Whether modules that a task loads may declare more: then all that can be shared are."""
+    """Whether tasks may load modules that declare more: then all candidates are shared."""
     _homes: dict[str, Any] = field(default_factory=dict)
     _users: dict[str, set[object]] = field(default_factory=dict)
-    """The declarations that hold each now."""
+    """The current declarations of each."""
 
     def home(self, symbol: DataSymbol) -> Any:
         """The cell or array of a variable; None if it is not shared."""
@@ -134,7 +134,7 @@ class SharedPersistents:
         return self._homes[key]
 
     def release(self, node: tree.Data) -> None:
-        """Drop a declaration whose module is gone; data without any other one start afresh."""
+        """Drop a declaration whose module was removed; data without another one start afresh."""
         key = node.name.key
         users = self._users.get(key, set())
         if node not in users:
@@ -155,11 +155,11 @@ def shared_persistents(
     board: SharedAccessObserver,
     written: Sequence[frozenset[str] | None],
 ) -> SharedPersistents:
-    """What the programs of several tasks share.
+    """Determine the persistents that the programs of several tasks share.
 
     Args:
         programs: One per task.
-        board: Notified of changes.
+        board: Receives accesses and changes.
         written: Folded names of the persistents that each program may write; None for all of them.
     """
     may_grow = any(program.loads_modules for program in programs)
@@ -189,7 +189,7 @@ def may_be_shared(symbol: DataSymbol) -> bool:
 
 
 def _by_name(programs: Sequence[Program], least: int = 2) -> Iterator[tuple[str, list[DataSymbol]]]:
-    """The persistents that so many programs declare at least, in order of writing."""
+    """Yield the persistents that at least `least` programs declare, in source order."""
     found: dict[str, list[DataSymbol]] = {}
     for program in programs:
         for symbol in module_data(program):

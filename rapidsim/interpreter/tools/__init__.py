@@ -1,1 +1,1 @@
-"""What coverage, debugger and assertions need from a program."""
+"""Support for coverage, debugger and assertions."""

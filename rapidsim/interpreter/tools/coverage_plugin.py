@@ -1,9 +1,9 @@
 """A plugin with which coverage.py counts the lines of RAPID modules.
 
 In coverage's configuration, `plugins =` takes the dotted name of this module. Routines run as
-Python code under the name of their RAPID file, so coverage sees RAPID lines. The plugin adds what
-coverage cannot know: which files to measure, how to decode them, and which lines are executable.
-The only file that imports coverage, which only developers have.
+Python code under the name of their RAPID file, so coverage sees RAPID lines. The plugin adds the
+information that coverage lacks: which files to measure, how to decode them, and which lines are
+executable. No other file imports coverage, which only developers have.
 
 Source: coverage.py documentation, "Plug-in classes".
 """
@@ -42,10 +42,10 @@ class RapidPlugin(CoveragePlugin):
     """Answers coverage's questions about RAPID modules."""
 
     def configure(self, config: TConfigurable) -> None:
-        """Set what RAPID needs where the user has not.
+        """Set the options that RAPID needs unless the user has set them.
 
-        Only RAPID modules are measured unless `source` or `include` is set. The C tracer is the one
-        that supports plugins.
+        Only RAPID modules are measured by default, without `source` and `include`. Of the tracers
+        only the C tracer supports plugins.
         """
         chosen = ("run:source", "run:source_pkgs", "run:source_dirs", "run:include")
         if not any(config.get_option(option) for option in chosen):
@@ -68,14 +68,14 @@ class RapidPlugin(CoveragePlugin):
         return RapidReporter(filename)
 
     def find_executable_files(self, src_dir: str) -> Iterator[str]:
-        """The modules of a `source` folder, so that those never run count too."""
+        """Find the modules of a `source` folder, so that modules that never run count too."""
         for path in sorted(Path(src_dir).rglob("*")):
             if path.is_file() and _is_module(path.name):
                 yield str(path)
 
 
 class _Tracer(FileTracer):
-    """Code of a module, as it runs."""
+    """Tracer of the code of a module."""
 
     def __init__(self, filename: str) -> None:
         self._filename = filename
@@ -91,16 +91,16 @@ class RapidReporter(FileReporter):
     """One module in a report: its text, its executable lines, its routines."""
 
     def source(self) -> str:
-        """The text with RAPID's line numbers, whatever its encoding and line endings."""
+        """Return the text with RAPID's line numbers, for any encoding and line endings."""
         source = self._source
         lines = [source.line(number) for number in range(1, len(source.line_starts) + 1)]
         if not lines[-1]:
             lines.pop()
-        # Python would end lines at form feeds and other characters where RAPID does not.
+        # Python would end lines at form feeds and other characters that do not end RAPID lines.
         return "".join(" ".join(line.splitlines()) + "\n" for line in lines)
 
     def source_token_lines(self) -> TSourceTokenLines:
-        """The lines for a web page; only comments are marked, as coverage knows only Python."""
+        """Return the lines for a web page; only comments are marked."""
         for line in self.source().split("\n")[:-1]:
             is_comment = line.lstrip().startswith("!")
             yield [("com" if is_comment else "txt", line)]
@@ -110,7 +110,7 @@ class RapidReporter(FileReporter):
         return {line for routine in self._routines for line in routine.executable}
 
     def translate_lines(self, lines: Iterable[int]) -> set[int]:
-        """Executed lines as reported: headers are dropped, as they execute once on loading."""
+        """Map executed lines to reported ones, without headers, which execute once on loading."""
         return self.lines() & set(lines)
 
     def code_regions(self) -> list[CodeRegion]:
@@ -121,7 +121,7 @@ class RapidReporter(FileReporter):
         ]
 
     def code_region_kinds(self) -> list[tuple[str, str]]:
-        """What routines are called in reports."""
+        """Return the term for routines in reports."""
         return [("function", "routines")]
 
     @cached_property

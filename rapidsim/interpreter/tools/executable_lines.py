@@ -1,6 +1,6 @@
-"""Which lines of a RAPID file hold an executable statement: counted by coverage, breakable.
+"""Lines of a RAPID file with an executable statement, for coverage and breakpoints.
 
-A statement counts on the line it begins on, an ELSEIF or CASE on the line of its condition.
+A statement counts on its first line, an ELSEIF or CASE on the line of its condition.
 Headers, ends, labels and declarations of module data do not count: they take effect when the
 program is loaded. Nor do BACKWARD clauses: the simulator never runs backwards.
 """
@@ -22,11 +22,11 @@ class RoutineLines:
     """The lines of one routine."""
 
     name: str
-    """As RAPID spells it."""
+    """Name in RAPID's spelling."""
     first: int
-    """The line of its header, from 1."""
+    """Line of the header, from 1."""
     last: int
-    """The line of its end."""
+    """Line of the end."""
     executable: frozenset[int]
 
 
@@ -44,10 +44,10 @@ def module_lines(module: tree.Module) -> frozenset[int]:
 
 
 def places_to_stop(module: tree.Module) -> dict[int, Place]:
-    """Where a program can be halted: the first statement on a line, by the number of the line.
+    """Return the first statement on each line, where a program can be halted, by line number.
 
-    Declarations are left out: no statement of a running program. A statement that holds others is
-    there up to the end of its line.
+    Declarations are excluded, because a running program does not execute them. A compound statement
+    ends there at the end of its first line.
     """
     source, places = module.source, dict[int, Place]()
     for routine in module.routines:
@@ -75,7 +75,7 @@ def _lines_of(routine: tree.Routine, source: Source) -> RoutineLines:
 
 
 def _offsets(routine: tree.Routine) -> Iterator[int]:
-    """Offsets where something is executed, in the order of the text."""
+    """Yield the offsets of executable statements, in source order."""
     for body in (routine.body, routine.error.body if routine.error else (), routine.undo or ()):
         yield from _in_body(body)
 
@@ -86,10 +86,10 @@ def _in_body(body: tree.Body) -> Iterator[int]:
 
 
 def _in_statement(statement: tree.Statement) -> Iterator[int]:
-    """Offsets where a statement, and what stands in it, is executed."""
+    """Yield the offsets of a statement and the statements in it."""
     match statement:
         case tree.If(branches=branches, otherwise=otherwise):
-            # The first condition belongs to the line of the IF, wherever it stands.
+            # The first condition counts on the line of the IF, even if it is on another line.
             yield statement.start
             for number, branch in enumerate(branches):
                 if number:

@@ -1,8 +1,8 @@
-"""Expressions asked of a program: checked as if part of it, evaluated after it has run.
+"""Queries of a program: expressions checked as if part of it, and evaluated after its run.
 
 An expression becomes the only statement of a function in an internal module, together with
-functions that return its subexpressions. That module sees what is LOCAL in the program's modules
-and is linked like one loaded at run time, so the usual checks and execution apply.
+functions that return its subexpressions. That module can access LOCAL names of the program's
+modules and is linked like one loaded at run time, so the usual checks and execution apply.
 """
 
 from __future__ import annotations
@@ -47,16 +47,16 @@ _ACTS = (
     | Trait.CALL_ON_THE_WAY
     | Trait.LOAD
 )
-"""What a function does that nobody may call when the run is over."""
+"""Traits of functions that may not be called after the end of the run."""
 _SHOWN = frozenset(
     {"num", "dnum", "bool", "string", "pos", "orient", "pose", "robtarget", "jointtarget"}
 )
-"""Types of parts whose values are told."""
+"""Types of subexpressions whose values are shown."""
 _NAME = "assertion"
 
 
 class QueryError(Exception):
-    """An expression that cannot be evaluated; the message says why."""
+    """An expression that cannot be evaluated; the message has the reason."""
 
 
 @value_class(frozen=True, slots=True)
@@ -65,18 +65,18 @@ class ExpressionQuery:
 
     text: str
     parts: tuple[tuple[str, str], ...]
-    """Text and type of the data and function calls in it, each once."""
+    """Text and type of the data and function calls in it, without duplicates."""
     is_of_task: bool
-    """Whether the answer may depend on the task that is asked."""
+    """Whether the answer may depend on the task that evaluates it."""
 
 
 @value_class(frozen=True, slots=True)
 class CheckedQuery:
-    """The result of checking an expression; without a question if there are errors."""
+    """Result of checking an expression; without a query if there are errors."""
 
     question: ExpressionQuery | None
     findings: tuple[Diagnostic, ...]
-    """Errors and warnings, at places of the expression."""
+    """Errors and warnings, at positions of the expression."""
 
 
 @value_class(frozen=True, slots=True)
@@ -85,14 +85,14 @@ class QueryResult:
 
     holds: bool
     values: tuple[tuple[str, str], ...] = ()
-    """Text and value of its parts."""
+    """Text and value of its subexpressions."""
     error: str | None = None
-    """Why it could not be evaluated."""
+    """Reason why it could not be evaluated."""
 
 
 @value_class(frozen=True, slots=True)
 class _Function:
-    """A function of our module."""
+    """A function of the internal module."""
 
     name: str
     type: str
@@ -114,12 +114,12 @@ def check_query(text: str, label: str, program: Program, figures: Iterable[str])
 
     Args:
         text: The expression.
-        label: Stands for a file name in findings.
-        program: The program to ask.
-        figures: Names of additional numbers; those that the program declares are left out.
+        label: File name of the expression in findings.
+        program: The program to query.
+        figures: Names of additional numbers; names that the program declares are skipped.
 
     Raises:
-        NotAskedError: If it is not a single expression, or has side effects.
+        QueryError: If it is not a single expression, or has side effects.
     """
     text = text.strip()
     declared = dict.fromkeys(sorted(set(figures) - own_names(program)), 0.0)
@@ -134,7 +134,7 @@ def check_query(text: str, label: str, program: Program, figures: Iterable[str])
     findings += _placed(checked.diagnostics, parsed, own, start)
     if checked.program is None:
         if not findings:
-            # Not about the expression: what the program may run with, it may be asked with.
+            # The error is not in the expression: a program that may run may also be queried.
             raise QueryError("the program cannot be asked anything")
         return CheckedQuery(None, findings)
     _require_looking(expression, checked.program)
@@ -153,8 +153,8 @@ def answers(
 
     Args:
         task: The task, after its run.
-        questions: Checked against the program it began with.
-        figures: The numbers that the questions were checked with, by name.
+        questions: Checked against the initial program.
+        figures: The values of the numbers that the queries were checked with, by name.
     """
     program = task.program
     hidden = own_names(program)
@@ -173,7 +173,8 @@ def answers(
     parsed, _ = _module(declared, [one for group in functions for one in group])
     checked = check(_files(program), cell=program.cell, visitor=parsed.file)
     if checked.program is None:
-        # It was asked of the program as it began; modules that it unloads may take names away.
+        # The query was checked against the initial program; unloading modules may have removed
+        # names.
         return tuple(QueryResult(False, error=_first_error(checked)) for _ in questions)
     try:
         task.take(checked.program)
@@ -208,7 +209,7 @@ def _answer(
 
 
 def _part_value(task: Task, part: RoutineSymbol) -> str | None:
-    """The value of a part; None where it has none, as an element behind the end of an array."""
+    """Value of a subexpression; None without one, as for an index out of bounds."""
     assert part.result is not None
     try:
         return value_text(task.call(part), part.result)
@@ -219,7 +220,7 @@ def _part_value(task: Task, part: RoutineSymbol) -> str | None:
 def _module(
     figures: Mapping[str, float], functions: Sequence[_Function]
 ) -> tuple[Parsed, list[int]]:
-    """Our module, and where each function's expression begins in its text."""
+    """Build the internal module; return it with the offset of each function's expression."""
     taken = {one.name for one in functions}
     text = f"MODULE {free_name('rapidsim_asks', taken)}\n"
     for name, value in figures.items():
@@ -228,13 +229,13 @@ def _module(
     for one in functions:
         text += f"LOCAL FUNC {one.type} {one.name}()\nRETURN\n"
         starts.append(len(text))
-        # On lines of its own, so that a comment in it ends with it.
+        # On separate lines, so that a comment in the expression ends with it.
         text += f"{one.expression}\n;\nENDFUNC\n"
     return parse(Source("", f"{text}ENDMODULE\n")), starts
 
 
 def _only_expression(parsed: Parsed, name: str, start: int, end: int) -> tree.Expression:
-    """The expression, if the text is one and no more."""
+    """Return the expression; raise unless the text is exactly one expression."""
     modules = parsed.file.modules
     routines = modules[0].routines if len(modules) == 1 else ()
     if len(routines) == 1 and routines[0].name.key == name and len(routines[0].body) == 1:
@@ -257,7 +258,7 @@ def _free_name(program: Program) -> str:
 def _placed(
     findings: Iterable[Diagnostic], parsed: Parsed, own: Source, start: int
 ) -> tuple[Diagnostic, ...]:
-    """Errors and warnings about the expression, at their places in it."""
+    """Errors and warnings about the expression, at their positions in it."""
     return tuple(
         replace(one, span=_moved(one.span, own, start), related=(), fix=None, routine=None)
         for one in findings
@@ -274,7 +275,7 @@ def _moved(span: Span, own: Source, start: int) -> Span:
 
 
 def _require_looking(expression: tree.Expression, program: Program) -> None:
-    """Refuse calls that could change anything, and functions of the program that act."""
+    """Reject calls with side effects, and functions of the program that are not pure."""
     for node in descendants(expression):
         if isinstance(node, tree.LateFunctionCall):
             raise QueryError("it calls a function by a name that only a run knows")
@@ -282,7 +283,7 @@ def _require_looking(expression: tree.Expression, program: Program) -> None:
             continue
         symbol = program.symbol_of.get(node)
         if isinstance(symbol, UnknownSymbol):
-            continue  # That is a finding already.
+            continue  # There is a finding already.
         if isinstance(symbol, RoutineSymbol):
             _require_computing(symbol, program)
         elif not isinstance(symbol, LibrarySymbol) or not _is_read_only(symbol.routine):
@@ -290,7 +291,7 @@ def _require_looking(expression: tree.Expression, program: Program) -> None:
 
 
 def _require_computing(function: RoutineSymbol, program: Program) -> None:
-    """Refuse a function of the program that moves, waits or asks, or calls one that does."""
+    """Reject a function of the program that, also indirectly, moves, waits or asks the operator."""
     waiting, seen = [function], {function}
     while waiting:
         for node in descendants(waiting.pop().node):
@@ -315,7 +316,7 @@ def _is_read_only(routine: LibraryRoutine) -> bool:
 
 
 def _is_of_task(expression: tree.Expression, program: Program, own: tree.Module) -> bool:
-    """Whether anything in an expression is what a task has for itself."""
+    """Whether an expression contains data that each task has separately."""
     for node in descendants(expression):
         symbol = program.symbol_of.get(node)
         if Trait.READ_TASK in does(symbol):
@@ -330,7 +331,7 @@ def _is_of_task(expression: tree.Expression, program: Program, own: tree.Module)
 def _parts(
     expression: tree.Expression, program: Program, text: str, start: int
 ) -> Iterator[tuple[str, str]]:
-    """Text and type of the data and calls in an expression that have a value to tell."""
+    """Yield text and type of the data and calls in an expression whose values can be shown."""
     paths: set[tree.Node] = set()
     arguments: set[tree.Node | None] = set()
     for node in descendants(expression):
@@ -348,14 +349,14 @@ def _parts(
         of = program.type_of.get(node)
         if of is None or node in paths:
             continue
-        # A signal among arguments is what DOutput and its like look at: their value says it.
+        # Functions such as DOutput read a signal among their arguments; their value shows it.
         shown = _shown_type(of) if not is_signal(of) else None if node in arguments else "num"
         if shown is not None:
             yield text[node.start - start : node.end - start], shown
 
 
 def _shown_type(of: Type) -> str | None:
-    """The name of the type of a part whose value is told."""
+    """Type name of a displayed subexpression; None if its value is not shown."""
     name = resolved(of).name.lower()
     return name if name in _SHOWN else None
 

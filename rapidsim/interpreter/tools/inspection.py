@@ -1,7 +1,7 @@
-"""What a debugger asks about a running routine: its position, and the values of its data.
+"""Inspection of a running routine by a debugger: its position, and the values of its data.
 
-Data are found by their RAPID names, in any case, as visible in the routine, and shown in RAPID
-syntax. References are followed.
+Data are found by their RAPID names, in any case, with the visibility of the routine, and shown in
+RAPID syntax. References are followed.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _Variable: TypeAlias = ParameterSymbol | CounterSymbol | DataSymbol
 
 
 class NotShownError(Exception):
-    """There is no value to show; the message says why."""
+    """No value can be shown; the message has the reason."""
 
 
 def is_rapid(frame: FrameType) -> bool:
@@ -61,7 +61,7 @@ def module_of(frame: FrameType) -> tree.Module:
 
 
 def place_of(frame: FrameType) -> str:
-    """The position of a frame in words: `weld`, `the ERROR clause of weld`, or `initial values`."""
+    """Describe the position of a frame: `weld`, `the ERROR clause of weld`, or `initial values`."""
     routine = routine_of(frame)
     clause = CLAUSES.get(frame.f_code.co_name)
     name = routine.name if routine else "initial values"
@@ -69,11 +69,11 @@ def place_of(frame: FrameType) -> str:
 
 
 def rapid_text(path: str, frame: FrameType) -> str:
-    """The value of data in RAPID syntax.
+    """Return the value of data in RAPID syntax.
 
     Args:
         path: Data with indices and components: `n`, `p10.trans.x`, `a{i,2}`.
-        frame: The frame of the routine in whose scope to look.
+        frame: The frame of the routine whose scope applies.
 
     Raises:
         NotShownError: If there is no such value now.
@@ -134,7 +134,7 @@ def _component(record: Value, of: Type, name: str) -> tuple[Value, Type]:
 
 
 def _data(name: str, frame: FrameType) -> tuple[Value, Type]:
-    """The value and type of what a name means where a frame executes."""
+    """Value and type of the data that a name refers to in the scope of a frame."""
     origin: Origin = frame.f_globals[GENERATED]
     program = origin.program()
     key = name.lower()
@@ -159,7 +159,7 @@ def _data(name: str, frame: FrameType) -> tuple[Value, Type]:
 
 
 def _in_scope(routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
-    """The routine's own data where a frame has come to, those that hide others behind them."""
+    """Yield the routine's data in scope at the position of a frame, the innermost last."""
     origin: Origin = frame.f_globals[GENERATED]
     program = origin.program()
     yield from routine.parameters
@@ -176,7 +176,7 @@ def _in_scope(routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
 
 
 def _locals(frame: FrameType) -> dict[str, Any]:
-    """A routine's variables; a clause's frame has those of its routine beside its own."""
+    """Variables of a routine; for a clause's frame, also the variables of its routine."""
     variables = dict(frame.f_locals)
     outer = frame.f_back
     if frame.f_code.co_name in CLAUSES:
@@ -189,9 +189,9 @@ def _locals(frame: FrameType) -> dict[str, Any]:
 
 
 def _local_value(name: str, depth: int, variables: dict[str, Any]) -> Value:
-    """The value of a local variable; `depth` counts it and those of its name that it hides.
+    """Return the value of a local variable; `depth` is the number of same-named locals up to it.
 
-    `names.LocalNames` numbers those, and counts from 2 where the name stands for data of a module.
+    `names.LocalNames` numbers these, and counts from 2 if a module has data of that name.
     """
     key = name.lower()
     for number in (depth, depth + 1):

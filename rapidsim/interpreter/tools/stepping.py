@@ -1,7 +1,7 @@
-"""Following a program from statement to statement, to halt it before one.
+"""Execution of a program statement by statement, halting before one.
 
-Like the debugger, it rests on Python's tracing of lines: routines run as Python code whose lines
-are those of RAPID. While nobody steps, nothing is traced, so this costs a running program nothing.
+Like the debugger, it uses Python's line tracing: routines run as Python code with the lines of
+RAPID. Without a step nothing is traced, so this costs a running program nothing.
 Statements that share a line are one step.
 """
 
@@ -22,33 +22,34 @@ from rapidsim.syntax import tree
 
 
 class StepGranularity(Enum):
-    """Before which statement a step ends."""
+    """Granularity of a step: the statement before which it ends."""
 
     ANY = auto()
-    """The next one, in whatever routine."""
+    """The next statement, in any routine."""
     SAME_ROUTINE = auto()
-    """The next one in the routine, or in one that has called it."""
+    """The next statement in the routine, or in one of its callers."""
     CALLER = auto()
-    """The next one in a routine that has called it."""
+    """The next statement in one of its callers."""
 
 
 @dataclass(frozen=True, slots=True)
 class _StepPosition:
-    """How far a program has come."""
+    """Position of a program in its control flow."""
 
     frame: FrameType
     reached: dict[FrameType, tuple[int, int]]
-    """Of this routine and those that have called it, the line of the statement that runs, and
-    Python's instruction: a statement that runs once only goes on to later ones."""
+    """Line of the current statement and Python instruction, for the routine and its callers: a
+    statement that runs only once continues with later instructions.
+    """
     depth: int
-    """Routines that have called each other; an ERROR clause belongs to its routine."""
+    """Number of routines on the call stack; an ERROR clause belongs to its routine."""
     traps: int
-    """How many of these are traps."""
+    """Number of traps on the call stack."""
     cycle: FrameType
-    """The first routine."""
+    """The outermost routine."""
 
     def has_moved(self, before: _StepPosition) -> bool:
-        """Whether another statement runs than before, or the same anew."""
+        """Whether another statement runs than before, or the same one again."""
         line, instruction = self.reached[self.frame]
         line_before, instruction_before = before.reached.get(self.frame, (0, 0))
         return line != line_before or instruction <= instruction_before
@@ -56,22 +57,22 @@ class _StepPosition:
 
 @dataclass(eq=False)
 class Stepper:
-    """Follows the program that runs in one greenlet."""
+    """Steps the program that runs in one greenlet."""
 
     halt: Callable[[Place], None]
-    """Called before the statement that ends a step; it may take time, and begin the next step."""
+    """Called before the statement that ends a step; it may let time pass and begin a new step."""
     _reach: StepGranularity = StepGranularity.ANY
     _is_enough: Callable[[], bool] | None = None
     _from: _StepPosition | None = None
-    """Where the step began; None before the first statement."""
+    """Position at the start of the step; None before the first statement."""
     _places: dict[tree.Module, dict[int, Place]] = field(default_factory=dict)
 
     def begin(self, reach: StepGranularity, is_enough: Callable[[], bool] | None = None) -> None:
-        """Follow the routines that have called this.
+        """Begin a step of the routines that have called this.
 
         Args:
-            reach: How far.
-            is_enough: Asked before each statement, instead; None goes by `reach`.
+            reach: Granularity of the step.
+            is_enough: Called before each statement to end the step; None applies `reach`.
         """
         self._reach, self._is_enough = reach, is_enough
         frames = [one for one in _callers(sys._getframe()) if is_rapid(one)]
@@ -81,7 +82,7 @@ class Stepper:
         sys.settrace(self._entered)
 
     def end(self) -> None:
-        """Follow no longer."""
+        """End the step."""
         if sys.gettrace() == self._entered:
             sys.settrace(None)
 
@@ -98,13 +99,13 @@ class Stepper:
                 self._from = now
             elif self._ends_before(now):
                 self.end()
-                # What halts passes time, and other tasks' programs run meanwhile: without this
-                # Python would take them for a part of the tracing.
+                # Halting lets time pass, in which other tasks' programs run: without this, Python
+                # would treat them as part of the tracing.
                 sys.call_tracing(self.halt, (place,))
         return self._passed
 
     def _ends_before(self, now: _StepPosition) -> bool:
-        """Whether the step ends before the statement that the program has come to."""
+        """Whether the step ends before the current statement."""
         begun = self._from
         assert begun is not None
         if now.traps > begun.traps or not now.has_moved(begun):
@@ -127,7 +128,7 @@ class Stepper:
         return _StepPosition(frame, reached, len(routines), traps, called[-1])
 
     def _line_of(self, frame: FrameType) -> int:
-        """The line on which the statement begins that runs."""
+        """Line on which the running statement begins."""
         lines = self._places_in(frame)
         return max((one for one in lines if one <= frame.f_lineno), default=frame.f_lineno)
 
@@ -139,7 +140,7 @@ class Stepper:
 
 
 def _callers(frame: FrameType | None) -> Iterator[FrameType]:
-    """A frame and those that have called it, the innermost first."""
+    """Yield a frame and its callers, the innermost first."""
     while frame is not None:
         yield frame
         frame = frame.f_back

@@ -1,12 +1,12 @@
-"""The syntax tree: what a module says, nothing about what it means.
+"""The syntax tree: structure of a module without its semantics.
 
 Nodes are values: frozen, compared by identity, so that analysis can key its side tables with them.
-Each node knows its first and one-past-last character offset in the module's source; the optional
-extra offsets name the places that messages point at. Names keep the case they were written in.
+Each node has its first and one-past-last character offset in the module's source; the optional
+extra offsets are positions for messages. Names keep their case.
 A statement or declaration ends before its semicolon.
 
-The parser accepts more than RAPID allows; fields marked *lenient* record what was written so that
-analysis can reject it with a better message than a parser could give.
+The parser accepts more than RAPID allows; fields marked *lenient* record the original notation so
+that analysis can reject it with a better message than a parser could.
 
 Source: Technical reference manual RAPID Kernel, the syntax chapters.
 """

@@ -1,4 +1,4 @@
-"""A run: statements that are alike but for a target, kept as columns."""
+"""Bulk statements: statements that differ only in a target, stored as columns."""
 
 from __future__ import annotations
 
@@ -19,46 +19,45 @@ if TYPE_CHECKING:
 
 @node
 class BulkStatements(Node):
-    """Statements behind one that they are like; that one is in the tree and stands for them.
+    """Statements that repeat a preceding one, which represents them in the tree.
 
-    They are not in the tree: who looks at statements sees one of each kind. They differ in the
-    target that is the first argument of a call, or in the name and the value of a declared target,
-    and in nothing else.
+    They are not in the tree: a traversal visits one statement of each kind. They differ only in the
+    target that is the first argument of a call, or in the name and the value of a declared target.
     """
 
     like: Call | Data
     starts: Offsets
-    """Of each statement."""
+    """Start offset of each statement."""
     ends: Offsets
     numbers: Numbers
-    """Of each target, flat, rounded to single precision: shape (statements, numbers)."""
+    """Numbers of each target, flat, rounded to single precision: shape (statements, numbers)."""
     numbers_of_like: Numbers
-    """The same of the statement in the tree: shape (numbers,)."""
+    """Numbers of the statement in the tree: shape (numbers,)."""
     names: tuple[str, ...] = ()
     """Folded names that they declare."""
     declared: Offsets | None = None
-    """Where the line of the declaration of each target begins; None if it is written out."""
+    """Offset of the line that declares each target; None if targets are written out."""
 
     def __len__(self) -> int:
-        """How many statements it stands for."""
+        """Number of statements."""
         return len(self.starts)
 
     def row_at(self, start: int) -> BulkRow | None:
-        """The call that begins at an offset; None if none does."""
+        """Return the call that begins at an offset; None if none does."""
         row = int(self.starts.searchsorted(start))
         if not (row < len(self) and self.starts[row] == start and isinstance(self.like, Call)):
             return None
         return next(self.rows(slice(row, row + 1)))
 
     def row_around(self, offset: int) -> BulkRow | None:
-        """The call that contains an offset; None if none does."""
+        """Return the call that contains an offset; None if none does."""
         row = int(self.starts.searchsorted(offset, "right")) - 1
         if row < 0 or offset >= self.ends[row] or not isinstance(self.like, Call):
             return None
         return next(self.rows(slice(row, row + 1)))
 
     def rows(self, which: slice = slice(None)) -> Iterator[BulkRow]:
-        """Its calls, or some of them, as places that know what they are like."""
+        """Yield its calls, or a slice of them, as rows."""
         assert isinstance(self.like, Call)
         places = zip(self.starts[which].tolist(), self.ends[which].tolist(), strict=True)
         declared = repeat(None) if self.declared is None else self.declared[which].tolist()
@@ -68,20 +67,20 @@ class BulkStatements(Node):
 
 @node
 class BulkRow(Node):
-    """One call of a run: its place, and what it is like."""
+    """One call of bulk statements: its position, and the statement that it repeats."""
 
     like: Call
     declared: int | None
-    """Where the line begins that declares its target."""
+    """Offset of the line that declares its target; None if the target is written out."""
 
     def moved(self, offset: int) -> int:
-        """Where the part stands that the statement in the tree has at an offset."""
+        """Map an offset in the statement in the tree to the corresponding offset in this row."""
         if offset <= self.like.arguments[0].start:
             return offset + self.start - self.like.start
         return offset + self.end - self.like.end
 
     @property
     def target(self) -> Node:
-        """The place of its target, or of the name of that."""
+        """Node of its target, or of the target's name."""
         first = self.like.arguments[0]
         return Node(self.moved(first.start), self.moved(first.end))

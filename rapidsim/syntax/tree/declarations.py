@@ -1,4 +1,4 @@
-"""Nodes of what stands in a module: types, routines; the module and the file themselves."""
+"""Nodes of the items of a module, types and routines; and of modules and files."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class ParameterDeclaration(Node):
 
 @node
 class OptionalGroup(Node):
-    r"""`\a | b`: optional parameters of which at most one is given."""
+    r"""`\a | b`: optional parameters, at most one of which may be passed."""
 
     alternatives: tuple[ParameterDeclaration | Placeholder, ...]
 
@@ -74,7 +74,7 @@ class ErrorHandler(Node):
 
 @node
 class RoutineNode(Node):
-    """What PROC, FUNC and TRAP share."""
+    """Common fields of PROC, FUNC and TRAP."""
 
     scope: str | None
     name: Name
@@ -121,10 +121,10 @@ class Module(Node):
     attributes: tuple[Name, ...]
     items: tuple[Item, ...]
     runs: tuple[BulkStatements, ...] = ()
-    """Statements not in the tree because one of them stands for all; in the order of the text."""
+    """Bulk statements outside the tree, each represented by one in it; in source order."""
 
     def span(self, node: Node) -> Span:
-        """The place of a node of this module."""
+        """Return the span of a node of this module."""
         return Span(self.source, node.start, node.end)
 
     @cached_property
@@ -135,7 +135,7 @@ class Module(Node):
 
 @value_class(frozen=True, slots=True)
 class Comment:
-    """A comment from `!` to the end of its line, kept beside the tree for tools."""
+    """A comment from `!` to the end of its line, kept outside the tree for tools."""
 
     start: int
     text: str
@@ -143,12 +143,12 @@ class Comment:
 
 @value_class(frozen=True, slots=True, repr=False)
 class File:
-    """What a file holds: its modules (several are allowed) and its comments."""
+    """Contents of a file: its modules (several are allowed) and its comments."""
 
     source: Source
     modules: tuple[Module, ...]
     comments: tuple[Comment, ...]
 
     def __repr__(self) -> str:
-        """One line: a tree is long."""
+        """Short form, because a tree is long."""
         return f"<tree of {self.source!r}>"

@@ -10,35 +10,35 @@ T = TypeVar("T")
 
 @dataclass_transform(eq_default=False, frozen_default=True)
 def node(cls: type[T]) -> type[T]:
-    """A kind of node: its fields, and nothing that compares.
+    """Define a kind of node as a dataclass without comparison.
 
-    Nobody writes on a node, and mypy holds everybody to that; to guard it at run time as well takes
-    longer than all else in making a node, and there are fifty kinds and as many nodes as words.
+    Nodes are not modified, which mypy checks; enforcing it at run time would take longer than all
+    other work of creating a node, and there are fifty kinds and as many nodes as words.
     """
     return dataclass(eq=False, repr=False, slots=True)(cls)
 
 
 @dataclass_transform(eq_default=False, frozen_default=True)
 def keeping_node(cls: type[T]) -> type[T]:
-    """The same for a kind that keeps what is worked out of it."""
+    """Define a kind of node that caches derived values."""
     return dataclass(eq=False, repr=False)(cls)
 
 
 @node
 class Node:
-    """Anything with a place: character offsets in the source, `end` exclusive."""
+    """Node of the tree with character offsets in the source, `end` exclusive."""
 
     start: int
     end: int
 
     def __repr__(self) -> str:
-        """Its kind and its place."""
+        """Kind and offsets."""
         return f"<{type(self).__name__} {self.start}:{self.end}>"
 
 
 @node
 class Name(Node):
-    """An identifier where it is written; `key` is how it compares."""
+    """An identifier at its position; `key` is its form for comparisons."""
 
     text: str
 
@@ -72,7 +72,7 @@ class BoolLiteral(Node):
 
 @node
 class DataReference(Node):
-    """Data, by name alone."""
+    """Data, by name only."""
 
     name: Name
 
@@ -114,7 +114,7 @@ class LateFunctionCall(Node):
 
 @node
 class Aggregate(Node):
-    """`[a, b, c]`: a record or an array, told by its context."""
+    """`[a, b, c]`: a record or an array, depending on its context."""
 
     elements: tuple[Expression, ...]
 

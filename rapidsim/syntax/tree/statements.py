@@ -23,7 +23,7 @@ class Assignment(Node):
     value: Expression
     operator_start: int
     equals_sign: bool = False
-    """Lenient: `=` was written for `:=`."""
+    """Lenient: `=` instead of `:=`."""
 
 
 @node
@@ -72,7 +72,7 @@ class CompactIf(Node):
 
 @node
 class For(Node):
-    """FOR with its own read-only counter."""
+    """FOR with its read-only counter."""
 
     counter: Name
     first: Expression
@@ -168,7 +168,7 @@ class Empty(Node):
 
 @node
 class InvalidStatement(Node):
-    """A stretch of text the parser could not read; its diagnostic has been made."""
+    """Text that the parser could not read; its diagnostic exists already."""
 
 
 @node
@@ -182,7 +182,7 @@ class Data(Node):
     dimensions: tuple[Expression, ...]
     value: Expression | None
     equals_sign: bool = False
-    """Lenient: `=` was written for `:=`."""
+    """Lenient: `=` instead of `:=`."""
 
 
 Statement: TypeAlias = (

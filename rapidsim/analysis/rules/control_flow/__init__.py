@@ -1,1 +1,1 @@
-"""Constant decisions, handlers that do not handle, settings not restored."""
+"""Rules about constant conditions, ineffective ERROR clauses, and modes that are not restored."""

@@ -37,7 +37,7 @@ class DuplicateCase(Violation, code="F423"):
 
 
 def find_duplicate_cases(facts: Facts) -> Iterator[Diagnostic]:
-    """Values of a CASE that an earlier CASE of the same TEST has."""
+    """Report values of a CASE that an earlier CASE of the same TEST has."""
     for part in facts.parts:
         for test in part.all(tree.Test):
             first: dict[object, tree.Expression] = {}
@@ -53,7 +53,7 @@ def find_duplicate_cases(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:
-    """Conditions of IF and WHILE that are made of literals alone."""
+    """Report conditions of IF and WHILE that consist of literals only."""
     for part in facts.parts:
         conditions = [
             *(node.condition for node in part.all(tree.Branch)),
@@ -69,7 +69,7 @@ def find_constant_conditions(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
-    """WHILE TRUE, and jumps back, with nothing in between that takes time or leaves."""
+    """Report WHILE TRUE, and jumps back, whose statements neither take time nor leave."""
     for part in facts.parts:
         for loop in part.all(tree.While):
             if _literal_truth(loop.condition) and not _takes_time(loop.body, facts):
@@ -81,7 +81,7 @@ def find_endless_loops(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_not_before_and(facts: Facts) -> Iterator[Diagnostic]:
-    """NOT before an AND without parentheses: it negates the whole."""
+    """Report NOT before an AND without parentheses: it negates the whole conjunction."""
     for part in facts.parts:
         for node in part.all(tree.Unary):
             inner = node.operand
@@ -109,7 +109,7 @@ def _first_of_and(conjunction: tree.Binary) -> tree.Expression:
 
 
 def find_tests_without_default(facts: Facts) -> Iterator[Diagnostic]:
-    """TEST statements without DEFAULT."""
+    """Report TEST statements without DEFAULT."""
     for part in facts.parts:
         for test in part.all(tree.Test):
             if test.default is None:
@@ -118,7 +118,7 @@ def find_tests_without_default(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _literal_truth(condition: tree.Expression) -> bool | None:
-    """Whether a condition of literals holds; None where it holds anything else."""
+    """Whether a condition of literals holds; None if it is not made of literals."""
     match condition:
         case tree.BoolLiteral(value=value):
             return value
@@ -144,9 +144,9 @@ def _literal_truth(condition: tree.Expression) -> bool | None:
 
 
 def _jumps_back(part: ProgramPart) -> Iterator[tuple[tree.Goto, tree.Body]]:
-    """Each GOTO that always follows its label, with the statements in between.
+    """Yield each GOTO that always follows its label, with the statements in between.
 
-    Both are in one list of statements, so execution that passes the label comes to the jump.
+    Both are in one list of statements, so execution that passes the label reaches the jump.
     """
     if part.routine is None or not part.all(tree.Goto):
         return
@@ -167,14 +167,14 @@ def _takes_time(body: tree.Body, facts: Facts) -> bool:
     for node in descendants(*body):
         match node:
             case tree.Call():
-                # A loop of nothing that takes time keeps the task busy.
+                # A loop of calls that take no time keeps the task busy.
                 if Trait.INSTANT not in may_do(node, facts):
                     return True
             case tree.FunctionCall():
                 if facts.installed(node) is None or Trait.WAIT in facts.does(node):
                     return True
             case tree.DataReference():
-                # What nothing declares may be anything.
+                # Undeclared names may have any effect.
                 if facts.symbol(node) is None:
                     return True
             case _ if isinstance(node, _LEAVES):

@@ -15,7 +15,7 @@ from rapidsim.syntax import tree
 
 _TIMEOUT = "err_wait_maxtime"
 _HARMLESS = Trait.TELL | Trait.OUTPUT | Trait.MOVE | Trait.OFFSET | Trait.WAIT | ONLY_LOOKS
-"""Effects of instructions and functions that raise no error but that of a time limit."""
+"""Traits of instructions and functions that raise no error but that of a time limit."""
 
 
 class RetryWithoutChange(Violation, code="F407"):
@@ -33,16 +33,16 @@ class ErrorFallsThrough(Violation, code="F430"):
 
     @property
     def is_reported_once(self) -> bool:
-        """A program with one such clause tends to have many."""
+        """True: a program with one such clause tends to have many."""
         return True
 
     def with_others(self, merged: Sequence[Violation]) -> ErrorFallsThrough:
-        """This clause, and how many more there are."""
+        """Merge the findings into this one, with their number."""
         return ErrorFallsThrough(self.routine, len(merged))
 
     @property
     def message(self) -> str:
-        """The first routine, and how many more."""
+        """Message with the first routine, and the number of others."""
         if not self.other_text:
             return super().message
         more = (
@@ -59,7 +59,7 @@ class RaisedErrorFallsThrough(Violation, code="F431"):
 
 
 def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
-    """ERROR clauses that retry or skip on every error."""
+    """Report ERROR clauses that retry or skip on every error."""
     for part in facts.routine_parts:
         handler = None if part.routine is None else part.routine.error
         if handler is None or handler.numbers is not None:
@@ -71,13 +71,13 @@ def find_careless_handlers(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _retried_at_once(body: tree.Body, facts: Facts) -> tree.Node | None:
-    """The RETRY before which a clause changes nothing."""
+    """RETRY before which a clause changes nothing; None without one."""
     _, first = _first_effect(body, facts)
     return first if isinstance(first, tree.Retry) else None
 
 
 def _first_effect(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement | None]:
-    """Whether a text is shown first, and the first statement that does more than that."""
+    """Whether a text is shown first, and the first statement with another effect."""
     tells = False
     for statement in body:
         match statement:
@@ -91,7 +91,7 @@ def _first_effect(body: tree.Body, facts: Facts) -> tuple[bool, tree.Statement |
 
 
 def _swallowed(part: ProgramPart, handler: tree.ErrorHandler, facts: Facts) -> Iterator[Diagnostic]:
-    """The statement by which a clause drops every error, or every other one, without a word."""
+    """Report the statement by which a clause silently drops every error, or every other one."""
     assert part.routine is not None
     tells, first = _first_effect(handler.body, facts)
     if tells:
@@ -118,7 +118,7 @@ def _swallowed(part: ProgramPart, handler: tree.ErrorHandler, facts: Facts) -> I
 
 
 def _else_body(choice: tree.Node) -> tree.Body:
-    """The statements of an ELSE or DEFAULT."""
+    """Statements of an ELSE or DEFAULT."""
     match choice:
         case tree.If(otherwise=body) | tree.Test(default=body):
             return body or ()
@@ -127,7 +127,7 @@ def _else_body(choice: tree.Node) -> tree.Body:
 
 
 def _silent_effect(statement: tree.Statement) -> str | None:
-    """What drops an error without a trace, as a clause of a sentence."""
+    """Description of a statement that drops an error silently; None for other statements."""
     match statement:
         case tree.TryNext():
             return "TRYNEXT skips"
@@ -138,7 +138,7 @@ def _silent_effect(statement: tree.Statement) -> str | None:
 
 
 def find_errors_that_fall_through(facts: Facts) -> Iterator[Diagnostic]:
-    """ERROR clauses with branches for some errors, which come to their end with the others."""
+    """Report ERROR clauses with branches for some errors through which the others fall."""
     raised = _RaisedNumbers(facts)
     for part in facts.routine_parts:
         routine = part.routine
@@ -146,7 +146,7 @@ def find_errors_that_fall_through(facts: Facts) -> Iterator[Diagnostic]:
         if routine is None or handler is None or handler.numbers is not None:
             continue
         if isinstance(routine, tree.Func):
-            # Its end without a value is an error of its own.
+            # The end of a function without a value is reported separately.
             continue
         choices = [one for one in handler.body if depends_on_error(one)]
         if not choices or not falls_through(handler.body, facts.does):
@@ -160,7 +160,7 @@ def find_errors_that_fall_through(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _named_errors(choices: Sequence[tree.Node]) -> set[str] | None:
-    """Folded names that are compared with ERRNO; None if it is compared with more than names."""
+    """Folded names that are compared with ERRNO; None if it is compared with anything else."""
     names: set[str] = set()
     for choice in choices:
         match choice:
@@ -182,19 +182,19 @@ def _named_errors(choices: Sequence[tree.Node]) -> set[str] | None:
 
 
 class _RaisedNumbers:
-    """The numbers that routines raise by name, with those of the routines they call."""
+    """Names of error numbers that routines raise, including their callees."""
 
     def __init__(self, facts: Facts) -> None:
         self._facts = facts
         self._known: dict[ProgramPart, tuple[str, ...]] = {}
 
     def by(self, part: ProgramPart) -> tuple[str, ...]:
-        """The names of the numbers that reach the ERROR clause of a routine."""
+        """Names of the error numbers that reach the ERROR clause of a routine."""
         assert part.routine is not None
         return self._of(part.routine.body)
 
     def _out_of(self, part: ProgramPart) -> tuple[str, ...]:
-        """The names of the numbers that leave a routine."""
+        """Names of the error numbers that propagate out of a routine."""
         if part not in self._known:
             self._known[part] = ()
             assert part.routine is not None

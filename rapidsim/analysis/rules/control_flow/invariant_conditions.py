@@ -1,4 +1,4 @@
-"""Rule F418: loops and waits whose condition depends on data that nothing changes meanwhile."""
+"""Rule F418: loops and waits whose condition depends on data that nothing changes."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ _KNOWN = (
     ),
     *(tree.Binary, tree.Parenthesised, tree.FunctionCall, tree.RequiredArgument),
 )
-"""What a condition may be made of whose value depends on its data alone."""
+"""Nodes of conditions whose value depends on their data only."""
 
 
 class UnchangingCondition(Violation, code="F418"):
@@ -54,11 +54,11 @@ class UnchangingCondition(Violation, code="F418"):
 
 
 def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
-    """Loops that cannot end once entered, and waits that cannot end once begun."""
+    """Report loops that cannot end once entered, and waits that cannot end once begun."""
     task = _Task(facts)
     for part in facts.routine_parts:
         if part.routine is None or part.routine.error is not None:
-            # An error may be the way out.
+            # The ERROR clause may be the exit of the loop.
             continue
         for loop in part.all(tree.While):
             inside = list(descendants(*loop.body))
@@ -78,13 +78,13 @@ def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
 
 @dataclass(frozen=True, eq=False)
 class _Task:
-    """What of a task may change data while another part of it stands in a loop."""
+    """Data of a task that other parts of it may change during a loop."""
 
     facts: Facts
 
     @cached_property
     def _traps(self) -> int:
-        """The bits of the routines that may run in between."""
+        """Bits of the routines that may run in between."""
         bits = 0
         for part in self.facts.routine_parts:
             if isinstance(part.routine, tree.Trap):
@@ -93,7 +93,7 @@ class _Task:
 
     @cached_property
     def _changing(self) -> Mapping[Symbol, int]:
-        """The bits of the routines that change each datum."""
+        """Bits of the routines that change each datum."""
         found: dict[Symbol, int] = {}
         for part, bit in self.facts.bit_of.items():
             for symbol in changed_in(part, self.facts):
@@ -103,13 +103,13 @@ class _Task:
 
     @cached_property
     def _leading_away(self) -> int:
-        """The bits of the routines that call what is not known."""
+        """Bits of the routines that call unknown code."""
         facts = self.facts
         return mask_of(lambda part: any(_leads_away(c, facts) for c in _calls(part)), facts)
 
     @cached_property
     def _is_open(self) -> bool:
-        """Whether data may be changed by a name, or by modules that are not here."""
+        """Whether data may be changed by name, or by modules that are not available."""
         if not self.facts.is_read or self.facts.analysis.loads_modules:
             return True
         calls = (call for part in self.facts.parts for call in part.calls)
@@ -118,13 +118,13 @@ class _Task:
     def unchanging(
         self, condition: tree.Expression, meanwhile: Iterable[tree.Node], *, works: bool = False
     ) -> str | None:
-        """The data of a condition, as text, if nothing changes any of them meanwhile.
+        """Text of the data of a condition if nothing changes any of them; else None.
 
         Args:
-            condition: Of a loop or a wait.
+            condition: Condition of a loop or a wait.
             meanwhile: The condition, and the nodes of the loop.
-            works: Whether the robot moves meanwhile. A loop that only waits may wait for somebody
-                who changes a persistent; one that works counts its turns.
+            works: Whether the robot moves in the loop. A loop that only waits may wait for a
+                client that changes a persistent; one that works counts its iterations.
         """
         if self._is_open:
             return None
@@ -136,7 +136,7 @@ class _Task:
         if not found:
             return None
         if self._changing.keys().isdisjoint(found) and not is_ordering:
-            # A flag that nothing ever changes is another way to write TRUE.
+            # A flag that nothing ever changes is an alternative notation of TRUE.
             return None
         nodes = list(meanwhile)
         changed = set(changed_by(nodes, self.facts))
@@ -155,7 +155,7 @@ class _Task:
     def _variables(
         self, condition: tree.Expression, *, persistents: bool
     ) -> set[DataSymbol | ParameterSymbol]:
-        """The variables that a condition is made of; none if it looks at anything else."""
+        """Variables of a condition; empty if it reads anything else."""
         found: set[DataSymbol | ParameterSymbol] = set()
         for node in descendants(condition):
             if not isinstance(node, _KNOWN):
@@ -188,7 +188,7 @@ class _Task:
         return tasks > 1 and symbol.scope is not Scope.LOCAL
 
     def _is_pure(self, call: tree.FunctionCall) -> bool:
-        """Whether a function computes from its arguments alone."""
+        """Whether a function computes from its arguments only."""
         row = self.facts.installed(call)
         return row is not None and row.simulated and not row.signature.takes_controller
 
@@ -199,7 +199,7 @@ def _calls(part: ProgramPart) -> Iterator[tree.Node]:
 
 
 def _leads_away(node: tree.Node, facts: Facts) -> bool:
-    """Whether a node calls what is not known."""
+    """Whether a node calls unknown code."""
     if isinstance(node, tree.LateCall):
         return True
     if not isinstance(node, tree.Call | tree.FunctionCall):
@@ -217,7 +217,7 @@ def _leaves(node: tree.Node, facts: Facts) -> bool:
 
 
 def _is_halt(loop: tree.While, facts: Facts) -> bool:
-    """Whether a loop does nothing but wait for minutes: that is a halt on purpose."""
+    """Whether a loop only waits for minutes, which is an intended halt."""
     match loop.body:
         case (tree.Call(arguments=(tree.RequiredArgument(value=time),)) as call,):
             seconds = known_value(time, facts)
@@ -228,7 +228,7 @@ def _is_halt(loop: tree.While, facts: Facts) -> bool:
 
 
 def _awaited(call: tree.Call, facts: Facts) -> tree.Expression | None:
-    """The condition that an instruction waits for without a limit."""
+    """Condition that an instruction waits for without a time limit."""
     if Trait.WAIT not in facts.does(call):
         return None
     given = {formal.key: value for formal, value in arguments_of(call, facts) if formal is not None}

@@ -15,8 +15,9 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _BY_SWITCH = "\\"
-"""What puts back a way of following paths, such as `ConfL\\On`; a speed or a frame is restored by
-numbers, or by an instruction of its own."""
+"""Mark of calls that restore a path mode, such as `ConfL\\On`; a speed or a frame is restored by
+numbers, or by a separate instruction.
+"""
 _HELD = Trait.HOLD_ROBOT | Trait.HOLD_INTERRUPTS
 
 
@@ -26,20 +27,20 @@ class ModeLeak(Violation, code="F411"):
     ends: str
     back: str
     is_shared: bool = False
-    """Whether nothing in the program puts the mode back, so that it seems to be meant for all."""
+    """Whether nothing in the program restores the mode, so that it seems to be meant for all."""
 
     @property
     def severity(self) -> Severity:
-        """A note for a mode that the program means to keep."""
+        """Note for a mode that the program intends to keep."""
         return Severity.NOTE if self.is_shared else self.rule.severity
 
     @property
     def is_reported_once(self) -> bool:
-        """Whether it is one finding of the program."""
+        """Whether all such findings are merged into one of the program."""
         return self.is_shared
 
     def with_others(self, merged: Sequence[Violation]) -> Violation:
-        """The first of them, with the number of routines that do the same."""
+        """Merge findings into the first, with the number of other routines."""
         routines = {one.routine for one in (self, *merged) if isinstance(one, ModeLeak)}
         more = len(routines) - 1
         ends = f"{self.ends}, as in {more} more routine{'s' * (more != 1)}" if more else self.ends
@@ -47,7 +48,7 @@ class ModeLeak(Violation, code="F411"):
 
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
-    """For each routine and mode, the first exit at which the mode may still be on."""
+    """Report, for each routine and mode, the first exit at which the mode may still be set."""
     beginning = _beginning(facts)
     kept: dict[str, bool] = {}
     for part in facts.routine_parts:
@@ -66,7 +67,7 @@ def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _is_shared(mode: str, facts: Facts) -> bool:
-    """Whether several routines set a mode, and none puts it back."""
+    """Whether several routines set a mode, and none restores it."""
     if _BY_SWITCH not in mode or routines_with(mode, facts, back=True):
         return False
     return routines_with(mode, facts, back=False).bit_count() > 1
@@ -77,9 +78,9 @@ def _sets_motion(row: LibraryRoutine) -> bool:
 
 
 def _beginning(facts: Facts) -> set[tree.Routine]:
-    """The routines whose settings are those of the program: main, and what it begins with.
+    """Return the routines whose settings apply to the program: main, and its initialisation.
 
-    They are called from one place only, which main comes to before it moves or loops itself.
+    Those are called from one place only, which main reaches before it moves or loops itself.
     """
     entry = facts.entry
     if entry is None or entry.routine is None:

@@ -20,7 +20,7 @@ class OpenedInLoop(Violation, code="F421"):
 
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
-    """What each iteration of a loop certainly opens, if nothing in the loop may close it."""
+    """Report files that each iteration of a loop opens, if nothing in the loop may close them."""
     closing = mask_of(lambda part: _closes(part.all(tree.Call), facts), facts)
     for part in facts.routine_parts:
         bodies = [loop.body for loop in part.all(tree.For)]
@@ -39,7 +39,7 @@ def _closes(nodes: Iterable[tree.Node], facts: Facts) -> bool:
 
 
 def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call]:
-    """The statements of a list that open something whenever the list is executed."""
+    """Yield the statements of a list that open something at each execution of the list."""
     for statement in body:
         if not isinstance(statement, tree.Call):
             continue
@@ -53,7 +53,7 @@ def _opened(body: tree.Body, facts: Facts, depth: int = 0) -> Iterator[tree.Call
 
 
 def _is_of_routine(call: tree.Call, facts: Facts) -> bool:
-    """Whether a device is data of the routine, a new one with each call."""
+    """Whether a device is data of the routine, new at each call."""
     symbols = (facts.symbol(node) for node in descendants(call))
     return any(
         isinstance(symbol, DataSymbol) and symbol.scope is Scope.ROUTINE for symbol in symbols
@@ -65,6 +65,6 @@ def _leaves(node: tree.Node, facts: Facts) -> bool:
         return True
     if not isinstance(node, tree.Call):
         return False
-    # What is not known may close it.
+    # Unknown code may close it.
     is_known = facts.installed(node) is not None or facts.routine_called(node) is not None
     return not is_known or Trait.LEAVE in facts.does(node)

@@ -15,7 +15,7 @@ class Recursion(Violation, code="F410"):
 
 
 def find_recursion(facts: Facts) -> Iterator[Diagnostic]:
-    """The first call on each call path from a routine back to itself."""
+    """Report the first call on each call path from a routine back to itself."""
     calls: dict[tree.Routine, dict[tree.Routine, tree.Call | tree.FunctionCall]] = {}
     for part in facts.routine_parts:
         assert part.routine is not None
@@ -41,9 +41,9 @@ def _call_path(
     end: tree.Routine,
     calls: Mapping[tree.Routine, Iterable[tree.Routine]],
 ) -> list[tree.Routine] | None:
-    """The routines from `start` to before `end`, in the order of calls; None if none leads there.
+    """Shortest call path from `start` to before `end`; None without a path.
 
-    The shortest way is given; it is empty where the two are one.
+    The path is empty if `start` is `end`.
     """
     if start is end:
         return []

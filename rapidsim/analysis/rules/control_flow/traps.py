@@ -31,13 +31,13 @@ class NeverConnected(Violation, code="F424"):
 
     @property
     def help(self) -> str:
-        """The interrupt that may be meant, or the missing statement."""
+        """Suggestion of the intended interrupt, or of the missing statement."""
         meant = f"did you mean `{self.nearest}`? else " if self.nearest else ""
         return f"{meant}write `CONNECT {self.interrupt} WITH` and a TRAP before it"
 
 
 def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
-    """Interrupts that are ordered and that nothing in the task connects to a trap."""
+    """Report interrupts that are ordered but never connected to a trap in the task."""
     if facts.analysis.loads_modules or not facts.is_read:
         return
     orders: list[tuple[ProgramPart, tree.Call, tree.Expression, Symbol]] = []
@@ -49,7 +49,7 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
         for call in part.calls:
             row = facts.installed(call)
             if row is None:
-                # A routine may connect what it is passed by reference.
+                # A routine may connect an argument that is passed by reference.
                 connected.update(changed_by([call], facts))
                 continue
             if Trait.DISCONNECT in row.traits or not isinstance(call, tree.Call):
@@ -69,12 +69,12 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
-    """Waits in traps; CONNECT in loops that never delete the interrupt."""
+    """Report waits in traps, and CONNECT in loops that never delete the interrupt."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
             held = [call.start for call in part.calls if Trait.HOLD_ROBOT in facts.does(call)]
             for call in part.calls:
-                # Who has stopped the robot means to wait.
+                # After stopping the robot, a wait is intended.
                 if Trait.WAIT in facts.does(call) and call.start < min(held, default=call.end):
                     problem = f"{call.name.text} in a trap holds up program and interrupts"
                     cure = "let the trap set a flag, and wait in the program"
@@ -85,7 +85,7 @@ def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:
         for body in bodies:
             inside = list(descendants(*body))
             connects = [node for node in inside if isinstance(node, tree.Connect)]
-            # A call may lead to IDelete, a jump or a return may leave the loop at once.
+            # A call may execute IDelete; a jump or a return may leave the loop.
             if any(_may_delete(node, facts) for node in inside):
                 continue
             for connect in connects:
@@ -104,7 +104,7 @@ def _may_delete(node: tree.Node, facts: Facts) -> bool:
         case tree.LateCall() | tree.Goto() | tree.Return() | tree.Exit() | tree.InvalidStatement():
             return True
         case tree.Index():
-            # An element of an array may be another interrupt each time.
+            # An element of an array may be a different interrupt each time.
             return True
         case _:
             return False

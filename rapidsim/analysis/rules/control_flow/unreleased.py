@@ -22,7 +22,7 @@ class RobotLeftStopped(Violation, code="F420"):
 
 
 def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
-    """Ways out of a routine that leave interrupts disabled."""
+    """Report exits of a routine at which interrupts stay disabled."""
     for part in facts.routine_parts:
         for left in _unreleased_in(part, facts, Trait.HOLD_INTERRUPTS):
             assert part.routine is not None
@@ -31,7 +31,7 @@ def find_interrupts_left_off(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_robot_left_stopped(facts: Facts) -> Iterator[Diagnostic]:
-    """Ways out of a trap that leave the robot stopped."""
+    """Report exits of a trap at which the robot stays stopped."""
     for part in facts.routine_parts:
         if isinstance(part.routine, tree.Trap):
             for left in _unreleased_in(part, facts, Trait.HOLD_ROBOT):
@@ -40,9 +40,9 @@ def find_robot_left_stopped(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _unreleased_in(part: ProgramPart, facts: Facts, holds: Trait) -> Iterator[UnrestoredMode]:
-    """What a routine holds and should let go itself.
+    """Modes that a routine sets and should release itself.
 
-    One that never does may be the first of a pair of routines, if another one does.
+    A routine that never releases may be the first of a pair, if another one does.
     """
     for left in unrestored_modes(part, facts, lambda row: holds in row.traits):
         homes = [one for one in facts.parts if _releases(one, left.back)]

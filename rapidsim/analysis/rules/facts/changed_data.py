@@ -1,4 +1,4 @@
-"""What changes data: assignments, and calls that may modify their arguments."""
+"""Changes of data: assignments, and calls that may modify their arguments."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
 def changed_in(part: ProgramPart, facts: Facts) -> Iterator[Symbol | None]:
-    """The data that a routine changes itself, or passes on to calls that may."""
+    """Data that a routine changes itself, or passes to calls that may change them."""
     kinds = (tree.Assignment, tree.Connect, tree.LateCall)
     yield from changed_by(
         [*(node for kind in kinds for node in part.all(kind)), *part.calls], facts
@@ -27,7 +27,7 @@ def changed_in(part: ProgramPart, facts: Facts) -> Iterator[Symbol | None]:
 
 
 def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | None]:
-    """The data that some nodes change themselves, ignoring nested nodes and called routines."""
+    """Data that nodes change themselves, without nested nodes and called routines."""
     for node in nodes:
         match node:
             case tree.Assignment(target=target) if isinstance(target, _PATHS):
@@ -55,5 +55,5 @@ def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | No
 
 
 def _is_trigger(formal: Formal) -> bool:
-    """Whether a parameter takes trigger data, which moves are given by reference and only read."""
+    """Whether a parameter takes trigger data, which moves take by reference but only read."""
     return formal.types[0] == _TRIGGER

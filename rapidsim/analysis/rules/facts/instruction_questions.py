@@ -1,4 +1,4 @@
-"""Facts about calls: which argument goes to which parameter, and which calls move the robot."""
+"""Facts about calls: the parameter of each argument, and the calls that move the robot."""
 
 from __future__ import annotations
 
@@ -21,18 +21,18 @@ class MoveCall:
 
     call: tree.Call
     arguments: Mapping[str, tree.Expression | None]
-    """By folded parameter name; None for a switch."""
+    """Argument by folded parameter name; None for a switch."""
     does: Trait
 
 
 _MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary()
-"""The moves that were asked for, as long as somebody looks at the facts: most rules ask for all."""
+"""Cache of moves for the lifetime of the facts, because most rules request all of them."""
 
 
 def arguments_of(
     call: tree.Call | tree.FunctionCall, facts: Facts
 ) -> list[tuple[Formal | None, tree.Expression | None]]:
-    """Each argument with its parameter; None where the routine or the parameter is unknown."""
+    """Return each argument with its parameter; None if the routine or the parameter is unknown."""
     symbol = facts.symbol(call)
     formals: tuple[Formal, ...] = ()
     if isinstance(symbol, LibrarySymbol):
@@ -57,22 +57,22 @@ def _named(key: str, formals: Sequence[Formal]) -> Formal | None:
 
 
 def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Trait:
-    """What a call does, judged by its name alone when names are not resolved.
+    """Traits of a call, from its name only if names are not resolved.
 
-    Of two routines of one name only the first is considered.
+    Of two routines with one name only the first is considered.
     """
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
 def moves(part: ProgramPart, facts: Facts) -> Iterator[MoveCall]:
-    """The calls of installed move instructions."""
+    """Yield the calls of installed move instructions."""
     for call in part.all(tree.Call):
         if (move := as_move(call, facts)) is not None:
             yield move
 
 
 def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
-    """A statement as a move; None if it is not one."""
+    """Interpret a statement as a move; None if it is not one."""
     if not isinstance(statement, tree.Call) or Trait.MOVE not in (what := facts.does(statement)):
         return None
     known = _MOVES.setdefault(facts, {})

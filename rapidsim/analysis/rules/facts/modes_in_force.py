@@ -1,4 +1,4 @@
-"""Modes that a routine sets and that may still be in force where it ends."""
+"""Modes that a routine sets and that may still be set at its exits."""
 
 from __future__ import annotations
 
@@ -21,40 +21,40 @@ from rapidsim.values import value_class
 
 @value_class(frozen=True, slots=True)
 class UnrestoredMode:
-    """A mode left in force."""
+    """A mode that is set at an exit."""
 
     call: tree.Call
-    """What set it."""
+    """The call that set it."""
     ends: str
-    """How the routine ends then: "ends", "returns on line 12"."""
+    """Description of the exit: "ends", "returns on line 12"."""
     back: str
-    """What puts the mode back."""
+    """The call that restores the mode."""
 
 
 @value_class(frozen=True, slots=True)
 class _Setting:
-    """What an instruction sets: a mode, by what puts it back, and whether it does that itself."""
+    """A mode that an instruction sets or restores, identified by its restoring call."""
 
     mode: str
     is_back: bool
 
 
 _NO_DISPLACEMENTS = (((0.0, 0.0, 0.0), (1.0, 0.0, 0.0, 0.0)), (0.0,) * 6)
-"""A pose and offsets of axes that displace nothing."""
+"""A pose and offsets of axes without displacement."""
 
 _Open: TypeAlias = frozenset[tuple[str, tree.Call]]
-"""The modes that may be in force, each with an instruction that set it."""
+"""Modes that may be set, each with an instruction that set it."""
 
 
 def unrestored_modes(
     part: ProgramPart, facts: Facts, matters: Callable[[LibraryRoutine], bool]
 ) -> Iterator[UnrestoredMode]:
-    """The modes that may be in force at some exit of a routine, each at the first such exit.
+    """Yield the modes that may be set at some exit of a routine, each at the first such exit.
 
     Args:
         part: A routine; one with text that could not be read yields nothing.
         facts: The task.
-        matters: Which instructions to look at; those that restore their modes count as well.
+        matters: Selects instructions; calls that restore their modes are included.
     """
     settings = {
         call: setting
@@ -78,7 +78,7 @@ def unrestored_modes(
 
 @value_class(frozen=True, slots=True)
 class _RoutineExit:
-    """A place where a routine returns, with the modes that may be in force there."""
+    """An exit of a routine, with the modes that may be set there."""
 
     position: float
     ends: str
@@ -88,7 +88,7 @@ class _RoutineExit:
 def _exits(
     part: ProgramPart, facts: Facts, settings: Mapping[tree.Call, _Setting], modes: AbstractSet[str]
 ) -> Iterator[_RoutineExit]:
-    """The places where a routine returns with some of `modes` in force."""
+    """Yield the exits of a routine at which some of `modes` may be set."""
 
     @cache
     def restoring(mode: str) -> int:
@@ -108,7 +108,7 @@ def _exits(
         callee = facts.callee_of(node)
         if not state or callee is None:
             return state
-        # What a callee may restore counts as restored.
+        # Modes that a callee may restore count as restored.
         within = facts.reached_from[callee]
         return frozenset(pair for pair in state if not within & restoring(pair[0]))
 
@@ -130,7 +130,7 @@ def _exit_at(part: ProgramPart, by: tree.Node | None, open_modes: _Open) -> _Rou
 
 
 def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
-    """The bits of the routines with a call that sets a mode, or puts it back."""
+    """Bits of the routines with a call that sets a mode, or restores it."""
     setting = _Setting(mode, back)
     return mask_of(
         lambda part: any(_setting(call, facts) == setting for call in part.all(tree.Call)), facts
@@ -138,7 +138,7 @@ def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
 
 
 def _setting(call: tree.Call, facts: Facts) -> _Setting | None:
-    """What a call sets, if it sets a mode."""
+    """Mode that a call sets or restores; None if it does neither."""
     routine = facts.installed(call)
     if routine is None or not routine.back:
         return None
@@ -146,7 +146,7 @@ def _setting(call: tree.Call, facts: Facts) -> _Setting | None:
 
 
 def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
-    """Whether a call is as good as the one that puts its mode back."""
+    """Whether a call is equivalent to the one that restores its mode."""
     name, *switches = routine.back.split("\\")
     if switches:
         given = {one.name.key for one in call.arguments if isinstance(one, tree.OptionalArgument)}
@@ -156,13 +156,13 @@ def _puts_back(call: tree.Call, routine: LibraryRoutine, facts: Facts) -> bool:
         return routine.name == name or _displaces_nothing(call, facts)
     required = [one.value for one in call.arguments if isinstance(one, tree.RequiredArgument)]
     values = [known_value(value, facts) for value in required[: len(numbers)]]
-    # The highest speed is another on each robot; what counts is in percent.
+    # The maximum speed differs between robots; only percentages are compared.
     in_percent = [value for value, normal in zip(values, numbers, strict=False) if normal == "100"]
     return None in values or in_percent == [100.0] * numbers.count("100")
 
 
 def _displaces_nothing(call: tree.Call, facts: Facts) -> bool:
-    """Whether a call has one argument, a displacement that is none: `EOffsSet [0,0,0,0,0,0]`."""
+    """Whether the only argument of a call is a null displacement: `EOffsSet [0,0,0,0,0,0]`."""
     match call.arguments:
         case (tree.RequiredArgument(value=given),):
             return known_value(given, facts, persistents=False) in _NO_DISPLACEMENTS

@@ -29,7 +29,7 @@ def may_move(nodes: Iterable[tree.Node], facts: Facts) -> bool:
 
 
 def mask_of(holds: Callable[[ProgramPart], bool], facts: Facts) -> int:
-    """The bits of the routines for which a predicate holds."""
+    """Return the bits of the routines that satisfy a predicate."""
     bits = 0
     for part, bit in facts.bit_of.items():
         if holds(part):

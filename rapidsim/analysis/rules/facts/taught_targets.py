@@ -8,7 +8,7 @@ from rapidsim.syntax import tree
 
 
 def taught_target(target: tree.Expression, facts: Facts) -> tree.Expression:
-    """The innermost target inside functions that displace the target they are given."""
+    """Innermost target inside functions that displace their argument."""
     while True:
         match target:
             case tree.Parenthesised(inner=inner):

@@ -17,7 +17,7 @@ class DriftingTarget(Violation, code="M517"):
 
 
 def find_drifting_targets(facts: Facts) -> Iterator[Diagnostic]:
-    """`p:=Offs(p,..)` on a PERS that nothing else in the program sets."""
+    """Report `p:=Offs(p,..)` on a PERS without any other assignment in the program."""
     found: dict[DataSymbol, list[tuple[tree.Node, Diagnostic]]] = {}
     for part in facts.routine_parts:
         for assignment in part.all(tree.Assignment):

@@ -24,7 +24,7 @@ class MoveWithoutSpeed(Violation, code="M515"):
 
 
 def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
-    """The first move that main makes, if it is linear or circular."""
+    """Report the first move that main makes, if it is linear or circular."""
     if facts.entry is None:
         return
     found = _first_move(facts.entry, facts, set())
@@ -36,7 +36,7 @@ def find_first_move(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
-    """Linear and circular moves whose TCP speed is known to be 0."""
+    """Report linear and circular moves whose TCP speed is known to be 0."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             if Trait.CARTESIAN not in move.does or {"v", "t"} & move.arguments.keys():
@@ -45,13 +45,13 @@ def find_moves_without_speed(facts: Facts) -> Iterator[Diagnostic]:
             value = numbers(known_value(speed, facts), 4)
             if speed is None or value is None or value[0] > 0.0:
                 continue
-            # What no external axis turns either is no coordinated move.
+            # Without rotation by an external axis, it is no coordinated move either.
             shown = " ".join(part.module.span(speed).text.split())
             yield part.finding(MoveWithoutSpeed(shown, value[0]), speed)
 
 
 def _is_fixed(move: MoveCall, facts: Facts) -> bool:
-    """Whether the target stands in the text; one that was computed may be beside the robot."""
+    """Whether the target is in the text; a computed one may be close to the robot."""
     target = move.arguments.get("topoint")
     if target is None:
         return False
@@ -69,7 +69,7 @@ def _is_fixed(move: MoveCall, facts: Facts) -> bool:
 def _first_move(
     part: ProgramPart, facts: Facts, seen: set[tree.Routine]
 ) -> tuple[ProgramPart, MoveCall] | None:
-    """The first move in the order of the text, through calls of the user's procedures."""
+    """First move in source order, including calls of the user's procedures."""
     assert part.routine is not None
     seen.add(part.routine)
     for statement in statements(part.routine.body):

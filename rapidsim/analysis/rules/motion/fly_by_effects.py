@@ -1,13 +1,13 @@
-"""What a program does after a move that passes its target in a zone, including through calls.
+"""Effects that a program executes after a fly-by move, including through calls.
 
-A backward analysis: what lies ahead of each place before the next move or wait, and whether it is
-certain. A move that ends in a zone is then followed by what lies ahead of it. Each routine is
-summarised: what it does before it moves or waits itself, whether a move that was under way may
-still be when it returns, and which moves it leaves under way.
+A backward analysis: the effects after each place up to the next move or wait, and whether they are
+certain. The effects after a fly-by move execute while the robot is in its zone. Each routine is
+summarised: its effects before its own first move or wait, whether a move that is active at its call
+may still be active when it returns, and which moves are active when it returns.
 
-"Certain" is a judgement about what the text intends, not about all paths: a path that returns
+"Certain" is a judgement about the intention of the text, not about all paths: a path that returns
 early, raises an error or ends the program does not make the others less certain, and a loop is
-taken both to repeat and to end.
+assumed both to repeat and to end.
 """
 
 from __future__ import annotations
@@ -27,14 +27,14 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _MOST_EFFECTS = 16
-"""Effects of one routine that its callers see."""
+"""Maximum number of effects in the summary of one routine."""
 
 _Place: TypeAlias = tree.Call | tree.FunctionCall
 
 
 @value_class(frozen=True, slots=True)
 class Effect:
-    """A wait, or an output that is set."""
+    """A wait, or setting an output."""
 
     node: _Place
     part: ProgramPart
@@ -50,19 +50,19 @@ class EffectAfterMove:
     place: _Place
     """The effect, or the call that leads to it."""
     part: ProgramPart
-    """Of the place."""
+    """The routine that contains the place."""
 
 
 @value_class(frozen=True, slots=True)
 class _Ahead:
-    """What follows a place before the next move or wait."""
+    """Effects after a place, before the next move or wait."""
 
     effects: Mapping[tuple[Effect, _Place], bool] = field(default_factory=dict)
     """Effects with the steps that lead to them, each with whether it is certain."""
     end: bool | None = None
     """Whether the end of the routine certainly follows; None if it never does."""
     leaves: bool = False
-    """A path returns early, raises an error or ends the program."""
+    """Whether a path returns early, raises an error or ends the program."""
 
     @property
     def is_wait_certain(self) -> bool:
@@ -78,18 +78,18 @@ _GONE = _Ahead(leaves=True)
 
 @value_class(frozen=True, slots=True)
 class _Summary:
-    """What a routine does to a move that is under way when it is called."""
+    """Effects of a routine on a move that is active when it is called."""
 
     effects: Mapping[Effect, bool] = field(default_factory=dict)
-    """Before another move or wait, each with whether it is certain."""
+    """Effects before another move or wait, each with whether it is certain."""
     passes: bool | None = None
-    """Whether the move is certainly still under way at the end; None if it never is."""
+    """Whether the move is certainly still active at the end; None if it never is."""
     moves: Mapping[tree.Call, bool] = field(default_factory=dict)
-    """The moves of the routine and its callees that may be under way at the end."""
+    """Moves of the routine and its callees that may be active at the end."""
 
 
 def effects_behind_moves(facts: Facts) -> Iterator[EffectAfterMove]:
-    """What certainly follows a fly-by move, and every output set after one, routine by routine."""
+    """Yield the effects that certainly follow a fly-by move, and every output set after one."""
     found: dict[ProgramPart, list[EffectAfterMove]] = {}
 
     def summary_of(part: ProgramPart, known: Mapping[ProgramPart, _Summary]) -> _Summary:
@@ -103,7 +103,7 @@ def effects_behind_moves(facts: Facts) -> Iterator[EffectAfterMove]:
 
 
 class _RoutineAnalysis:
-    """The transfer functions of one routine, and what follows from their solution."""
+    """Transfer functions of one routine, and the conclusions from their solution."""
 
     def __init__(
         self, part: ProgramPart, facts: Facts, summaries: Mapping[ProgramPart, _Summary]
@@ -114,7 +114,7 @@ class _RoutineAnalysis:
         self._steps = self._solve()
 
     def _solve(self) -> list[tuple[tree.Node, _Ahead]]:
-        """The reached steps in source order, each with what follows it."""
+        """Reached steps in source order, each with the effects after it."""
         graph = self._facts.flow(self._part)
         at_end = backward(
             graph,
@@ -135,7 +135,7 @@ class _RoutineAnalysis:
         return sorted(steps, key=lambda step: step[0].start)
 
     def effects_after_moves(self) -> list[EffectAfterMove]:
-        """The effects that certainly follow a move, and the outputs that may."""
+        """Effects that certainly follow a move, and outputs that may follow it."""
         return [
             EffectAfterMove(move, effect, place, self._part)
             for node, ahead in self._steps
@@ -145,7 +145,7 @@ class _RoutineAnalysis:
         ]
 
     def summary(self) -> _Summary:
-        """The summary for the routine's callers."""
+        """Summary for the routine's callers."""
         effects: dict[Effect, bool] = {}
         for (effect, _), is_sure in self._first.effects.items():
             if effect in effects or len(effects) < _MOST_EFFECTS:
@@ -162,12 +162,12 @@ class _RoutineAnalysis:
             return _EARLY_RETURN
         if edge.holds is False and isinstance(edge.by, tree.DataReference):
             is_endless = known_value(edge.by, self._facts, persistents=False) is True
-            # A loop on a constant that is TRUE never ends.
+            # A loop on a constant TRUE never ends.
             return None if is_endless else ahead
         return ahead
 
     def _moves_begun(self, node: tree.Node) -> Mapping[tree.Call, bool]:
-        """The moves that a step leaves under way, each with whether it certainly does."""
+        """Moves that are active after a step, each with whether this is certain."""
         callee = self._facts.callee_of(node)
         if callee is not None:
             return self._summaries[callee].moves
@@ -178,7 +178,7 @@ class _RoutineAnalysis:
         return {}
 
     def _before(self, node: tree.Node, ahead: _Ahead) -> _Ahead:
-        """What follows the place before a step."""
+        """State before a step."""
         if isinstance(node, tree.LateCall | tree.InvalidStatement):
             return _NOTHING
         if not isinstance(node, _Place):
@@ -216,13 +216,13 @@ class _RoutineAnalysis:
 
 
 def _joined(states: Sequence[_Ahead], *, is_loop_test: bool) -> _Ahead:
-    """What follows a place that several paths leave."""
+    """Join the states of several paths."""
     if len(states) == 1:
         return states[0]
-    # Early exits are no reason to doubt what the remaining paths do.
+    # Early exits do not make the effects of the remaining paths less certain.
     staying = [one for one in states if one.effects or not one.leaves]
     decide = any if is_loop_test else all
-    # Where every path waits, it is certain that one of the waits follows.
+    # If every path waits, one of the waits certainly follows.
     all_wait = all(one.is_wait_certain for one in staying)
     effects = {
         key: (any if all_wait and key[0].waits else decide)(
@@ -248,7 +248,7 @@ def flies_by(move: MoveCall, facts: Facts) -> bool:
 
 
 def _is_no_wait(call: tree.Call | tree.FunctionCall, facts: Facts) -> bool:
-    """Whether a WaitTime is too short to matter: WaitTime 0 only hands over to other tasks."""
+    """Whether a WaitTime is too short to matter: WaitTime 0 only lets other tasks run."""
     return any(
         formal is not None
         and formal.key == "time"

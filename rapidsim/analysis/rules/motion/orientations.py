@@ -15,11 +15,11 @@ from rapidsim.language.types import ArrayOf, Record, Type, resolved
 from rapidsim.syntax import tree
 
 _TYPO = 0.1
-"""Lengths further from 1 come from a wrong number; dividing would only hide that."""
+"""Deviation of the length from 1 beyond which a number is wrong; normalising would hide that."""
 
 
 def find_bad_orientations(facts: Facts) -> Iterator[Diagnostic]:
-    """Literal quaternions in declarations and statements, part of whatever record."""
+    """Report literal quaternions in declarations and statements, in any record."""
     paths: dict[type, tuple[tuple[int, ...], ...]] = {}
     for part in facts.parts:
         declared = {node.value: node for node in part.all(tree.Data) if node.value is not None}
@@ -57,7 +57,7 @@ def _in_value(
         return
     if not isinstance(base, Record):
         return
-    # Two records of one name have classes of their own, and a class hashes faster than its type.
+    # Two records of one name have different classes, and a class hashes faster than its type.
     if base.python not in paths:
         paths[base.python] = tuple(_orientations(base))
     for path in paths[base.python]:
@@ -68,7 +68,7 @@ def _in_value(
         if abs(length - 1.0) <= TOLERATED_NORM_ERROR:
             continue
         if length == 0.0 and declared is not None and declared.storage == "VAR":
-            # What it has anyway until the program gives it a value.
+            # The default value until the program assigns one.
             continue
         place = part_span(part.module, node, (*prefix, *path))
         name = " ".join(place.text.split()) if declared is None else declared.name.text
@@ -81,7 +81,7 @@ def _in_value(
 
 
 def _orientations(of: Type) -> Iterator[tuple[int, ...]]:
-    """Paths to the components of a record that are orientations."""
+    """Return the paths to the components of a record that are orientations."""
     base = resolved(of)
     if not isinstance(base, Record):
         return

@@ -1,4 +1,4 @@
-"""Rules M510, M511 and M514: the data of targets, alone and compared with each other."""
+"""Rules M510, M511 and M514: data of targets, individually and in comparison."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _UNUSED = 8.9e9
-"""External axes are not connected from here: 9E9, written in many ways."""
+"""Value from which external axes are not connected: 9E9, written in various forms."""
 _ALSO_UNUSED = (0.0, 9999.0)
-"""What other tools write for axes that are not connected."""
+"""Values that other tools write for axes that are not connected."""
 _CONFIGURATION, _EXTERNAL = 2, 3
 _QUARTERS = 12
-"""Three turns of an axis either way; more is no axis of a robot."""
+"""Three revolutions of an axis in either direction; robot axes turn no further."""
 
 
 class ExternalAxisValue(Violation, code="M510"):
@@ -51,7 +51,7 @@ class _Target:
 
 
 def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
-    """Targets of a module that differ from most others in whether they use an external axis."""
+    """Report targets of a module whose use of an external axis differs from most others."""
     by_module: dict[tree.Module, list[tuple[_Target, tuple[float, ...]]]] = {}
     for target in _targets(facts):
         axes = numbers(target.value[_EXTERNAL], 6)
@@ -59,7 +59,7 @@ def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
             by_module.setdefault(target.part.module, []).append((target, axes))
     for rows in by_module.values():
         for k, letter in enumerate("abcdef"):
-            # Zero may be a place on a track or nothing at all, so it never counts.
+            # Zero may be a position on a track or undefined, so it never counts.
             telling = [
                 (target, axes[k] >= _UNUSED) for target, axes in rows if axes[k] not in _ALSO_UNUSED
             ]
@@ -77,9 +77,9 @@ def find_external_axes(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def declares_axes_alike_targets(node: tree.Data, usual: Sequence[float]) -> bool:
-    """Whether a declaration says the same about each external axis as targets with these positions.
+    """Whether a declaration uses the same external axes as targets with these positions.
 
-    If so, their number makes no difference.
+    If so, the number of such declarations does not change the findings.
     """
     if node.type.key != "robtarget" or node.dimensions or node.value is None:
         return True
@@ -93,7 +93,7 @@ def declares_axes_alike_targets(node: tree.Data, usual: Sequence[float]) -> bool
 
 
 def find_bad_confdata(facts: Facts) -> Iterator[Diagnostic]:
-    """Declared targets whose configuration data are invalid."""
+    """Report declared targets with invalid configuration data."""
     for target in _targets(facts):
         configuration = numbers(target.value[_CONFIGURATION], 4)
         if configuration is None or max(abs(cf) for cf in configuration) >= _UNUSED:
@@ -110,7 +110,7 @@ def find_bad_confdata(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_duplicates(facts: Facts) -> Iterator[Diagnostic]:
-    """Declared targets with the same value as an earlier one."""
+    """Report declared targets with the same value as an earlier one."""
     first: dict[tuple[Value, ...], _Target] = {}
     for target in _targets(facts):
         other = first.setdefault(target.value, target)
@@ -139,10 +139,10 @@ def _value(node: tree.Data) -> tree.Node:
 
 
 def _allowed(component: str, cf: float) -> str | None:
-    """What a component may be; None where it is that."""
+    """Description of the valid values of a component; None if its value is valid."""
     if component == "cfx":
         digits = f"{cf:.0f}".zfill(4)
-        # Arms with seven axes: which of four choices are made, one digit each.
+        # Arms with seven axes: four binary choices, one digit each.
         is_seven = cf.is_integer() and len(digits) == 4 and digits[0] in "0145"
         is_seven = is_seven and set(digits[1:]) <= {"0", "1", "4", "5"}
         fits = cf.is_integer() and (0 <= cf <= 7 or is_seven)

@@ -15,7 +15,7 @@ from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _UNIDENTIFIED = -1.0
-"""The mass that a new tool has until somebody defines it."""
+"""Mass of a new tool before it is defined."""
 
 
 class ToolOrWobjMissing(Violation, code="M507"):
@@ -37,7 +37,7 @@ class StationaryToolMismatch(Violation, code="M509"):
 
 @value_class(frozen=True, slots=True)
 class _Use:
-    """A move to a named target, with names of tool and work object."""
+    """A move to a named target, with the names of tool and work object."""
 
     part: ProgramPart
     move: MoveCall
@@ -46,13 +46,13 @@ class _Use:
 
 
 def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves to a target whose tool or work object differs from that of its first move."""
+    """Report moves to a target whose tool or work object differs from its first move."""
     uses: dict[Symbol, list[_Use]] = {}
     for part in facts.routine_parts:
         for move in moves(part, facts):
             target = move.arguments.get("topoint")
             if target is None or "tool" not in move.arguments:
-                # A call without its tool is an error of its own.
+                # A call without a tool is reported as another error.
                 continue
             symbol = facts.symbol(taught_target(target, facts))
             if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
@@ -76,7 +76,7 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
-    """Declared tools and loads with impossible values."""
+    """Report declared tools and loads with impossible values."""
     for part in facts.parts:
         for node in part.all(tree.Data):
             kind = node.type.key
@@ -86,12 +86,12 @@ def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
             if not isinstance(value, tuple):
                 continue
             if kind == "tooldata":
-                # What a stationary tool weighs does not matter.
+                # The mass of a stationary tool does not matter.
                 if len(value) != 3 or value[0] is not True:
                     continue
                 value = value[2]
             elif value[0] == 0.0:
-                # As load0: nothing is carried, or the program weighs the part first.
+                # As in load0: no load, or the program weighs the part first.
                 continue
             problem = _load_problem(value)
             if problem is not None:
@@ -99,7 +99,7 @@ def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves whose tool and work object are both held by the robot, or neither."""
+    """Report moves whose tool and work object are both held by the robot, or neither."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             tool = move.arguments.get("tool")
@@ -117,7 +117,7 @@ def find_holding_mismatch(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _load_problem(load: object) -> str | None:
-    """What is wrong with a load; None if nothing is to be seen."""
+    """Description of the error in a load; None if it has no visible error."""
     if not isinstance(load, tuple) or len(load) != 6:
         return None
     mass, centre, inertia = load[0], numbers(load[1], 3), numbers(load[3:], 3)
@@ -140,7 +140,7 @@ def _robhold(expression: tree.Expression | None, facts: Facts) -> bool | None:
 
 
 def _name(move: MoveCall, parameter: str, default: str) -> str:
-    """The name an argument is written with; another text where it is no plain name."""
+    """Name of an argument in the text; other text if it is not a plain name."""
     if parameter not in move.arguments:
         return default
     match move.arguments[parameter]:

@@ -1,7 +1,7 @@
 """Rule M516: metres and radians in place of millimetres and degrees.
 
-One target may lie anywhere in its work object; what an export in metres cannot hide is that all its
-targets lie within a few millimetres, the approach and the retreat as well.
+A single target may have any position in its work object; an export in metres is recognised because
+all its targets are within a few millimetres, including approach and retreat.
 """
 
 from __future__ import annotations
@@ -22,15 +22,15 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _NEAREST_TARGET_MM = 10.0
-"""No arm brings a tool so near to the centre of its own foot."""
+"""Distance to the centre of its base within which no arm can move a tool."""
 _SHORTEST_TOOL_MM = 1.0
 _SLOWEST_MM_S = 1.0
-"""Slower speeds are written by mistake far more often than on purpose."""
+"""Slower speeds are far more often mistakes than intended."""
 _SLOWEST_TURN_DEG_S = 2.0
 _LARGEST_COORDINATE_MM = 5.0
 _SHORTEST_STEP_MM = 0.02
 _MANY_TARGETS = 20
-"""So many different targets in one routine tell in which unit they are."""
+"""Number of different targets in one routine from which their unit can be inferred."""
 _LONG_ENOUGH = {
     1.0 / 2.0: 2,
     1.0: 2,
@@ -40,10 +40,10 @@ _LONG_ENOUGH = {
     1.0 / 6.0: 3,
     3.0 / 2.0: 3,
 }
-"""Multiples of pi, with the decimals from which on a number is taken for one."""
+"""Multiples of pi, with the number of decimals from which a number is recognised as one."""
 _PI = "pi"
 _SPEEDS = frozenset({"speed", "v"})
-"""Parameters of moves that hold a speed of the TCP."""
+"""Parameters of moves with a speed of the TCP."""
 
 
 class MetresOrRadians(Violation, code="M516"):
@@ -54,12 +54,12 @@ class MetresOrRadians(Violation, code="M516"):
 
     @property
     def severity(self) -> Severity:
-        """An error where a whole routine shows it."""
+        """Error if a whole routine shows it."""
         return Severity.ERROR if self.is_certain else self.rule.severity
 
 
 def find_metres(facts: Facts) -> Iterator[Diagnostic]:
-    """Targets at the foot of the arm, and tools shorter than a millimetre."""
+    """Report targets at the base of the arm, and tools shorter than a millimetre."""
     reported: set[object] = set()
     for part in facts.routine_parts:
         whole = _of_whole_routine(part, facts)
@@ -98,7 +98,7 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
-    """Speeds of the TCP below a millimetre per second; that of a search is so slow on purpose."""
+    """Report speeds of the TCP below 1 mm/s, except for searches, where they are intended."""
     searching = _speeds_of_searches(facts)
     for part in facts.parts:
         for node in part.all(tree.Data):
@@ -124,7 +124,7 @@ def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _speeds_of_searches(facts: Facts) -> frozenset[tree.Node]:
-    """The declarations of the speeds that searches take."""
+    """Declarations of the speeds of searches."""
     searches = (
         move for part in facts.parts for move in moves(part, facts) if Trait.SEARCH in move.does
     )
@@ -137,7 +137,7 @@ def _speeds_of_searches(facts: Facts) -> frozenset[tree.Node]:
 
 
 def find_radians(facts: Facts) -> Iterator[Diagnostic]:
-    """Angles that are computed with pi, or are fractions of it."""
+    """Report angles that are computed with pi, or are fractions of it."""
     for part in facts.parts:
         for node in part.all(tree.Data):
             if node.type.key == "jointtarget" and not node.dimensions and node.value is not None:
@@ -159,7 +159,7 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
-    """The finding that the targets of a routine are in metres; None if they do not show it."""
+    """Finding that the targets of a routine are in metres; None if they do not show it."""
     targets = [target for move in moves(part, facts) if (target := move.arguments.get("topoint"))]
     values = [known_value(target, facts) for target in targets]
     positions = [
@@ -174,7 +174,7 @@ def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
         return None
     count = len(positions)
     if runs:
-        # Targets near the origin are among the statements, so not all of these are near it.
+        # Targets near the origin are among the statements, so bulk targets are not all near it.
         steps_mm = [_longest_step_mm(run) for run in runs]
         count += sum(map(len, runs))
     else:
@@ -190,7 +190,7 @@ def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
 
 
 def _longest_step_mm(run: tree.BulkStatements) -> float:
-    """The longest way from one target of a run to the next."""
+    """Longest distance [mm] between consecutive targets of bulk statements."""
     places = run.numbers[:, :3]
     squares = ((places[1:] - places[:-1]) ** 2).sum(axis=1)
     return math.sqrt(squares.max(initial=0.0))
@@ -211,7 +211,7 @@ def _radians(subject: str) -> MetresOrRadians:
 
 
 def _is_from_base(move: MoveCall, facts: Facts) -> bool:
-    """Whether a target counts from the base of the arm, as far as the program tells."""
+    """Whether a target refers to the base of the arm, as far as the program shows."""
     if "wobj" not in move.arguments:
         return True
     symbol = facts.symbol(move.arguments["wobj"])
@@ -219,7 +219,7 @@ def _is_from_base(move: MoveCall, facts: Facts) -> bool:
 
 
 def _length(value: object, position: int) -> float | None:
-    """The distance that a component of a record stands for [mm]."""
+    """Distance [mm] of a position component of a record from its origin."""
     if not isinstance(value, tuple) or len(value) <= position:
         return None
     place = numbers(value[position], 3)
@@ -227,9 +227,9 @@ def _length(value: object, position: int) -> float | None:
 
 
 def _slow_speed(value: object) -> float | None:
-    """A speed of the TCP [mm/s], or that of speed data, if it is suspiciously slow.
+    """Speed [mm/s] of the TCP, or of speed data, if it is suspiciously slow; else None.
 
-    Where the tool turns as slowly, as in milling, it is slow on purpose.
+    If the tool reorients as slowly, as in milling, it is intended.
     """
     speed, *others = value if isinstance(value, tuple) and value else (value,)
     turning = others[0] if others else None
@@ -246,7 +246,7 @@ def _declared(symbol: object, part: ProgramPart) -> tuple[Related, ...]:
 
 
 def _are_radians(axes: tuple[float, ...]) -> bool:
-    """Whether the positions of axes are no more than a turn in radians, and parts of pi."""
+    """Whether axis positions are within a revolution in radians, and parts of pi."""
     telling = [axis for axis in axes if axis != 0.0]
     return max(map(abs, axes)) < 2.1 * math.pi and sum(map(_is_part_of_pi, telling)) >= 2
 
@@ -256,7 +256,7 @@ def _is_angle(key: str) -> bool:
 
 
 def _is_made_with_pi(expression: tree.Expression, facts: Facts) -> bool:
-    """Whether an angle is so many times pi, and not divided by it."""
+    """Whether an angle is a multiple of pi, and not divided by it."""
     match expression:
         case tree.DataReference():
             return facts.symbol(expression) is not None and _is_predefined_pi(expression, facts)
@@ -289,7 +289,7 @@ def _names_pi(expression: tree.Expression) -> bool:
 
 
 def _is_part_of_pi(value: Value | None) -> bool:
-    """Whether a number is a part of pi, or twice pi, to the digits it is written with."""
+    """Whether a number is a fraction of pi, or twice pi, to the precision of its digits."""
     if not isinstance(value, float):
         return False
     angle = abs(value)

@@ -1,4 +1,4 @@
-"""Rules M502 and M503: what a program does while the robot is still moving through a zone."""
+"""Rules M502 and M503: effects that execute during a fly-by."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class OutputInZone(Violation, code="M503"):
 
 
 def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
-    """Waits and outputs after fly-by moves: each move and each output once."""
+    """Report waits and outputs after fly-by moves: each move and each output once."""
     part_of = {call: part for part in facts.routine_parts for call in part.all(tree.Call)}
     reported: set[tree.Node] = set()
     for one in effects_behind_moves(facts):
@@ -39,7 +39,7 @@ def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:
-    """The finding at the zone of the move; at the wait where the move is in another routine."""
+    """Finding at the zone of the move; at the wait if the move is in another routine."""
     zone = move.arguments.get("zone")
     place = move.call if zone is None else zone
     violation = ZoneBeforeWait(move.call.name.text, home.module.span(place).text, _describe(effect))
@@ -68,13 +68,13 @@ def _acts(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnos
 
 
 def _describe(effect: EffectAfterMove) -> str:
-    """The instruction, with the call that leads to it."""
+    """Describe the instruction, with the call that leads to it."""
     name = effect.effect.node.name.text
     return name if effect.place is effect.effect.node else f"{name} in `{effect.place.name.text}`"
 
 
 def _more(effect: EffectAfterMove) -> tuple[Related, ...]:
-    """Where the instruction stands, if a call leads to it."""
+    """Location of the instruction if a call leads to it."""
     if effect.place is effect.effect.node:
         return ()
     return (effect.effect.part.place(effect.effect.node, "it stands here"),)

@@ -1,1 +1,1 @@
-"""Names and data that nothing uses, sets or can see."""
+"""Rules about names and data that are unused, never set or hidden."""

@@ -1,4 +1,4 @@
-"""Rule N207: calls by a name composed at run time, such as `%"part"+ValToStr(n)%;`."""
+"""Rule N207: calls by a name computed at run time, such as `%"part"+ValToStr(n)%;`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class AmbiguousLateBinding(Violation, code="N207"):
 
 
 def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
-    """Calls by name that match no procedure of the task."""
+    """Report calls by name that match no procedure of the task."""
     if not facts.is_read or facts.analysis.loads_modules:
         return
     procedures = [
@@ -40,13 +40,13 @@ def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
-    """The possible names in calls by name, one pattern per call."""
+    """Patterns of the possible names in calls by name, one per call."""
     found = [
         _pattern(_pieces(call.routine, facts))
         for part in facts.parts
         for call in part.all(tree.LateCall)
     ]
-    # A number is put behind the name.
+    # A number is appended to the name.
     for part in facts.parts:
         for call in part.all(tree.Call):
             if Trait.CALL_BY_NAME in may_do(call, facts) and call.arguments:
@@ -57,7 +57,7 @@ def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
 
 
 def _pieces(expression: tree.Expression | None, facts: Facts) -> list[str | None]:
-    """The parts of a name in their order; None for what only a run knows."""
+    """Parts of a name in order; None for a part known only at run time."""
     match expression:
         case tree.Parenthesised(inner=inner):
             return _pieces(inner, facts)
@@ -65,7 +65,7 @@ def _pieces(expression: tree.Expression | None, facts: Facts) -> list[str | None
             return [*_pieces(left, facts), *_pieces(right, facts)]
         case _:
             value = known_value(expression, facts, persistents=False)
-            # A module may stand before the name: "module:procedure".
+            # A module may precede the name: "module:procedure".
             return [value.rpartition(":")[2]] if isinstance(value, str) else [None]
 
 

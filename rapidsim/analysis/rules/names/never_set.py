@@ -1,4 +1,4 @@
-"""Rule F412: variables that are read and never given a value."""
+"""Rule F412: variables that are read but never assigned a value."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from rapidsim.library.predefined import TYPES
 from rapidsim.syntax import tree
 
 _WITHOUT_START = (types.NUM, types.DNUM, types.STRING, types.BOOL, TYPES["triggdata"])
-"""Types beside records whose data somebody must set before they mean anything."""
+"""Types in addition to records whose data have no meaning before they are assigned."""
 
 
 class ReadBeforeSet(Violation, code="F412"):
@@ -22,7 +22,7 @@ class ReadBeforeSet(Violation, code="F412"):
 
 
 def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
-    """The first use of each variable of type number, string or record that nothing sets."""
+    """Report the first use of each number, string or record variable that nothing sets."""
     if not facts.is_read:
         return
     set_somewhere = {symbol for part in facts.parts for symbol in changed_in(part, facts)}
@@ -48,7 +48,7 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _has_value(symbol: DataSymbol) -> bool:
-    """Whether data are a variable of a type whose value somebody must give."""
+    """Whether data are a variable of a type that needs an assigned value."""
     if symbol.storage is not Storage.VAR:
         return False
     of = resolved(symbol.type)
@@ -58,7 +58,7 @@ def _has_value(symbol: DataSymbol) -> bool:
 
 
 def _clears(symbol: DataSymbol) -> bool:
-    """Whether a copy of data that nothing sets empties others: arrays and texts are so emptied."""
+    """Whether copying unset data serves to clear others, as with arrays and strings."""
     of = resolved(symbol.type)
     if isinstance(of, ArrayOf):
         of = resolved(of.element)
@@ -67,7 +67,7 @@ def _clears(symbol: DataSymbol) -> bool:
 
 
 def _all_is_seen(symbol: DataSymbol, facts: Facts) -> bool:
-    """Whether all text that could set the data is here."""
+    """Whether all code that could set the data is available."""
     assert symbol.node is not None
     is_outside = symbol.module is not None and symbol.node in symbol.module.items
     return not is_outside or symbol.node.scope == "LOCAL" or facts.is_whole

@@ -18,7 +18,7 @@ class AbsentOptionalUsed(Violation, code="T310"):
 
 
 def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
-    """The first use of each optional parameter whose presence is never checked."""
+    """Report the first use of each optional parameter whose presence is never checked."""
     calls: dict[tree.Routine, list[_Caller]] | None = None
     for part in facts.routine_parts:
         optionals = _optionals(part)
@@ -33,8 +33,8 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
                 continue
             if not isinstance(facts.symbol(node), ParameterSymbol):
                 continue
-            # Of parameters that exclude each other, asking for one answers for the other; and
-            # where any is asked for, those that come together with it are.
+            # Of parameters that exclude each other, checking one also decides about the other; and
+            # parameters that are always passed together are decided by a check of any of them.
             if not optionals[key].isdisjoint(asked) or _names_at(node, guarded):
                 continue
             reported.add(key)
@@ -47,7 +47,7 @@ def find_absent_optionals(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _optionals(part: ProgramPart) -> dict[str, frozenset[str]]:
-    """Optional parameters that are no switches, each with all names of its group."""
+    """Optional parameters other than switches, each with all names of its group."""
     return {
         parameter.name.key: names
         for group in part.all(tree.OptionalGroup)
@@ -58,20 +58,20 @@ def _optionals(part: ProgramPart) -> dict[str, frozenset[str]]:
 
 
 def _alternatives(group: tree.OptionalGroup) -> list[tree.ParameterDeclaration]:
-    """The parameters of a group; unfinished code may hold something else."""
+    """Parameters of a group; unfinished code may contain other nodes."""
     return [one for one in group.alternatives if isinstance(one, tree.ParameterDeclaration)]
 
 
 @value_class(frozen=True, slots=True)
 class _Caller:
-    """A call of a routine of the user."""
+    """A call of a user routine."""
 
     call: tree.Call | tree.FunctionCall
     part: ProgramPart
 
 
 def _calls(facts: Facts) -> dict[tree.Routine, list[_Caller]]:
-    """The calls of each routine."""
+    """Calls of each routine."""
     found: dict[tree.Routine, list[_Caller]] = {}
     for part in facts.routine_parts:
         for call in part.calls:
@@ -82,7 +82,7 @@ def _calls(facts: Facts) -> dict[tree.Routine, list[_Caller]]:
 
 
 def _gives(caller: _Caller, key: str, facts: Facts) -> bool:
-    """Whether a call surely gives an optional argument."""
+    """Whether a call certainly passes an optional argument."""
     for argument in caller.call.arguments:
         match argument:
             case tree.OptionalArgument(name=name) if name.key == key:
@@ -94,7 +94,7 @@ def _gives(caller: _Caller, key: str, facts: Facts) -> bool:
 
 @value_class(frozen=True, slots=True)
 class _Guarded:
-    """Text that is executed only where a condition holds that asks for parameters."""
+    """Text that executes only if a condition holds that checks the presence of parameters."""
 
     start: int
     end: int
@@ -116,7 +116,7 @@ def _guarded(part: ProgramPart, facts: Facts) -> list[_Guarded]:
 
 
 def _names_at(node: tree.Node, guarded: list[_Guarded]) -> frozenset[str]:
-    """The parameters that were asked for where a node stands."""
+    """Parameters whose presence has been checked at a node."""
     around = (one.names for one in guarded if one.start <= node.start < one.end)
     return frozenset().union(*around)
 

@@ -12,10 +12,10 @@ from rapidsim.library.named_numbers import OF_OPTIONS
 from rapidsim.syntax import tree
 
 _OF_MOTION = frozenset({"speeddata", "zonedata", "tooldata", "wobjdata", "loaddata"})
-"""Types whose predefined data a reader knows by name; `low` and `edge` may well name something."""
+"""Types with well-known predefined data; `low` and `edge` are reasonable names of other things."""
 _VOWELS = "aeiou"
 _OF_OTHERS = ("err_hand_", "err_glueflow")
-"""How the error names begin that modules of an option declare, or programs that book them."""
+"""Prefixes of error names that modules of an option declare, or programs that book them."""
 
 
 class ShadowedName(Violation, code="N203"):
@@ -30,7 +30,7 @@ class RedefinedBuiltin(Violation, code="N206"):
 
 
 def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
-    """Local or LOCAL data that hide data of an outer scope."""
+    """Report local or LOCAL data that hide data of an outer scope."""
     outside: dict[str, list[tuple[tree.Module, tree.Data]]] = {}
     for part in facts.parts:
         if part.routine is None:
@@ -54,9 +54,9 @@ def find_shadowed(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
-    """Declarations of names that the controller predefines."""
+    """Report declarations of names that the controller predefines."""
     for part in facts.parts:
-        # What one routine or one module alone sees may have the name of what it does not use.
+        # Names visible in one routine or module only may hide names that it does not use.
         declared = [(node.name, node.scope == "LOCAL") for node in part.all(tree.Data)]
         if part.routine is not None:
             declared = [(name, True) for name, _ in declared]
@@ -77,5 +77,5 @@ def find_redefined(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _is_their_home(module: tree.Module) -> bool:
-    """Whether a module is one that the controller itself ships predefined data in."""
+    """Whether a module is one in which the controller ships predefined data."""
     return module.name.key in ("base", "user")

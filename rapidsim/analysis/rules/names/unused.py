@@ -12,7 +12,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 _PREDEFINED_HOMES = ("user", "base")
-"""Modules that come with the controller; a program need not use what is in them."""
+"""Modules shipped with the controller; a program need not use their contents."""
 _BY_NAME = Trait.READ_BY_NAME | Trait.WRITE_BY_NAME
 
 
@@ -28,7 +28,7 @@ class UnusedRoutine(Violation, code="N205"):
 
 
 def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
-    """Data that nothing uses in the text where they are visible."""
+    """Report data that nothing uses in the text where they are visible."""
     by_name = any(_BY_NAME & may_do(call, facts) for part in facts.parts for call in part.calls)
     module_names: dict[tree.Module, frozenset[str]] = {}
     for part in facts.parts:
@@ -53,7 +53,7 @@ def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
-    """Routines that nothing calls, connects, or could name in a string."""
+    """Report routines that nothing calls, connects, or could name in a string."""
     patterns = late_patterns(facts)
     used_elsewhere: dict[str, int] = {}
     for part in facts.parts:

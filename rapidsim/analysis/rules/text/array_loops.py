@@ -32,7 +32,7 @@ class LoopBeyondArray(Violation, code="T325"):
 
 @value_class(frozen=True, slots=True)
 class _Rounds:
-    """What counts the rounds of a loop, from where to where."""
+    """Counter of a loop, with its first and last value if known."""
 
     counter: Symbol
     least: float | None
@@ -40,7 +40,7 @@ class _Rounds:
 
 
 def find_loops_beyond_arrays(facts: Facts) -> Iterator[Diagnostic]:
-    """Elements whose index is out of bounds in the first or last iteration of a loop."""
+    """Report elements whose index is out of bounds in the first or last iteration of a loop."""
     for part in facts.routine_parts:
         for loop in part.all(tree.For):
             rounds = _of_for(loop, facts)
@@ -72,7 +72,7 @@ def _of_for(loop: tree.For, facts: Facts) -> _Rounds | None:
 
 
 def _of_while(loop: tree.While, facts: Facts) -> _Rounds | None:
-    """Rounds that a variable counts up by one until it passes a constant."""
+    """Range of a variable that counts up by one until it passes a constant."""
     match loop.condition:
         case tree.Binary(left=tree.DataReference() as left, operator="<=" | "<" as operator):
             counter = facts.symbol(left)
@@ -100,7 +100,7 @@ def _adds_one(node: tree.Node, facts: Facts) -> bool:
 
 
 def _before_counting(body: tree.Body, counter: Symbol, facts: Facts) -> tree.Body:
-    """The statements of a round that come before the counting."""
+    """Statements of an iteration before its counter changes."""
     found: list[tree.Statement] = []
     for statement in body:
         if counter in changed_by(descendants(statement), facts):
@@ -143,7 +143,7 @@ def _beyond(
 
 
 def _unguarded(body: tree.Body, counter: Symbol, facts: Facts) -> Iterator[tree.Index]:
-    """The elements that every round reaches, as far as the counter decides."""
+    """Elements that every iteration evaluates, as far as the counter decides."""
     for statement in body:
         inner = list(blocks(statement))
         if inner:
@@ -162,7 +162,7 @@ def _unguarded(body: tree.Body, counter: Symbol, facts: Facts) -> Iterator[tree.
 
 
 def _index_offset(index: tree.Expression, counter: Symbol, facts: Facts) -> float | None:
-    """How far an index is from the counter; None if it is another expression."""
+    """Offset of an index from the counter; None for other expressions."""
     match index:
         case tree.Parenthesised(inner=inner):
             return _index_offset(inner, counter, facts)
@@ -179,7 +179,7 @@ def _index_offset(index: tree.Expression, counter: Symbol, facts: Facts) -> floa
 
 
 def _number(expression: tree.Expression, facts: Facts) -> float | None:
-    """A number that is the same in every run, sizes of arrays too."""
+    """Number that is the same in every run, including sizes of arrays."""
     match expression:
         case tree.FunctionCall() if Trait.READ_ARGUMENT in facts.does(expression):
             return _size(expression, facts)
@@ -199,12 +199,12 @@ def _result(operator: str, a: float, b: float) -> float | None:
 
 
 def _finite(value: object) -> float | None:
-    """A number that counts rounds."""
+    """Value as a finite number for counting iterations; None for others."""
     return value if isinstance(value, float) and math.isfinite(value) else None
 
 
 def _size(call: tree.FunctionCall, facts: Facts) -> float | None:
-    """What Dim answers of an array whose size is declared."""
+    """Result of Dim for an array of declared size."""
     given = {formal.key: value for formal, value in arguments_of(call, facts) if formal is not None}
     array, number = given.get("arrpar"), given.get("dimno")
     if not isinstance(array, _PATHS) or number is None:

@@ -12,7 +12,7 @@ from rapidsim.library.predefined import TYPES
 
 _VALUES = (0.0, 1.0)
 _EDGES = (*_VALUES, 2.0)
-"""Of instructions that order interrupts: `edge` is both."""
+"""Values for instructions that order interrupts: `edge` is both."""
 _OF_INTERRUPTS = "triggvalue"
 
 
@@ -23,7 +23,7 @@ class DigitalValue(Violation, code="I805"):
 
 
 def find_digital_values(facts: Facts) -> Iterator[Diagnostic]:
-    """Known values that no digital signal has."""
+    """Report known values that no digital signal has."""
     for part in facts.parts:
         for call in part.calls:
             if facts.installed(call) is None:

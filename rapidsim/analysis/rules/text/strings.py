@@ -17,7 +17,7 @@ class TextTooLong(Violation, code="T326"):
 
 
 def find_long_texts(facts: Facts) -> Iterator[Diagnostic]:
-    """Concatenations whose constant parts alone exceed the maximum length."""
+    """Report concatenations whose constant parts alone exceed the maximum length."""
     for part in facts.parts:
         sums = [node for node in part.all(tree.Binary) if node.operator == "+"]
         inner = {_bare(side) for node in sums for side in (node.left, node.right)}
@@ -31,7 +31,7 @@ def find_long_texts(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _pieces(expression: tree.Expression) -> Iterator[tree.Expression]:
-    """What a sum puts together."""
+    """Operands of a concatenation, in order."""
     waiting = [expression]
     while waiting:
         piece = _bare(waiting.pop())

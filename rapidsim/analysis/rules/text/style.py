@@ -30,7 +30,7 @@ class LongRoutine(Violation, code="S908"):
 
     @property
     def help(self) -> str:
-        """The remedy."""
+        """Suggestion to split the routine."""
         return f"divide it; {_LONGEST_ROUTINE} can be looked over"
 
 
@@ -43,7 +43,7 @@ class InlineTarget(Violation, code="S910"):
 
 
 def find_keyword_case(facts: Facts) -> Iterator[Diagnostic]:
-    """Reserved words with lower-case letters, each with the edit that capitalises it."""
+    """Report reserved words with lower-case letters, each with the edit that capitalises it."""
     for file in facts.files:
         tokens = lex(file.source.text)
         for kind, start, end in zip(tokens.kinds, tokens.starts, tokens.ends, strict=True):
@@ -58,7 +58,7 @@ def find_keyword_case(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_long_routines(facts: Facts) -> Iterator[Diagnostic]:
-    """Routines with too many statements to take in at once."""
+    """Report routines with too many statements to read at once."""
     for part in facts.routine_parts:
         assert part.routine is not None
         count = sum(
@@ -71,7 +71,7 @@ def find_long_routines(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_commented_out(facts: Facts) -> Iterator[Diagnostic]:
-    """Comments that read like statements."""
+    """Report comments that look like statements."""
     for file in facts.files:
         for comment in file.comments:
             if _STATEMENT.match(comment.text):
@@ -80,7 +80,7 @@ def find_commented_out(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_inline_targets(facts: Facts) -> Iterator[Diagnostic]:
-    """Moves with an inline target."""
+    """Report moves with an inline target."""
     for part in facts.routine_parts:
         for move in moves(part, facts):
             target = move.arguments.get("topoint") or move.arguments.get("tojointpos")

@@ -38,7 +38,7 @@ class LineTooLong(Violation, code="S906"):
 
 
 def find_indentation(facts: Facts) -> Iterator[Diagnostic]:
-    """Statements whose indentation differs from the first statement of their list."""
+    """Report statements whose indentation differs from the first statement of their list."""
     for part in facts.routine_parts:
         assert part.routine is not None
         waiting = list(clauses(part.routine))
@@ -57,7 +57,7 @@ def find_indentation(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_trailing_space(facts: Facts) -> Iterator[Diagnostic]:
-    """Trailing whitespace, each with the edit that removes it."""
+    """Report trailing whitespace, with the edit that removes it."""
     for file in facts.files:
         for match in _TRAILING.finditer(file.source.text):
             span = Span(file.source, match.start(), match.end())
@@ -65,7 +65,7 @@ def find_trailing_space(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_blank_lines(facts: Facts) -> Iterator[Diagnostic]:
-    """More than two consecutive empty lines, each with the edit that leaves two."""
+    """Report more than two consecutive empty lines, with the edit that leaves two."""
     for file in facts.files:
         for match in _BLANK_LINES.finditer(file.source.text):
             lines = match.group().splitlines(keepends=True)
@@ -77,7 +77,7 @@ def find_blank_lines(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_final_newline(facts: Facts) -> Iterator[Diagnostic]:
-    """Files whose last line has no line ending; the edit adds that of the line before."""
+    """Report files whose last line has no line ending; the edit adds the previous line's ending."""
     for file in facts.files:
         text = file.source.text
         if not text or text.endswith(("\n", "\r")):
@@ -90,7 +90,7 @@ def find_final_newline(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_long_lines(facts: Facts) -> Iterator[Diagnostic]:
-    """Lines of statements and comments that are too long."""
+    """Report lines of statements and comments that are too long."""
     for file in facts.files:
         source = file.source
         data = {
@@ -108,7 +108,7 @@ def find_long_lines(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _depth(source: Source, statement: tree.Node) -> int | None:
-    """Blanks before a statement that begins its line; None where others stand before it."""
+    """Number of blanks before a statement at the start of a line; None after another statement."""
     line_start = source.line_starts[source.position(statement.start)[0] - 1]
     before = source.text[line_start : statement.start]
     return None if before.strip(" \t") else len(before.expandtabs(4))

@@ -10,7 +10,7 @@ from rapidsim.diagnostics import Diagnostic, Edit, Fix, Span, Violation
 
 _DOUBLED = re.compile(r"\r{2,}\n")
 _OUTSIDE = re.compile(r"[^\x00-\xff\ufffd]")
-# Code page 1252 has these where ISO 8859-1 has control characters; controllers show them.
+# Code page 1252 has these in place of ISO 8859-1's control characters; controllers show them.
 _WINDOWS = frozenset("€‚ƒ„…†‡ˆ‰Š‹ŒŽ‘’“”•–—˜™š›œžŸ")
 
 
@@ -25,7 +25,7 @@ class BadEncoding(Violation, code="E107"):
 
 
 def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
-    """One finding per file, with the edits that leave CR LF."""
+    """Report line endings once per file, with the edits that leave CR LF."""
     for file in facts.files:
         source = file.source
         doubled = list(_DOUBLED.finditer(source.text))
@@ -40,7 +40,7 @@ def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def find_bad_encoding(facts: Facts) -> Iterator[Diagnostic]:
-    """One finding per file, at the first character outside the set."""
+    """Report the first character outside the set, once per file."""
     for file in facts.files:
         text = file.source.text
         if text.isascii():

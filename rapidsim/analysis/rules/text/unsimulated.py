@@ -1,4 +1,4 @@
-"""Rule E105: what is checked but not simulated."""
+"""Rule E105: routines that are checked but not simulated."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ class UnsupportedConstruct(Violation, code="E105"):
 
     @property
     def qualifies(self) -> bool:
-        """Whether a run differs from the controller's in what it shows."""
+        """Whether the result of a run differs from a controller's."""
         return not self.treated_as.startswith(ACCEPTED)
 
 
 def find_unsupported(facts: Facts) -> Iterator[Diagnostic]:
-    """Calls of installed routines that are not simulated."""
+    """Report calls of installed routines that are not simulated."""
     places_parts = facts.analysis.cell.places_parts
     for part in facts.parts:
         for call in part.calls:
