@@ -2,7 +2,6 @@
 
 import ast
 import re
-from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -58,22 +57,3 @@ def test_whatever_the_page_names_exists() -> None:
         and name not in ("__init__.py", "rules/CODE-name/")
     ]
     assert not missing
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "name"),
-    [
-        ("interpreter.coverage_plugin", "interpreter.tools.coverage_plugin", "coverage_init"),
-        ("motion.trajectories.follow", "motion.waypoints.follow", "follow"),
-        ("motion.trajectories.plan", "motion.waypoints.plan", "Plan"),
-        ("motion.trajectories.points_file", "motion.waypoints.points_file", "points_from_text"),
-        ("motion.trajectories.profiles", "motion.waypoints.velocity_profiles", "law"),
-        ("motion.trajectories.quintic", "motion.waypoints.quintic", "quintics"),
-        ("motion.trajectories.reachable", "motion.waypoints.reachability", "reach"),
-        ("motion.trajectories.shell", "motion.waypoints.random_points", "shell_points"),
-        ("motion.trajectories.spline", "motion.waypoints.spline", "spline"),
-    ],
-)
-def test_names_of_the_last_release_can_be_imported(old: str, new: str, name: str) -> None:
-    former, present = import_module(f"rapidsim.{old}"), import_module(f"rapidsim.{new}")
-    assert getattr(former, name) is getattr(present, name)

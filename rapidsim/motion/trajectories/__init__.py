@@ -1,1 +1,0 @@
-"""Aliases of the modules of `rapidsim.motion.waypoints`; removed in the next release."""
