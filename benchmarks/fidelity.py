@@ -23,7 +23,7 @@ import numpy as np
 
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Array
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.calibration.log_comparison import MotionByPlace

@@ -34,7 +34,7 @@ from rapidsim.diagnostics import Source, Span
 from rapidsim.files import SourceFile
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform, quaternion_from_matrix
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.data import (
     NO_EXTERNAL_AXES,
     TOOL0,

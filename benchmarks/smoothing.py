@@ -14,7 +14,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.model import MotionModel, Smoothing
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions

@@ -12,10 +12,10 @@ if TYPE_CHECKING:
     from rapidsim.api.run import Run
     from rapidsim.api.schemas import json_schema
     from rapidsim.files import InputError
-    from rapidsim.jobs.check_files import check
-    from rapidsim.jobs.check_result import CheckResult
-    from rapidsim.jobs.routine_call import CallError
-    from rapidsim.jobs.run_files import ProgramRejectedError, simulate
+    from rapidsim.jobs.checking.check_files import check
+    from rapidsim.jobs.checking.check_result import CheckResult
+    from rapidsim.jobs.running.routine_call import CallError
+    from rapidsim.jobs.running.run_files import ProgramRejectedError, simulate
     from rapidsim.motion.robot.catalogue import RobotError
     from rapidsim.motion.robot.robot import load_robot
     from rapidsim.recording.layout.write import record
@@ -44,20 +44,20 @@ __all__ = [
 # Where the public names live. They are imported when first used, so that parsing or checking a
 # program does not pay for NumPy or rerun.
 _HOMES = {
-    "CallError": "rapidsim.jobs.routine_call",
+    "CallError": "rapidsim.jobs.running.routine_call",
     "Cell": "rapidsim.api.cell",
-    "CheckResult": "rapidsim.jobs.check_result",
+    "CheckResult": "rapidsim.jobs.checking.check_result",
     "InputError": "rapidsim.files",
-    "ProgramRejectedError": "rapidsim.jobs.run_files",
+    "ProgramRejectedError": "rapidsim.jobs.running.run_files",
     "RobotError": "rapidsim.motion.robot.catalogue",
     "Run": "rapidsim.api.run",
     "json_schema": "rapidsim.api.schemas",
     "load": "rapidsim.api.cell",
-    "check": "rapidsim.jobs.check_files",
+    "check": "rapidsim.jobs.checking.check_files",
     "load_robot": "rapidsim.motion.robot.robot",
     "parse": "rapidsim.syntax.parser",
     "record": "rapidsim.recording.layout.write",
-    "simulate": "rapidsim.jobs.run_files",
+    "simulate": "rapidsim.jobs.running.run_files",
 }
 _NEEDS = {"record": "rerun"}  # Packages that not everybody has.
 

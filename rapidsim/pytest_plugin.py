@@ -210,7 +210,7 @@ class RapidTest(pytest.Item):
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], *_: Any) -> str:
         """The message for RAPID users, without Python's traceback."""
         from rapidsim.files import InputError
-        from rapidsim.jobs.run_files import ProgramRejectedError
+        from rapidsim.jobs.running.run_files import ProgramRejectedError
 
         match excinfo.value:
             case ProgramRejectedError(diagnostics=found):

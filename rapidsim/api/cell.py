@@ -9,11 +9,11 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from rapidsim.jobs.answers import answers_in_order, answers_of_file
-from rapidsim.jobs.check_files import check_job, with_best_arm_of_files
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.check_files import check_job, with_best_arm_of_files
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.inputs.answers import answers_in_order, answers_of_file
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
 
 if TYPE_CHECKING:
     from rapidsim.analysis.literals import Value
@@ -143,7 +143,7 @@ class Cell:
             ProgramRejectedError: If checking finds an error.
         """
         from rapidsim.api.run import run_of
-        from rapidsim.jobs.run_files import run_job
+        from rapidsim.jobs.running.run_files import run_job
 
         asked = replace(
             self._with(max_time_s, max_wall_s, home),
@@ -184,7 +184,7 @@ class Cell:
             ProgramRejectedError: If the program has errors.
             CallError: If the routine stops with an error, or at a limit.
         """
-        from rapidsim.jobs.routine_call import call_routine
+        from rapidsim.jobs.running.routine_call import call_routine
 
         asked = self._with(max_time_s, max_wall_s, home)
         back = call_routine(job(asked), routine, arguments, optional)

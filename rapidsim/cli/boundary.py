@@ -32,7 +32,7 @@ from rapidsim.syntax.garbage_collection import gc_rarely
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
-    from rapidsim.jobs.processes import DefectError
+    from rapidsim.jobs.cache.processes import DefectError
 
 _LONGEST = 500
 """Characters of a line of a message; a name in a file may have millions."""
@@ -146,7 +146,7 @@ def _invoked(arguments: Sequence[str], terminal: Terminal) -> _Failure | int:
 
 
 def _defect(error: BaseException, terminal: Terminal) -> _Failure:
-    from rapidsim.jobs.processes import defect_of
+    from rapidsim.jobs.cache.processes import defect_of
 
     defect = defect_of(error)
     if terminal.verbose:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rapidsim.backinfo import listed_products
 from rapidsim.files import decode, input_bytes
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.language.equipment import Configured
 from rapidsim.module_files import configuration_below, opened
 from rapidsim.station.backup.backup import configured_in

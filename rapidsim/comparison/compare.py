@@ -25,11 +25,11 @@ from rapidsim.comparison.run_changes import ProgramRun, run_changes
 from rapidsim.comparison.run_record import RunRecord, read_run_record
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.files import InputError, decode, input_bytes
-from rapidsim.jobs.answers import answers_of_file
-from rapidsim.jobs.check_files import check_job
-from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.run_files import ProgramRejectedError, run_job
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.check_files import check_job
+from rapidsim.jobs.inputs.answers import answers_of_file
+from rapidsim.jobs.inputs.job import Job, job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import ProgramRejectedError, run_job
 from rapidsim.module_files import TaskFiles, backup_among, has_modules, opened
 from rapidsim.report.run.json_report import course_json
 from rapidsim.simulation.results.simulation import RobotRun, Simulation

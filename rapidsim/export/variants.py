@@ -9,7 +9,7 @@ import numpy as np
 
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.sweep import Sweep
+from rapidsim.jobs.running.sweep import Sweep
 from rapidsim.output_files import whole_file
 
 _ROWS_AT_ONCE = 50_000

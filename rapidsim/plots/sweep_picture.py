@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from rapidsim.frames.transform import Array
-from rapidsim.jobs.sweep import Axis, Sweep
+from rapidsim.jobs.running.sweep import Axis, Sweep
 from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
 

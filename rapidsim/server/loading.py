@@ -12,9 +12,9 @@ from rapidsim.controller.cell.description import SignalDeclaration, SignalKind
 from rapidsim.controller.cell.external_streams import NullWire, Wire
 from rapidsim.controller.cell.sensors import GuidanceSensors, NoSensors
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import LoadedJob, PreparedRun, loaded, prepared
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import LoadedJob, PreparedRun, loaded, prepared
 from rapidsim.server.derived_parameters import with_derived
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace, WallPace
 from rapidsim.server.messages import Notification

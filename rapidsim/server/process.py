@@ -25,8 +25,8 @@ from rapidsim.egm.sensor_loop import run_sensor_loop
 from rapidsim.egm.udp import PacedSensors, StepSensors
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.run_files import ProgramRejectedError
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 from rapidsim.motion.robot.robot import RobotError
 from rapidsim.server.engine import Engine, WallPace
 from rapidsim.server.journal import JournalFile

@@ -8,7 +8,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.jobs.check_files import check_tasks
+from rapidsim.jobs.checking.check_files import check_tasks
 from rapidsim.module_files import read_tasks
 
 HERE = Path(__file__).parent

@@ -10,9 +10,9 @@ from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Span
 from rapidsim.files import SourceFile
-from rapidsim.jobs import check_files
-from rapidsim.jobs.check_files import check_tasks
-from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.checking import check_files
+from rapidsim.jobs.checking.check_files import check_tasks
+from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.module_files import TaskFiles
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach import trial_run

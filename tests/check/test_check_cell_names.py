@@ -25,7 +25,7 @@ from rapidsim.analysis.installed import (
 from rapidsim.analysis.suggestions import reserved_words
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.module_files import Backup
 from rapidsim.station.backup.backup import backup_station
 from rapidsim.station.cell_names import declared_names

@@ -10,7 +10,7 @@ from command_line import call
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.diagnostics import all_rules
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.error_numbers import EVENTS, NUMBERS
 from rapidsim.language.events import EVENT_TITLES
 

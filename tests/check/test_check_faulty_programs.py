@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from rapidsim.jobs.check_files import check
-from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.checking.check_files import check
+from rapidsim.jobs.checking.check_result import CheckResult
 
 PROGRAM = """MODULE cell
   CONST robtarget near:=[[700,-200,600],[0,0,1,0],[-1,0,-1,0],[9E9,9E9,9E9,9E9,9E9,9E9]];

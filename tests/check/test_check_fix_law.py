@@ -18,7 +18,7 @@ from rapidsim.cli.tools.fixes import apply_fixes, choose_fixes, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.export.text_edits import edited_text
 from rapidsim.files import SourceFile, decode
-from rapidsim.jobs.check_files import check_tasks
+from rapidsim.jobs.checking.check_files import check_tasks
 from rapidsim.module_files import TaskFiles
 
 ROOT = Path(__file__).parents[2]

@@ -9,7 +9,7 @@ from command_line import call
 from rapidsim.analysis.cell_names import cell_names
 from rapidsim.diagnostics import Severity
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.types import SIGNAL_AO, SIGNAL_DI, SIGNAL_DO, SIGNAL_GO
 
 LINE = 13

@@ -16,15 +16,21 @@ from command_line import Ended, call
 from rapidsim.cli.tools.check_output import FORMATS
 from rapidsim.diagnostics import Violation
 from rapidsim.files import InputError
-from rapidsim.jobs import batch_check, fingerprints
-from rapidsim.jobs.batch_check import check_jobs
-from rapidsim.jobs.check_files import check_job
-from rapidsim.jobs.finding_records import NoRecordError, StoredFindings, read_findings, record_of
-from rapidsim.jobs.fingerprints import NoFingerprintError, fingerprint, of_installation
-from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.result_cache import ResultCache, sources_of
-from rapidsim.jobs.result_store import ResultStore, cache_folder
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.cache import fingerprints
+from rapidsim.jobs.cache.finding_records import (
+    NoRecordError,
+    StoredFindings,
+    read_findings,
+    record_of,
+)
+from rapidsim.jobs.cache.fingerprints import NoFingerprintError, fingerprint, of_installation
+from rapidsim.jobs.cache.result_cache import ResultCache, sources_of
+from rapidsim.jobs.cache.result_store import ResultStore, cache_folder
+from rapidsim.jobs.checking import batch_check
+from rapidsim.jobs.checking.batch_check import check_jobs
+from rapidsim.jobs.checking.check_files import check_job
+from rapidsim.jobs.inputs.job import Job, job
+from rapidsim.jobs.inputs.run_request import RunRequest
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 CASES: list[tuple[str, ...]] = [
@@ -79,7 +85,9 @@ def refused(*_: object) -> None:
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch) -> None:
     """All of rapidsim is not read for each of the folders that tests keep results in."""
-    monkeypatch.setattr("rapidsim.jobs.result_cache.of_installation", lambda _: "installation")
+    monkeypatch.setattr(
+        "rapidsim.jobs.cache.result_cache.of_installation", lambda _: "installation"
+    )
 
 
 @pytest.mark.usefixtures("installed")
@@ -92,7 +100,7 @@ def test_what_is_kept_is_told_as_what_is_found(arguments: tuple[str, ...], tmp_p
         if not kept.exists():
             assert check(kept, tmp_path, *asked) == fresh
             assert entries(kept)
-        with patch("rapidsim.jobs.check_files.check_job", refused):
+        with patch("rapidsim.jobs.checking.check_files.check_job", refused):
             assert check(kept, tmp_path, *asked) == fresh
         assert fresh[0] in (0, 1)
 

@@ -4,9 +4,9 @@ import pytest
 
 from rapidsim.analysis.suggestions import closest
 from rapidsim.files import SourceFile
-from rapidsim.jobs import error_free_subset
-from rapidsim.jobs.check_files import check_tasks
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking import error_free_subset
+from rapidsim.jobs.checking.check_files import check_tasks
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import ReachReport
 

@@ -14,7 +14,7 @@ from command_line import call
 from rapidsim.cli import boundary
 from rapidsim.cli.commands import check as check_command
 from rapidsim.files import InputError
-from rapidsim.jobs.processes import DefectError, in_processes
+from rapidsim.jobs.cache.processes import DefectError, in_processes
 
 PROGRAMS = Path(__file__).parents[2] / "programs"
 SEVERAL = ("out_of_reach.mod", "circle.mod")

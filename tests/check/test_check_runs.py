@@ -14,7 +14,7 @@ from run_texts import harmed, program
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.names.name_violations import UndefinedName
-from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.checking.check_result import CheckResult
 
 _COUNT = 40
 _AT = 21

@@ -15,8 +15,8 @@ from command_line import call
 from laws import some
 
 import rapidsim
-from rapidsim.jobs.run_files import ProgramRejectedError
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 from rapidsim.server.loading import ready
 from rapidsim.simulation.live.controller import LiveController
 from rapidsim.simulation.live.event_log import LogEntry

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rapidsim.diagnostics import Severity
-from rapidsim.jobs.check_files import check
+from rapidsim.jobs.checking.check_files import check
 
 PROGRAM = r"""MODULE Late
   VAR egmident guide;

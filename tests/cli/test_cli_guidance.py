@@ -20,7 +20,7 @@ from rapidsim.egm.devices import Address, sensor_devices
 from rapidsim.egm.messages import ROBOT, SENSOR
 from rapidsim.egm.udp import PacedSensors
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.pytest_plugin import ServedController
 from rapidsim.simulation.options import RunOptions

@@ -62,7 +62,7 @@ SENDS_ITSELF_A_SIGNAL_AT = """
 import os, signal, sys
 from rapidsim.cli import main
 from rapidsim.controller.journal.journal import Journal
-from rapidsim.jobs import load_tasks
+from rapidsim.jobs.checking import load_tasks
 load_tasks.MOST_STATEMENTS = 20
 what, left = sys.argv.pop(1), int(sys.argv.pop(1))
 def heard():

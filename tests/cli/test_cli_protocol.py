@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from command_line import call
 
-from rapidsim.jobs.protocol import (
+from rapidsim.jobs.running.protocol import (
     ANSWERS,
     MODULE,
     TOPICS,

@@ -8,7 +8,7 @@ from cli_helper import PROGRAMS
 
 import rapidsim
 from rapidsim.files import InputError
-from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 
 
 def test_check_finds_what_the_command_finds() -> None:

@@ -7,7 +7,7 @@ import pytest
 from command_line import call
 
 import rapidsim
-from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 
 LACKS = r"""MODULE m
   PROC main()

@@ -13,10 +13,10 @@ import pytest
 from command_line import call
 
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import LoadedJob, loaded
-from rapidsim.jobs.run_request import RunRequest
-from rapidsim.jobs.sweep import KEYS, axis_of, sweep
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import LoadedJob, loaded
+from rapidsim.jobs.running.sweep import KEYS, axis_of, sweep
 from rapidsim.reach.placements import reach_from
 from rapidsim.reach.reach import check_reach
 from rapidsim.simulation.options import RunOptions

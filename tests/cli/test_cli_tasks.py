@@ -8,7 +8,7 @@ import pytest
 from cli_helper import Ended, rapidsim
 
 from rapidsim.files import InputError
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.station.read import read_station
 from rapidsim.station.task_kind import TaskKind
 

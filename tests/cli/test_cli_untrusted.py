@@ -15,7 +15,7 @@ from rapidsim.cli import viewer
 from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.tools import debugger
 from rapidsim.controller.cell import home_folder
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
 from rapidsim.module_files import read_tasks

@@ -10,7 +10,7 @@ from rapidsim.comparison import compare as compare_module
 from rapidsim.comparison.changes import Comparison
 from rapidsim.comparison.compare import compare
 from rapidsim.comparison.rendering import as_text
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 
 MAIN = """MODULE Cell
   ! Take a part and put it down.

@@ -6,7 +6,7 @@ import pytest
 
 from rapidsim.export.persistents import write_persistents
 from rapidsim.files import InputError, SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.module_files import read_tasks
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions

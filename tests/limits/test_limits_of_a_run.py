@@ -9,7 +9,7 @@ from command_line import call
 from rapidsim.controller.cell.home_folder import HomeFolder
 from rapidsim.controller.journal import journal
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
 from rapidsim.motion.robot.robot import load_robot

@@ -15,7 +15,7 @@ from rapidsim.cli.boundary import run_commands
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.controller.other_tasks import TaskCoordination
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach import trial_run
 from rapidsim.simulation.options import RunOptions

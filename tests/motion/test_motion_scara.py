@@ -13,7 +13,7 @@ from laws import examples
 from rapidsim.files import SourceFile
 from rapidsim.frames.rotation_vectors import rotation_from_vector
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.configurations.branch_choice import least_motion
 from rapidsim.motion.configurations.confdata import (
     confdata_of,

@@ -15,10 +15,10 @@ from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.check_output import checked_text
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.check_files import check_job
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import ProgramRejectedError
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.check_files import check_job
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.figures import figures

@@ -24,10 +24,10 @@ from rapidsim.cli.options.answers import answers_from
 from rapidsim.controller.journal.events import ErrorTally, EventKind
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile, decode
-from rapidsim.jobs.checked_program import load
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import ProgramRejectedError, run_job
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.checked_program import load
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import ProgramRejectedError, run_job
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation

@@ -9,8 +9,8 @@ import pytest
 
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import InputError
-from rapidsim.jobs.check_files import check
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.checking.check_files import check
+from rapidsim.jobs.running.run_files import simulate
 
 LINES = (
     "MODULE shop",

@@ -10,7 +10,7 @@ from rapid_promises import promised, sources
 from test_rapid_book import PROGRAMS, name
 
 import rapidsim
-from rapidsim.jobs.run_files import ProgramRejectedError
+from rapidsim.jobs.running.run_files import ProgramRejectedError
 from rapidsim.simulation.results.verdict import run_verdict
 
 RESERVATIONS = {

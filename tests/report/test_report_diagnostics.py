@@ -14,7 +14,7 @@ from rapidsim.analysis.rules.control_flow.conditions import ConstantCondition
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Rule, Source, Span
 from rapidsim.findings.reach_and_motion_data import UnreachableTarget
 from rapidsim.findings.runs import UncaughtError
-from rapidsim.jobs.selectors import is_selected
+from rapidsim.jobs.inputs.selectors import is_selected
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.findings.source_frame import printable, shown_line
 from rapidsim.report.findings.text import concise, diagnostic_json, full, summary_line

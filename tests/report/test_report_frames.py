@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rapidsim.files import SourceFile
 from rapidsim.frames.quaternion import angle_between, from_zyx
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.data import Orient, Pos, Pose
 from rapidsim.report.tables.frame_text import euler_zyx_deg, frame_json
 from rapidsim.report.tables.frame_tree import FrameNode, composed, frame_tree

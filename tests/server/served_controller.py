@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import aiohttp
 from aiohttp import web
 
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine
 from rapidsim.server.http.app import HttpFrontend, runner_of
 from rapidsim.server.http.basic import BasicAuthentication

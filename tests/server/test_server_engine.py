@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine, FullPace, LockStep, Pace
 from rapidsim.server.loading import ready
 from rapidsim.server.messages import (

@@ -16,7 +16,7 @@ from rapidsim.egm.devices import Address, sensor_devices
 from rapidsim.egm.messages import PATH_CORRECTION, ROBOT, SENSOR
 from rapidsim.egm.udp import StepSensors
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import engine_of, ready
 from rapidsim.server.messages import Answer, Request

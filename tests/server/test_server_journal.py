@@ -12,7 +12,7 @@ from laws import examples
 
 from rapidsim.files import InputError
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine, LockStep, Pace
 from rapidsim.server.journal import JournalFile, read_journal
 from rapidsim.server.loading import ReadyController, ready

@@ -11,7 +11,7 @@ from served_controller import STEP_S
 from test_server_programs import COUNTING
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.recording.live_recording import LiveRecording
 from rapidsim.server.engine import Engine

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rapidsim.interpreter.limits import RUNNING_DEPTH, recursion_limit
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine
 from rapidsim.server.journal import read_journal
 from rapidsim.server.loading import ReadyController, engine_of, ready

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 import pytest
 
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.server.engine import Engine, LockStep
 from rapidsim.server.http import bodies
 from rapidsim.server.loading import ready

@@ -8,7 +8,7 @@ import numpy as np
 
 from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind, Status
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.live import symbols
 from rapidsim.simulation.live.controller import LiveController

@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation

@@ -7,7 +7,7 @@ from functools import cache
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.robot import Robot, load_robot
 from rapidsim.reach.checked_moves import ReachReport
 from rapidsim.reach.reach import check_reach

@@ -12,7 +12,7 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import SourceFile
-from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.jobs.checking.load_tasks import load_tasks
 from rapidsim.module_files import TaskFiles
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.simulation import Simulation

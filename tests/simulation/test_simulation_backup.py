@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from laws import examples
 
 from rapidsim.controller.cell.description import SignalDeclaration, SignalKind, Status
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.language.robotware import RobotWare
 from rapidsim.module_files import Backup, backup_among
 from rapidsim.simulation.results.signal_history import signal_changes

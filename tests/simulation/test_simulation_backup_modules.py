@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from rapidsim.files import InputError
-from rapidsim.jobs.check_files import check
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.checking.check_files import check
+from rapidsim.jobs.running.run_files import simulate
 
 Backup = Callable[[dict[str, str | bytes]], Path]
 

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from command_line import call
 
-from rapidsim.jobs.check_files import check
-from rapidsim.jobs.job import job
-from rapidsim.jobs.run_files import simulate
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.check_files import check
+from rapidsim.jobs.inputs.job import job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.module_files import backup_among
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.station.backup.backup import backup_station

@@ -11,7 +11,7 @@ import pytest
 
 from rapidsim.files import InputError, SourceFile
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.geometry.segments import Waypoint
 from rapidsim.motion.model import MODELS, MotionModel
 from rapidsim.motion.robot.robot import load_robot

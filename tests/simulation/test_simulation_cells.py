@@ -17,7 +17,7 @@ from simulation_program import arm
 from rapidsim.controller import solo_moves
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.motion import TaskMotion
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.data import RobTarget
 from rapidsim.module_files import read_tasks
 from rapidsim.motion.model import MODELS

@@ -6,7 +6,7 @@ from simulation_program import Ran, ran
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.model import MODELS
 
 FRAME = r"""MODULE cell

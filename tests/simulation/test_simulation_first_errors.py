@@ -8,7 +8,7 @@ from simulation_random_motion import random_program, robot_name, robot_of
 
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.reach import trial_run
 from rapidsim.reach.reach import check_reach
 from rapidsim.simulation.options import RunOptions

@@ -16,7 +16,7 @@ from simulation_program import arm, ran
 
 import rapidsim
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.reach import trial_run
 from rapidsim.reach.reach import check_reach
 

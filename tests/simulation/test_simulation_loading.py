@@ -12,7 +12,7 @@ from rapidsim.analysis.rules.names.unused import UnusedData, UnusedRoutine
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.diagnostics import Severity
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.error_numbers import ERR_FILEACC, ERR_MOD_NOTLOADED
 
 MAIN = r"""MODULE cell

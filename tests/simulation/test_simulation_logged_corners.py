@@ -17,7 +17,7 @@ import pytest
 
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Array
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions

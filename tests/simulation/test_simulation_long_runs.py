@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.recording import samples as recorded
 from rapidsim.report.run import figures as of_run
 from rapidsim.simulation.results import sampling

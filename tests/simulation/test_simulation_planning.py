@@ -17,7 +17,7 @@ from test_simulation_cells import ran as ran_cell
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
 from rapidsim.controller.synchronisation import TaskTeam
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.moves import Move
 from rapidsim.module_files import read_tasks
 from rapidsim.simulation.options import RunOptions

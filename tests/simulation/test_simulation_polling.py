@@ -13,8 +13,8 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.frames.transform import Array
-from rapidsim.jobs.check_files import check
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.checking.check_files import check
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.motion.trajectory.trajectory import Samples
 from rapidsim.simulation.results.simulation import End, Simulation
 

@@ -13,7 +13,7 @@ from simulation_program import arm
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.checked_program import LoadedProgram, load
+from rapidsim.jobs.checking.checked_program import LoadedProgram, load
 from rapidsim.library.catalogue import ROUTINES
 from rapidsim.library.traits import Trait
 from rapidsim.module_files import read_tasks

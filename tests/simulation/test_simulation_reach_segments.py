@@ -11,7 +11,7 @@ from simulation_segments import agreeing, driven, judged
 
 from rapidsim.analysis.program import Program
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 
 AXES = "[9E9,9E9,9E9,9E9,9E9,9E9]"
 

@@ -10,7 +10,7 @@ from simulation_program import arm
 from simulation_reach import checked
 
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.reach.dataflow.program_walk import walk_program
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.simulate import simulate

@@ -13,7 +13,7 @@ import pytest
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.plan_cache import PlanCache
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.motion.geometry.segments import Segment
 from rapidsim.motion.interruption import Look
 from rapidsim.motion.model import MotionModel

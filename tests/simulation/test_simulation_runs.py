@@ -12,7 +12,7 @@ from laws import cases
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.files import SourceFile
-from rapidsim.jobs import load_tasks
+from rapidsim.jobs.checking import load_tasks
 from rapidsim.module_files import TaskFiles
 
 _COUNT = 16

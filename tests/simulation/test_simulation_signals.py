@@ -8,7 +8,7 @@ from simulation_program import Ran, ran
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.files import SourceFile
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.read import read_io
 from rapidsim.station.station import Station

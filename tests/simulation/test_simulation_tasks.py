@@ -7,7 +7,7 @@ import pytest
 from simulation_tasks import JOINTS, Ran, ran
 
 from rapidsim.files import SourceFile
-from rapidsim.jobs.load_tasks import load_tasks
+from rapidsim.jobs.checking.load_tasks import load_tasks
 from rapidsim.module_files import TaskFiles
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.read import read_io

@@ -13,7 +13,7 @@ from simulation_tasks import ran as together_ran
 from rapidsim.controller.journal.failed_moves import FailedMove
 from rapidsim.files import SourceFile
 from rapidsim.frames.transform import Transform
-from rapidsim.jobs.checked_program import load
+from rapidsim.jobs.checking.checked_program import load
 from rapidsim.motion.robot.external_axes import ExternalAxis
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.simulation.options import RunOptions

@@ -12,7 +12,7 @@ from rapidsim.cli.options.job_options import echo_remarks
 from rapidsim.cli.options.numbers import NumberOption
 from rapidsim.cli.terminal import current_terminal, print_json, table_or_json, terminal_options
 from rapidsim.files import InputError
-from rapidsim.jobs.input_resolution import choose_robot, choose_station
+from rapidsim.jobs.inputs.input_resolution import choose_robot, choose_station
 from rapidsim.module_files import MODULE_SUFFIXES, read_tasks
 
 
@@ -50,7 +50,7 @@ def calibrate(
     speed.
     """
     from rapidsim.cli.options.robot_choice import open_robot
-    from rapidsim.jobs.checked_program import load
+    from rapidsim.jobs.checking.checked_program import load
     from rapidsim.report.run.calibration import as_json, as_text
     from rapidsim.simulation.calibration.fit import LoggedRun
     from rapidsim.simulation.calibration.fit import calibrate as fit

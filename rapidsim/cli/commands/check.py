@@ -33,11 +33,11 @@ from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.diagnostics import Severity
 from rapidsim.export.text_edits import write_edits
 from rapidsim.files import InputError
-from rapidsim.jobs.batch_check import merge_results
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.job import Job, read_again
-from rapidsim.jobs.run_request import RunRequest
-from rapidsim.jobs.task_files import missing_neighbours
+from rapidsim.jobs.checking.batch_check import merge_results
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.inputs.job import Job, read_again
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.inputs.task_files import missing_neighbours
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import Finding, errors_first, merged
@@ -329,7 +329,7 @@ def _listed(option: str | None) -> tuple[str, ...]:
 
 def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:
     """Write the fixes into the files and check again."""
-    from rapidsim.jobs.check_files import check_job
+    from rapidsim.jobs.checking.check_files import check_job
 
     cure = apply_fixes(
         job.tasks,

@@ -12,7 +12,7 @@ from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.outputs import new_file
 from rapidsim.cli.terminal import current_terminal, echo, print_json, terminal_options
 from rapidsim.files import InputError
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.values import value_class
 
 _FORMATS = ("text", "json", "markdown", "html")

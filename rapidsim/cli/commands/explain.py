@@ -8,7 +8,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.diagnostics import Rule, all_rules
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.jobs.selectors import unknown_rule
+from rapidsim.jobs.inputs.selectors import unknown_rule
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.language.events import EVENT_TITLES
 from rapidsim.report.pages.events import error_name, event_of_name, event_page, name_page

@@ -31,7 +31,7 @@ from rapidsim.cli.terminal import (
 )
 from rapidsim.extras import require
 from rapidsim.files import InputError, decode, input_bytes, standard_input
-from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:

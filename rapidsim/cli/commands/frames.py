@@ -15,9 +15,9 @@ from rapidsim.cli.terminal import (
     terminal_options,
 )
 from rapidsim.cli.tools.findings_text import findings_text
-from rapidsim.jobs.best_arm import with_best_arm
-from rapidsim.jobs.checked_program import load
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.checking.best_arm import with_best_arm
+from rapidsim.jobs.checking.checked_program import load
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
 from rapidsim.report.findings.merging import merged

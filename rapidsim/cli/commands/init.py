@@ -12,7 +12,7 @@ from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.robot_choice import open_robot
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
 from rapidsim.files import InputError, relative_to_cwd, require_inside
-from rapidsim.jobs.station_template import station_template
+from rapidsim.jobs.templates.station_template import station_template
 from rapidsim.output_files import whole_file
 from rapidsim.station.ci_file import PLACES, ci_text, ignored_lines, repository_of
 from rapidsim.station.read import read_station

@@ -15,8 +15,8 @@ from rapidsim.cli.terminal import (
     terminal_options,
 )
 from rapidsim.files import InputError
-from rapidsim.jobs.protocol import MODULE, arm_of, questions, read_protocol, run_protocol
-from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
+from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+from rapidsim.jobs.running.protocol import MODULE, arm_of, questions, read_protocol, run_protocol
 from rapidsim.report.tables.protocol_table import protocol_table
 
 

@@ -128,11 +128,11 @@ def _show_catalogue(output_format: str) -> None:
 
 def _show_ranking(path: str, output_format: str) -> None:
     """Rank the arms for a program."""
-    from rapidsim.jobs.best_arm import job_targets, names_of, texts_of
-    from rapidsim.jobs.check_files import programs_of
-    from rapidsim.jobs.job import job
-    from rapidsim.jobs.robot_choice import DEFAULT_ROBOT
-    from rapidsim.jobs.run_request import RunRequest
+    from rapidsim.jobs.checking.best_arm import job_targets, names_of, texts_of
+    from rapidsim.jobs.checking.check_files import programs_of
+    from rapidsim.jobs.inputs.job import job
+    from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT
+    from rapidsim.jobs.inputs.run_request import RunRequest
     from rapidsim.reach.arm_ranking import hints_of, rank_arms
     from rapidsim.report.tables.ranking_table import ranking_json, ranking_table
 

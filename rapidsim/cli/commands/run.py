@@ -32,8 +32,10 @@ from rapidsim.cli.tools.run_output import FORMATS, RunDone, print_rejected, prin
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.extras import pip_install
 from rapidsim.files import InputError
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.run_files import (
+from rapidsim.jobs.inputs.job import Job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.inputs.task_files import program_name
+from rapidsim.jobs.running.run_files import (
     LoadedJob,
     PreparedRun,
     ProgramRejectedError,
@@ -42,8 +44,6 @@ from rapidsim.jobs.run_files import (
     loaded,
     prepared,
 )
-from rapidsim.jobs.run_request import RunRequest
-from rapidsim.jobs.task_files import program_name
 from rapidsim.report.run.assertion_figures import asked_figures
 from rapidsim.report.run.figures import Figures, figures
 from rapidsim.report.run.summary import OutputFile

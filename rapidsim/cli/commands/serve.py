@@ -22,7 +22,7 @@ from rapidsim.cli.viewer import require_screen
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.run_request import DEFAULT_ENTRY, RunRequest
+from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.values import value_class
 
 _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
@@ -167,7 +167,7 @@ def serve(options: ServeOptions) -> int:
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
     from rapidsim.egm.devices import read_device
-    from rapidsim.jobs.run_files import ProgramRejectedError
+    from rapidsim.jobs.running.run_files import ProgramRejectedError
     from rapidsim.server.http.guard import is_loopback
     from rapidsim.server.process import started
     from rapidsim.server.serve import Addresses
@@ -287,8 +287,8 @@ def _users(texts: tuple[str, ...]) -> dict[str, str]:
 def _print_rejected(request: RunRequest, findings: tuple[Diagnostic, ...]) -> None:
     """Print the findings as `rapidsim run` does, but on stderr: clients read stdout."""
     from rapidsim.cli.tools.run_output import print_rejected
-    from rapidsim.jobs.job import job
-    from rapidsim.jobs.run_files import loaded
+    from rapidsim.jobs.inputs.job import job
+    from rapidsim.jobs.running.run_files import loaded
 
     with redirect_stdout(sys.stderr):
         print_rejected(loaded(job(request)), findings, "table", current_terminal())

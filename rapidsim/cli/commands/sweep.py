@@ -15,7 +15,7 @@ from rapidsim.cli.tools.run_output import print_rejected
 from rapidsim.cli.tools.sweep_output import swept_text
 from rapidsim.extras import require
 from rapidsim.files import InputError
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.values import value_class
 
 
@@ -82,9 +82,9 @@ def sweep(options: SweepOptions) -> int:
     configuration, the program is run. The exit code is 1 if there is no such place.
     """
     from rapidsim.export.variants import write_variants
-    from rapidsim.jobs.run_files import ProgramRejectedError, loaded
-    from rapidsim.jobs.sweep import axis_of
-    from rapidsim.jobs.sweep import sweep as swept
+    from rapidsim.jobs.running.run_files import ProgramRejectedError, loaded
+    from rapidsim.jobs.running.sweep import axis_of
+    from rapidsim.jobs.running.sweep import sweep as swept
 
     axes = [axis_of(text) for text in options.varied]
     if options.plots is not None:

@@ -7,7 +7,7 @@ import sys
 import click
 
 from rapidsim.controller.cell.inputs import Answers
-from rapidsim.jobs.answers import answers_of_file
+from rapidsim.jobs.inputs.answers import answers_of_file
 from rapidsim.report.findings.source_frame import printable_lines
 
 

@@ -16,8 +16,8 @@ from rapidsim.cli.options.numbers import POSITIVE
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import echo
 from rapidsim.files import InputError
-from rapidsim.jobs.job import Job, OpenRobot, job
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.job import Job, OpenRobot, job
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.station.station import Station
 from rapidsim.values import value_class
 

@@ -42,7 +42,7 @@ class _Processes(click.IntRange):
         """Read it; `auto` and 0 are one for each core."""
         if value in (0, "0", "auto"):
             # Few commands use one.
-            from rapidsim.jobs.processes import number_of_cores
+            from rapidsim.jobs.cache.processes import number_of_cores
 
             return number_of_cores()
         return int(super().convert(value, param, ctx))

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from rapidsim import __version__
 from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.findings_text import findings_text
-from rapidsim.jobs.check_result import CheckResult
+from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.findings.text import concise, diagnostic_json
 

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 
 from rapidsim.cli.interrupted import report_if_interrupted
 from rapidsim.cli.terminal import echo
-from rapidsim.jobs.batch_check import check_jobs
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.result_cache import ResultCache
-from rapidsim.jobs.result_store import ResultStore, cache_folder
+from rapidsim.jobs.cache.result_cache import ResultCache
+from rapidsim.jobs.cache.result_store import ResultStore, cache_folder
+from rapidsim.jobs.checking.batch_check import check_jobs
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.inputs.job import Job
 
 
 def checked_jobs(jobs: Sequence[Job], processes: int, *, uses_cache: bool) -> list[CheckResult]:

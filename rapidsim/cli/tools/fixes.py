@@ -129,7 +129,7 @@ def harmless_fixes(
 def _errors(tasks: Sequence[TaskFiles]) -> int:
     """Number of errors, whichever are shown, without those of reach."""
     # Most checks fix nothing, and some know what they would find.
-    from rapidsim.jobs.check_files import check_tasks
+    from rapidsim.jobs.checking.check_files import check_tasks
 
     found = check_tasks(tasks).diagnostics
     return sum(one.severity is Severity.ERROR for one in found)

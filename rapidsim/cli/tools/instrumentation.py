@@ -10,7 +10,7 @@ from rapidsim.cli.options.outputs import new_profile
 from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.run_output import stage
 from rapidsim.files import InputError
-from rapidsim.jobs.run_files import LoadedJob
+from rapidsim.jobs.running.run_files import LoadedJob
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:

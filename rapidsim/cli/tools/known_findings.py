@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from rapidsim.diagnostics import Severity
-from rapidsim.jobs.baseline import baseline_text, read_baseline
-from rapidsim.jobs.batch_check import merge_results
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.job import Job
+from rapidsim.jobs.checking.baseline import baseline_text, read_baseline
+from rapidsim.jobs.checking.batch_check import merge_results
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.output_files import whole_file
 from rapidsim.values import value_class
 

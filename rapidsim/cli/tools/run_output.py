@@ -11,9 +11,9 @@ from rapidsim.cli.options.outputs import VALUES
 from rapidsim.cli.terminal import Terminal, echo, print_json
 from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.jobs.robot_choice import RobotChoice
-from rapidsim.jobs.run_files import LoadedJob
-from rapidsim.jobs.task_files import missing_neighbours
+from rapidsim.jobs.inputs.robot_choice import RobotChoice
+from rapidsim.jobs.inputs.task_files import missing_neighbours
+from rapidsim.jobs.running.run_files import LoadedJob
 from rapidsim.report.findings.merging import errors_first, merged
 from rapidsim.report.findings.source_frame import printable
 from rapidsim.report.findings.text import summary_line

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rapidsim.jobs.sweep import Sweep
+from rapidsim.jobs.running.sweep import Sweep
 
 
 def swept_text(sweep: Sweep, written: Sequence[Path]) -> str:

@@ -11,7 +11,7 @@ from pathlib import PurePath
 from urllib.parse import quote
 
 from rapidsim.diagnostics import Diagnostic, Fix, Rule, Severity, Span
-from rapidsim.jobs.baseline import finding_key
+from rapidsim.jobs.checking.baseline import finding_key
 from rapidsim.report.findings.merging import Finding
 from rapidsim.report.pages.rules import explanation, first_line, markdown
 

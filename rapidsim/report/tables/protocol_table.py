@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rich.table import Table
 
-from rapidsim.jobs.protocol import TIMED, TOPICS, Protocol
+from rapidsim.jobs.running.protocol import TIMED, TOPICS, Protocol
 
 _ANY_ERROR = "ERRNO "
 

@@ -19,17 +19,17 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.runs import EndlessWait, UncaughtError, is_of_runs
-from rapidsim.jobs.api_options import api_request
-from rapidsim.jobs.baseline import read_baseline
-from rapidsim.jobs.bulk_representatives import findings_of_all
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.checked_program import LoadedProgram, load_task
-from rapidsim.jobs.error_free_subset import ErrorFreeSubset, error_free_subset
-from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.misspelt_signals import misspelt_in
-from rapidsim.jobs.move_checks import CheckMoves, choose_move_check
-from rapidsim.jobs.selection import Selection, choose_selection
-from rapidsim.jobs.undriven_inputs import find_never_driven, unreported_waits
+from rapidsim.jobs.checking.baseline import read_baseline
+from rapidsim.jobs.checking.bulk_representatives import findings_of_all
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.checking.checked_program import LoadedProgram, load_task
+from rapidsim.jobs.checking.error_free_subset import ErrorFreeSubset, error_free_subset
+from rapidsim.jobs.checking.misspelt_signals import misspelt_in
+from rapidsim.jobs.checking.move_checks import CheckMoves, choose_move_check
+from rapidsim.jobs.checking.undriven_inputs import find_never_driven, unreported_waits
+from rapidsim.jobs.inputs.api_options import api_request
+from rapidsim.jobs.inputs.job import Job, job
+from rapidsim.jobs.inputs.selection import Selection, choose_selection
 from rapidsim.language.error_numbers import ERR_UNKINO, event_of
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES, Coverage, ReachReport, UncheckedMove
@@ -135,7 +135,7 @@ def _with_arm(
     if job.is_arm_named or not job.request.reach or not has_moves:
         return job, tuple(loaded)
     # A program without moves imports no arm.
-    from rapidsim.jobs.best_arm import with_best_arm
+    from rapidsim.jobs.checking.best_arm import with_best_arm
 
     try:
         return with_best_arm(job, _programs(job, loaded)), tuple(loaded)
@@ -167,7 +167,7 @@ def _selection(job: Job) -> Selection:
 def _cell_check(job: Job) -> CheckTogether | None:
     if len(job.tasks) < 2 or not (job.request.reach and job.request.trial_run):
         return None
-    from rapidsim.jobs.multitask_run import multitask_errors
+    from rapidsim.jobs.checking.multitask_run import multitask_errors
 
     return partial(multitask_errors, job)
 
@@ -291,7 +291,7 @@ def _disagreements(tasks: Sequence[LoadedProgram]) -> tuple[Diagnostic, ...]:
     programs = [one.program for one in tasks if one.program is not None]
     if len(programs) < 2:
         return ()
-    from rapidsim.jobs.load_tasks import shared_findings
+    from rapidsim.jobs.checking.load_tasks import shared_findings
 
     return shared_findings(programs)
 

@@ -19,10 +19,16 @@ import numpy as np
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.frames.euler import Convention, euler_from_rotation, rotation_from_euler
 from rapidsim.frames.transform import Array, Transform
-from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.processes import in_processes
-from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.cache.processes import in_processes
+from rapidsim.jobs.inputs.job import Job, job
+from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.jobs.running.run_files import (
+    LoadedJob,
+    ProgramRejectedError,
+    executed,
+    loaded,
+    prepared,
+)
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.reach.placements import reach_from
 from rapidsim.station.robot import StationRobot

@@ -8,8 +8,8 @@ from dataclasses import field, replace
 
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.findings.runs import FAMILY_OF_RUNS
-from rapidsim.jobs.baseline import Key, split_by_baseline
-from rapidsim.jobs.robot_choice import RobotChoice
+from rapidsim.jobs.checking.baseline import Key, split_by_baseline
+from rapidsim.jobs.inputs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage
 from rapidsim.syntax import tree
 from rapidsim.values import value_class

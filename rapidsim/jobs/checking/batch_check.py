@@ -9,16 +9,16 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.jobs.check_result import CheckResult
-from rapidsim.jobs.finding_records import Record, StoredFindings, read_findings, record_of
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.result_cache import ResultCache, sources_of
+from rapidsim.jobs.cache.finding_records import Record, StoredFindings, read_findings, record_of
+from rapidsim.jobs.cache.result_cache import ResultCache, sources_of
+from rapidsim.jobs.checking.check_result import CheckResult
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import Coverage, ReachReport
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
-    from rapidsim.jobs.checked_program import LoadedProgram
+    from rapidsim.jobs.checking.checked_program import LoadedProgram
     from rapidsim.motion.robot.robot import Robot
 
 
@@ -47,7 +47,7 @@ def check_jobs(jobs: Sequence[Job], kept: ResultCache, processes: int = 1) -> It
         records = iter([_only(left[0], kept, processes)])
     elif processes > 1:
         # Most checks are of one program, and do not pay for importing what starts processes.
-        from rapidsim.jobs.processes import in_processes
+        from rapidsim.jobs.cache.processes import in_processes
 
         records = in_processes(_job_record, left, processes)
     for job, found in zip(jobs, known, strict=True):
@@ -98,14 +98,14 @@ def _only(job: Job, kept: ResultCache, processes: int) -> Record:
     if len(job.tasks) < 2:
         return _job_record(job)
     if not job.is_arm_named:
-        from rapidsim.jobs.check_files import with_best_arm_of_files
+        from rapidsim.jobs.checking.check_files import with_best_arm_of_files
 
         # Findings of one task depend on the arm, and the arm on the targets of all tasks.
         job = with_best_arm_of_files(job)
     known = {task.name: record for task in job.tasks if (record := kept.of_task(job, task))}
     left = [task for task in job.tasks if task.name not in known]
     if processes > 1 and len(left) > 1:
-        from rapidsim.jobs.processes import in_processes
+        from rapidsim.jobs.cache.processes import in_processes
 
         records = in_processes(partial(_task_record, job), left, processes)
         for task, record in zip(left, records, strict=True):
@@ -127,20 +127,20 @@ def _only(job: Job, kept: ResultCache, processes: int) -> Record:
         kept.keep_task(job, task, watched.record(report, heard))
         return report
 
-    from rapidsim.jobs.check_files import check_job
+    from rapidsim.jobs.checking.check_files import check_job
 
     return watched.record(check_job(watched.job, moves_of))
 
 
 def _job_record(job: Job) -> Record:
-    from rapidsim.jobs.check_files import check_job
+    from rapidsim.jobs.checking.check_files import check_job
 
     watched = _ObservedJob(job)
     return watched.record(check_job(watched.job))
 
 
 def _task_record(job: Job, task: TaskFiles) -> Record:
-    from rapidsim.jobs.check_files import moves_of_task
+    from rapidsim.jobs.checking.check_files import moves_of_task
 
     watched = _ObservedJob(job)
     return watched.record(moves_of_task(watched.job, task))

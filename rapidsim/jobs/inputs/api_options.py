@@ -10,7 +10,7 @@ from dataclasses import replace
 from os import PathLike, fspath
 from typing import TYPE_CHECKING
 
-from rapidsim.jobs.run_request import RunRequest
+from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.motion.model import MotionModel
 from rapidsim.station.station import Station
 from rapidsim.station.tasks import DEFAULT_TASK, StationTask

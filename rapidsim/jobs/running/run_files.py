@@ -14,17 +14,17 @@ from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import InputError, relative_to_cwd
 from rapidsim.interpreter.limits import NotExecutableError
-from rapidsim.jobs.api_options import api_request
-from rapidsim.jobs.best_arm import with_best_arm
-from rapidsim.jobs.entry import require_entry
-from rapidsim.jobs.job import Job, job
-from rapidsim.jobs.load_tasks import LoadedTask, load_tasks
-from rapidsim.jobs.misspelt_signals import misspelt_in
-from rapidsim.jobs.move_checks import of_unnamed_arm
-from rapidsim.jobs.run_options import run_options
-from rapidsim.jobs.target_attribution import attribute_to_targets
-from rapidsim.jobs.task_files import program_name, program_title
-from rapidsim.jobs.task_setups import task_setups
+from rapidsim.jobs.checking.best_arm import with_best_arm
+from rapidsim.jobs.checking.load_tasks import LoadedTask, load_tasks
+from rapidsim.jobs.checking.misspelt_signals import misspelt_in
+from rapidsim.jobs.checking.move_checks import of_unnamed_arm
+from rapidsim.jobs.checking.target_attribution import attribute_to_targets
+from rapidsim.jobs.checking.task_setups import task_setups
+from rapidsim.jobs.inputs.api_options import api_request
+from rapidsim.jobs.inputs.entry import require_entry
+from rapidsim.jobs.inputs.job import Job, job
+from rapidsim.jobs.inputs.run_options import run_options
+from rapidsim.jobs.inputs.task_files import program_name, program_title
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.reach.valueless_persistents import doubt_valueless

@@ -14,8 +14,8 @@ from rapidsim.analysis.rules.motion.target_data import declares_axes_alike_targe
 from rapidsim.analysis.suggestions import closest
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.jobs.row_findings import repeat_findings
-from rapidsim.jobs.text_identifiers import words_of
+from rapidsim.jobs.checking.row_findings import repeat_findings
+from rapidsim.jobs.inputs.text_identifiers import words_of
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 

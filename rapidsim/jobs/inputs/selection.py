@@ -7,7 +7,7 @@ from fnmatch import fnmatch
 from pathlib import Path, PurePath
 
 from rapidsim.diagnostics import Diagnostic, Rule
-from rapidsim.jobs.selectors import expect_rules, is_selected
+from rapidsim.jobs.inputs.selectors import expect_rules, is_selected
 from rapidsim.station.check import CheckSettings, find_project_settings
 from rapidsim.values import value_class
 

@@ -16,9 +16,15 @@ from rapidsim.analysis.program import ParameterSymbol, Program, RoutineSymbol
 from rapidsim.analysis.types.operators import has_value
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import InputError, did_you_mean
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.load_tasks import LoadedTask
-from rapidsim.jobs.run_files import LoadedJob, ProgramRejectedError, executed, loaded, prepared
+from rapidsim.jobs.checking.load_tasks import LoadedTask
+from rapidsim.jobs.inputs.job import Job
+from rapidsim.jobs.running.run_files import (
+    LoadedJob,
+    ProgramRejectedError,
+    executed,
+    loaded,
+    prepared,
+)
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import BOOL, DNUM, NUM, STRING, ArrayOf, Record, Type, resolved

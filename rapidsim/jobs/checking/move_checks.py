@@ -10,8 +10,8 @@ from typing import Protocol
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.findings.runs import is_of_runs
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.target_attribution import attribute_to_targets
+from rapidsim.jobs.checking.target_attribution import attribute_to_targets
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.reach.checked_moves import ReachReport
 
 
@@ -42,7 +42,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
 
     def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport | str:
         from rapidsim.frames.transform import Transform
-        from rapidsim.jobs.run_options import run_options
+        from rapidsim.jobs.inputs.run_options import run_options
         from rapidsim.reach.reach import check_reach
 
         number = station.robot_number(task)

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
-from rapidsim.jobs.checked_program import LoadedProgram
-from rapidsim.jobs.entry import require_entry
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.load_tasks import LoadedTask
-from rapidsim.jobs.move_checks import of_unnamed_arm
+from rapidsim.jobs.checking.checked_program import LoadedProgram
+from rapidsim.jobs.checking.load_tasks import LoadedTask
+from rapidsim.jobs.checking.move_checks import of_unnamed_arm
+from rapidsim.jobs.inputs.entry import require_entry
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.checked_moves import MOST_MOVES_FOR_ERRORS
 from rapidsim.reach.dataflow.written_moves import written_moves
@@ -36,9 +36,9 @@ def multitask_errors(
     if len(named) < len(tasks) or not few_moves:
         return None
     # A check of one task does not run several tasks, so these imports are deferred.
-    from rapidsim.jobs.run_options import run_options
-    from rapidsim.jobs.target_attribution import attribute_to_targets
-    from rapidsim.jobs.task_setups import task_setups
+    from rapidsim.jobs.checking.target_attribution import attribute_to_targets
+    from rapidsim.jobs.checking.task_setups import task_setups
+    from rapidsim.jobs.inputs.run_options import run_options
     from rapidsim.reach.trial_run import run_all_tasks
 
     try:

@@ -14,7 +14,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from rapidsim.files import InputError, input_bytes
-from rapidsim.jobs.run_files import simulate
+from rapidsim.jobs.running.run_files import simulate
 from rapidsim.language.error_numbers import NUMBERS
 from rapidsim.shipped import shipped
 from rapidsim.simulation.options import RunOptions

@@ -8,8 +8,8 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import does
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.controller.cell.description import CellIo, SignalKind
-from rapidsim.jobs.text_identifiers import words_of
-from rapidsim.jobs.undriven_inputs import waited_for
+from rapidsim.jobs.checking.undriven_inputs import waited_for
+from rapidsim.jobs.inputs.text_identifiers import words_of
 from rapidsim.library.traits import Trait
 from rapidsim.station.template import SuggestedStimulus
 from rapidsim.syntax import tree

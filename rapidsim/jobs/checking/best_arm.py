@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.analysis.program import Program
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.robot_choice import DEFAULT_ROBOT, RobotChoice
+from rapidsim.jobs.inputs.job import Job
+from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT, RobotChoice
 
 if TYPE_CHECKING:
     from rapidsim.reach.arm_ranking import ProgramTargets, RankedArm

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from rapidsim.diagnostics import Source
 from rapidsim.files import DESCRIPTIONS
-from rapidsim.jobs.finding_records import NoRecordError, Record, StoredFindings, read_findings
-from rapidsim.jobs.fingerprints import NoFingerprintError, fingerprint, of_installation
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.result_store import ResultStore
+from rapidsim.jobs.cache.finding_records import NoRecordError, Record, StoredFindings, read_findings
+from rapidsim.jobs.cache.fingerprints import NoFingerprintError, fingerprint, of_installation
+from rapidsim.jobs.cache.result_store import ResultStore
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.module_files import TaskFiles
 from rapidsim.values import value_class
 

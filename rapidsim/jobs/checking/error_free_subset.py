@@ -14,7 +14,7 @@ from rapidsim.analysis.program import Program
 from rapidsim.analysis.replaced_nodes import rebuilt, without_runs
 from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Severity, Span
-from rapidsim.jobs.checked_program import LoadedProgram
+from rapidsim.jobs.checking.checked_program import LoadedProgram
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
 

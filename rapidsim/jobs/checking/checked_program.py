@@ -12,7 +12,7 @@ from rapidsim.analysis.passes.flow_violations import UnreachableCode
 from rapidsim.analysis.program import Program
 from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
 from rapidsim.files import SourceFile
-from rapidsim.jobs.stubbed_program import stubbed_program
+from rapidsim.jobs.checking.stubbed_program import stubbed_program
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse

@@ -11,7 +11,7 @@ from importlib import import_module
 from typing import Any
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Source, Span, Violation
-from rapidsim.jobs.robot_choice import RobotChoice
+from rapidsim.jobs.inputs.robot_choice import RobotChoice
 from rapidsim.reach.checked_moves import Coverage, UncheckedMove
 from rapidsim.values import value_class
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.files import relative_to_cwd
-from rapidsim.jobs.robot_choice import DEFAULT_ROBOT, RobotChoice
+from rapidsim.jobs.inputs.robot_choice import DEFAULT_ROBOT, RobotChoice
 from rapidsim.module_files import backups_among, loose_cell_among
 from rapidsim.station.station import Station, find_station
 
@@ -41,7 +41,7 @@ def configured_station(paths: Sequence[str]) -> Station:
 
         stations = [(path, backup, backup_station(backup)) for path, backup in backups]
         if len(stations) > 1:
-            from rapidsim.jobs.controllers import joined_station
+            from rapidsim.jobs.inputs.controllers import joined_station
 
             joined = joined_station(stations)
             if joined is not None:

@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import CellNames
 from rapidsim.files import InputError, SourceFile
-from rapidsim.jobs.api_options import with_api_options
-from rapidsim.jobs.input_resolution import choose_robot, choose_station
-from rapidsim.jobs.robot_choice import RobotChoice
-from rapidsim.jobs.run_request import DEFAULT_ENTRY, RunRequest
-from rapidsim.jobs.selection import choose_settings
-from rapidsim.jobs.task_files import chosen_tasks
+from rapidsim.jobs.inputs.api_options import with_api_options
+from rapidsim.jobs.inputs.input_resolution import choose_robot, choose_station
+from rapidsim.jobs.inputs.robot_choice import RobotChoice
+from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
+from rapidsim.jobs.inputs.selection import choose_settings
+from rapidsim.jobs.inputs.task_files import chosen_tasks
 from rapidsim.module_files import TaskFiles, single_programs
 from rapidsim.station.cell_names import declared_names
 from rapidsim.station.station import Station

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rapidsim.controller.cell.inputs import START_OF_TIME
-from rapidsim.jobs.job import Job
+from rapidsim.jobs.inputs.job import Job
 from rapidsim.simulation.options import RunOptions
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import degrees
 
 from rapidsim.files import InputError
-from rapidsim.jobs.load_tasks import LoadedTask
+from rapidsim.jobs.checking.load_tasks import LoadedTask
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.station.robot import StationRobot

@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from rapidsim.files import InputError
-from rapidsim.jobs.text_identifiers import words_of
+from rapidsim.jobs.inputs.text_identifiers import words_of
 from rapidsim.module_files import Backup, packed_station, read_tasks
 from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station

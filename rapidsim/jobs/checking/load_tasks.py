@@ -10,8 +10,8 @@ from rapidsim.analysis.program import DataSymbol, LibrarySymbol, Program
 from rapidsim.diagnostics import Diagnostic, Related, Span, Violation
 from rapidsim.interpreter.runtime.memory import module_data
 from rapidsim.interpreter.runtime.shared_persistents import disagreements, may_be_shared
-from rapidsim.jobs.bulk_representatives import findings_of_all
-from rapidsim.jobs.checked_program import LoadedProgram, load_task
+from rapidsim.jobs.checking.bulk_representatives import findings_of_all
+from rapidsim.jobs.checking.checked_program import LoadedProgram, load_task
 from rapidsim.library.traits import Trait
 from rapidsim.module_files import TaskFiles
 from rapidsim.reach.dataflow.side_effects import ProgramEffects

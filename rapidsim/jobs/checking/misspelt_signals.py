@@ -13,8 +13,8 @@ from rapidsim.analysis.suggestions import closest
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.files import SourceFile, input_text
-from rapidsim.jobs.job import Job
-from rapidsim.jobs.text_identifiers import words_of
+from rapidsim.jobs.inputs.job import Job
+from rapidsim.jobs.inputs.text_identifiers import words_of
 from rapidsim.library.traits import Trait
 
 

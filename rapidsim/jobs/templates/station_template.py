@@ -18,10 +18,10 @@ from rapidsim.analysis.names.signal_violations import UnknownSignal
 from rapidsim.controller.cell.description import CellIo, SignalDeclaration, SignalKind
 from rapidsim.diagnostics import Source
 from rapidsim.files import InputError, SourceFile
-from rapidsim.jobs.checked_program import load_task
-from rapidsim.jobs.input_resolution import configured_station
-from rapidsim.jobs.stimulus_suggestions import other_undriven, suggested_stimuli
-from rapidsim.jobs.task_files import all_tasks
+from rapidsim.jobs.checking.checked_program import load_task
+from rapidsim.jobs.inputs.input_resolution import configured_station
+from rapidsim.jobs.inputs.task_files import all_tasks
+from rapidsim.jobs.templates.stimulus_suggestions import other_undriven, suggested_stimuli
 from rapidsim.module_files import (
     Backup,
     TaskFiles,

@@ -1,0 +1,1 @@
+"""Cached results of checks, by fingerprints of all their inputs; parallel processes."""

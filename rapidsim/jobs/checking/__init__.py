@@ -1,0 +1,1 @@
+"""Checks of jobs: programs of all tasks, their moves, the trial run."""

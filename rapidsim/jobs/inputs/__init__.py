@@ -1,0 +1,1 @@
+"""Requests of users, and the job that each becomes."""

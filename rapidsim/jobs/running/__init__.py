@@ -1,0 +1,1 @@
+"""Runs of jobs: whole programs, single routines, sweeps, the question protocol."""

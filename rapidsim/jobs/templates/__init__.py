@@ -1,0 +1,1 @@
+"""Templates of station files, from programs."""
