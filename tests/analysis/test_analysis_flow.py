@@ -48,7 +48,7 @@ def graph(body: str) -> tuple[ControlFlowGraph, tree.Module]:
 def drawn(body: str) -> list[str]:
     """The blocks that control can enter, in the order of the text."""
     flow, module = graph(body)
-    reached = flow.reached(~EdgeKind(0), flow.entries)
+    reached = flow.reached(sum(EdgeKind), flow.entries)
     lines = []
     for index in sorted(reached - NAMES.keys()):
         block = flow.blocks[index]
@@ -205,4 +205,4 @@ def test_states_count_the_paths_of_a_chain(body: str) -> None:
     for index, state in states.items():
         end = state | {node.start for node in flow.blocks[index].steps}
         for edge in flow.blocks[index].edges:
-            assert edge.kind not in NORMAL or end <= states[edge.to]
+            assert not edge.kind & NORMAL or end <= states[edge.to]

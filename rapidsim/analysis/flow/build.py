@@ -59,7 +59,7 @@ class _Builder:
         self._unread: list[int] = []
         self._loop_tests: list[int] = []
         self._open_loops: list[int] = []
-        self._resumes = EdgeKind(0)
+        self._resumes = 0
         self._has_handler = self._in_handler = False
         self._fallible: list[tuple[int, int]] = []
         """Start of each statement that can fail, with the block after it."""
@@ -92,9 +92,9 @@ class _Builder:
         """Add the edges into the ERROR clause, and the edges of RETRY and TRYNEXT out of it."""
         for begin, behind in self._fallible:
             self._edge(begin, handler, EdgeKind.ERROR)
-            if EdgeKind.RETRY in self._resumes:
+            if self._resumes & EdgeKind.RETRY:
                 self._edge(begin, begin, EdgeKind.RETRY)
-            if EdgeKind.TRYNEXT in self._resumes:
+            if self._resumes & EdgeKind.TRYNEXT:
                 self._edge(begin, behind, EdgeKind.TRYNEXT)
 
     def _connect_jumps(self) -> None:

@@ -12,28 +12,28 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from enum import Flag, auto
+from enum import IntEnum
 
 from rapidsim.syntax import tree
 
 
-class EdgeKind(Flag):
-    """Kind of a control-flow edge."""
+class EdgeKind(IntEnum):
+    """Kind of a control-flow edge; a sum of several is a set of them."""
 
-    NEXT = auto()
+    NEXT = 1
     """The step is done, or a condition is decided."""
-    JUMP = auto()
+    JUMP = 2
     """GOTO."""
-    BACK = auto()
+    BACK = 4
     """To the test of the next iteration."""
-    RETURN = auto()
-    ERROR = auto()
+    RETURN = 8
+    ERROR = 16
     """From a statement that may fail to the ERROR clause."""
-    RETRY = auto()
+    RETRY = 32
     """From a statement that failed to itself, through the ERROR clause."""
-    TRYNEXT = auto()
+    TRYNEXT = 64
     """From a statement that failed past it, through the ERROR clause."""
-    UNREAD = auto()
+    UNREAD = 128
     """Around text that the parser could not read, which may contain anything."""
 
 
@@ -86,7 +86,7 @@ class ControlFlowGraph:
 
     def reached(
         self,
-        kinds: EdgeKind,
+        kinds: int,
         starts: Sequence[int] = (ENTRY,),
         stops: Callable[[tree.Node], bool] | None = None,
     ) -> set[int]:
@@ -103,7 +103,7 @@ class ControlFlowGraph:
             if stops is not None and any(map(stops, block.steps)):
                 continue
             for edge in block.edges:
-                if edge.kind in kinds and edge.to not in seen:
+                if edge.kind & kinds and edge.to not in seen:
                     seen.add(edge.to)
                     stack.append(edge.to)
         return seen

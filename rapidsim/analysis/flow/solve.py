@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
 from typing import TypeVar
 
-from rapidsim.analysis.flow.graph import NORMAL, ControlFlowGraph, EdgeKind, FlowEdge
+from rapidsim.analysis.flow.graph import NORMAL, ControlFlowGraph, FlowEdge
 from rapidsim.syntax import tree
 
 S = TypeVar("S")
@@ -27,7 +27,7 @@ def forward(
     step: Callable[[tree.Node, S], S | None],
     join: Callable[[S, S], S],
     along: Callable[[FlowEdge, S], S | None] = _unchanged,
-    kinds: EdgeKind = NORMAL,
+    kinds: int = NORMAL,
 ) -> dict[int, S]:
     """Return the state at the beginning of each reached block.
 
@@ -50,7 +50,7 @@ def forward(
         if state is None:
             continue
         for edge in block.edges:
-            passed = along(edge, state) if edge.kind in kinds else None
+            passed = along(edge, state) if edge.kind & kinds else None
             if passed is None:
                 continue
             before = states.get(edge.to)
@@ -81,7 +81,7 @@ def backward(
     step: Callable[[tree.Node, S], S],
     join: Callable[[int, Sequence[S]], S],
     along: Callable[[FlowEdge, S], S | None] = _unchanged,
-    kinds: EdgeKind = NORMAL,
+    kinds: int = NORMAL,
 ) -> dict[int, S]:
     """Return the state at the end of each block.
 
@@ -97,7 +97,7 @@ def backward(
     predecessors: dict[int, list[int]] = defaultdict(list)
     for index, block in enumerate(graph.blocks):
         for edge in block.edges:
-            if edge.kind in kinds:
+            if edge.kind & kinds:
                 predecessors[edge.to].append(index)
     at_end: dict[int, S] = dict(ends)
     at_begin: dict[int, S] = {}
@@ -111,7 +111,7 @@ def backward(
             passed = [
                 state
                 for edge in block.edges
-                if edge.kind in kinds
+                if edge.kind & kinds
                 and edge.to in at_begin
                 and (state := along(edge, at_begin[edge.to])) is not None
             ]

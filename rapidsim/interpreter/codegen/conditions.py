@@ -45,7 +45,7 @@ def narrowed(
         edge.to
         for block in graph.blocks
         for edge in block.edges
-        if edge.kind in EdgeKind.RETRY | EdgeKind.TRYNEXT
+        if edge.kind & (EdgeKind.RETRY | EdgeKind.TRYNEXT)
     ]
     nothing: _Bounds = {}
     starts = dict.fromkeys((*graph.entries, *resumed), nothing)

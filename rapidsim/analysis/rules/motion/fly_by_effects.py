@@ -22,6 +22,7 @@ from rapidsim.analysis.flow.summaries import summarise
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
+from rapidsim.analysis.rules.facts.reached_routines import mask_of
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -97,9 +98,21 @@ def effects_behind_moves(facts: Facts) -> Iterator[EffectAfterMove]:
         found[part] = analysis.effects_after_moves()
         return analysis.summary()
 
-    summarise(facts.routine_parts, facts.call_graph.__getitem__, _Summary(), summary_of)
-    for part in facts.routine_parts:
+    parts = _relevant_parts(facts)
+    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of)
+    for part in parts:
         yield from found[part]
+
+
+def _relevant_parts(facts: Facts) -> list[ProgramPart]:
+    """The routines with fly-by moves, their callers, and all callees of those."""
+    flying = mask_of(
+        lambda part: any(_is_fly_by(call, facts) for call in part.all(tree.Call)), facts
+    )
+    relevant = 0
+    for reached in facts.reached_from.values():
+        relevant |= reached if reached & flying else 0
+    return [part for part in facts.routine_parts if facts.bit_of[part] & relevant]
 
 
 class _RoutineAnalysis:
@@ -171,10 +184,8 @@ class _RoutineAnalysis:
         callee = self._facts.callee_of(node)
         if callee is not None:
             return self._summaries[callee].moves
-        if isinstance(node, tree.Call):
-            move = as_move(node, self._facts)
-            if move is not None and flies_by(move, self._facts):
-                return {node: True}
+        if isinstance(node, tree.Call) and _is_fly_by(node, self._facts):
+            return {node: True}
         return {}
 
     def _before(self, node: tree.Node, ahead: _Ahead) -> _Ahead:
@@ -234,6 +245,11 @@ def _joined(states: Sequence[_Ahead], *, is_loop_test: bool) -> _Ahead:
     ends = [one.end for one in states if one.end is not None]
     end = None if not ends else decide(one.end or False for one in states)
     return _Ahead(effects, end, any(one.leaves for one in states) if is_loop_test else not staying)
+
+
+def _is_fly_by(call: tree.Call, facts: Facts) -> bool:
+    move = as_move(call, facts)
+    return move is not None and flies_by(move, facts)
 
 
 def flies_by(move: MoveCall, facts: Facts) -> bool:
