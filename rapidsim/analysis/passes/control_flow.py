@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Container
+from functools import reduce
 from itertools import takewhile
+from operator import or_
 
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.error_clauses import depends_on_error
@@ -17,28 +19,55 @@ from rapidsim.analysis.passes.flow_violations import (
     ReturnValue,
     UnreachableCode,
 )
-from rapidsim.analysis.program import does
+from rapidsim.analysis.program import Symbol, does
 from rapidsim.analysis.syntax_violations import LateDataDeclaration
 from rapidsim.analysis.tree_walk import blocks, clauses, statements
 from rapidsim.diagnostics import Related
-from rapidsim.library.traits import Trait
+from rapidsim.library.traits import NO_TRAITS, Trait
 from rapidsim.syntax import tree
 
 _MAY_FOLLOW = NORMAL | EdgeKind.TRYNEXT | EdgeKind.UNREAD
 """Edges that make a statement reachable."""
+_TRANSFERRING = Trait.LEAVE | Trait.NEXT_TURN
+
+
+_TRANSFERS = frozenset(
+    {
+        *(tree.Return, tree.Raise, tree.Exit, tree.Goto, tree.Label, tree.While),
+        *(tree.Retry, tree.TryNext, tree.InvalidStatement, tree.Placeholder),
+    }
+)
+"""Kinds of statements without which control simply continues."""
 
 
 def check_flow(routine: tree.Routine, context: Context) -> None:
     """Check one routine with all its clauses."""
-    _check_declarations(routine, context)
-    _check_answers(routine, context)
-    _check_returns(routine, context)
-    _check_labels(routine, context)
-    graph = context.analysis.flow(routine)
-    reached = graph.reached(_MAY_FOLLOW, graph.entries)
-    for body in clauses(routine):
-        _check_next_turns(body, context)
-        _check_reached(body, graph, reached, context)
+    # Most routines have few kinds of statements, and need few of the checks.
+    symbol_of = context.analysis.symbol_of
+    kinds: set[type[tree.Node]] = set()
+    called: set[Symbol | None] = set()
+    for statement in statements(*clauses(routine)):
+        kinds.add(type(statement))
+        if isinstance(statement, tree.Call):
+            called.add(symbol_of.get(statement))
+    traits = reduce(or_, map(does, called), NO_TRAITS)
+    is_function = isinstance(routine, tree.Func)
+    if tree.Data in kinds:
+        _check_declarations(routine, context)
+    if Trait.RETRY in traits or not kinds.isdisjoint({tree.Retry, tree.TryNext, tree.Raise}):
+        _check_answers(routine, context)
+    if is_function or tree.Return in kinds:
+        _check_returns(routine, context)
+    if not kinds.isdisjoint({tree.Label, tree.Goto}):
+        _check_labels(routine, context)
+    if Trait.NEXT_TURN in traits:
+        for body in clauses(routine):
+            _check_next_turns(body, context)
+    if traits & _TRANSFERRING or not kinds.isdisjoint(_TRANSFERS):
+        graph = context.analysis.flow(routine)
+        reached = graph.reached(_MAY_FOLLOW, graph.entries)
+        for body in clauses(routine):
+            _check_reached(body, graph, reached, context)
 
 
 def _check_declarations(routine: tree.Routine, context: Context) -> None:
