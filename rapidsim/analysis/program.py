@@ -6,7 +6,7 @@ need not check again.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import field
 from enum import Enum
 from typing import TypeAlias
@@ -158,3 +158,11 @@ class Program:
     missing_data: Mapping[str, str | None] = field(default_factory=dict)
     """By folded name, data that nothing declares, which are called where the text names them: why a
     run ends there; None is an error of the controller."""
+
+    def routine_symbols(self) -> Iterator[RoutineSymbol]:
+        """The routines of all modules, in the order of the text."""
+        for module in self.modules:
+            for routine in module.routines:
+                symbol = self.symbol_of[routine]
+                if isinstance(symbol, RoutineSymbol):
+                    yield symbol
