@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Set
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rapidsim.collisions.contact import Clearance
 from rapidsim.plots.sampled_run import MM, number_of, title_of
 from rapidsim.plots.theme import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
@@ -26,12 +30,7 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     figure = new_figure(f"Clearance: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     touched = {one.move for one in hits}
-    for move in run.robot_run.moves:
-        if move.index not in nearest and move.index not in touched:
-            continue
-        least = 0.0 if move.index in touched else MM * nearest[move.index].distance_m
-        colour = theme.failed if move.index in touched else theme.tcp
-        axes.hlines(least, move.start_s, max(move.end_s, move.start_s), colour, linewidth=2.4)
+    _draw_moves(axes, run, nearest, touched, theme)
     calm = [one for move, one in nearest.items() if move not in touched]
     for places, colour in (
         ([(one.time_s, MM * one.distance_m) for one in calm], theme.tcp),
@@ -49,3 +48,20 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     axes.set_title(f"{moves} something" if touched else "nothing is hit")
     time_axis(axes, run.end_s)
     return figure
+
+
+def _draw_moves(
+    axes: Axes,
+    run: SampledRun,
+    nearest: Mapping[int, Clearance],
+    touched: Set[int],
+    theme: Theme,
+) -> None:
+    for move in run.robot_run.moves:
+        if move.index in touched:
+            least, colour = 0.0, theme.failed
+        elif move.index in nearest:
+            least, colour = MM * nearest[move.index].distance_m, theme.tcp
+        else:
+            continue
+        axes.hlines(least, move.start_s, max(move.end_s, move.start_s), colour, linewidth=2.4)
