@@ -401,16 +401,7 @@ def _division_of_integers(
 def _checked_division(
     operator: str, left: Code, right: Code, most: float | None, at: AstBuilder, *, by_literal: bool
 ) -> ast.expr:
-    """A division that is Python's own at run time where the operands allow it, if that is quick.
-
-    Args:
-        operator: DIV or MOD.
-        left: The dividend, finished.
-        right: The divisor, finished.
-        most: Of larger dividends the quotient is not Python's; None for any.
-        at: Builds the syntax.
-        by_literal: Whether the divisor is a literal.
-    """
+    """The division, after a test of its operands; Python divides dividends up to `most`."""
     assert left.integer is not None
     assert right.integer is not None
     name = left.node if isinstance(left.node, ast.Name) else None
