@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rapidsim.collisions.contact import Clearance
 from rapidsim.plots.sampled_run import MM, number_of, title_of
 from rapidsim.plots.theme import Theme, new_figure, time_axis
 from rapidsim.simulation.results.sampling import SampledRun
@@ -30,14 +29,16 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     figure = new_figure(f"Clearance: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     touched = {one.move for one in hits}
-    _draw_moves(axes, run, nearest, touched, theme)
-    calm = [one for move, one in nearest.items() if move not in touched]
-    for places, colour in (
-        ([(one.time_s, MM * one.distance_m) for one in calm], theme.tcp),
-        ([(one.time_s, 0.0) for one in hits], theme.failed),
-    ):
-        if places:
-            axes.plot(*np.transpose(places), "o", color=colour, markersize=4.0)
+    least = {move: MM * one.distance_m for move, one in nearest.items()}
+    least |= dict.fromkeys(touched, 0.0)
+    for move in run.robot_run.moves:
+        if move.index in least:
+            colour = theme.failed if move.index in touched else theme.tcp
+            end_s = max(move.end_s, move.start_s)
+            axes.hlines(least[move.index], move.start_s, end_s, colour, linewidth=2.4)
+    calm = [(one.time_s, least[move]) for move, one in nearest.items() if move not in touched]
+    _draw_dots(axes, calm, theme.tcp)
+    _draw_dots(axes, [(one.time_s, 0.0) for one in hits], theme.failed)
     if collisions.geometry.clearance_m:
         wanted = MM * collisions.geometry.clearance_m
         axes.axhline(wanted, color=theme.limit, linestyle="--", linewidth=0.9)
@@ -50,18 +51,6 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     return figure
 
 
-def _draw_moves(
-    axes: Axes,
-    run: SampledRun,
-    nearest: Mapping[int, Clearance],
-    touched: Set[int],
-    theme: Theme,
-) -> None:
-    for move in run.robot_run.moves:
-        if move.index in touched:
-            least, colour = 0.0, theme.failed
-        elif move.index in nearest:
-            least, colour = MM * nearest[move.index].distance_m, theme.tcp
-        else:
-            continue
-        axes.hlines(least, move.start_s, max(move.end_s, move.start_s), colour, linewidth=2.4)
+def _draw_dots(axes: Axes, places: Sequence[tuple[float, float]], colour: str) -> None:
+    if places:
+        axes.plot(*np.transpose(places), "o", color=colour, markersize=4.0)
