@@ -253,7 +253,7 @@ def _line_changes(
 def _differing_lines(
     before: Routine, after: Routine, renamed: Mapping[str, str]
 ) -> tuple[list[tuple[NormalisedLine, NormalisedLine]], list[NormalisedLine], list[NormalisedLine]]:
-    """The pairs of lines that are one statement, changed; the lines gone, and those new."""
+    """Changed statements as pairs of lines, lines that are gone, and lines that are new."""
     a = [_indented(line, renamed) for line in before.lines]
     b = [_indented(line, {}) for line in after.lines]
     gone: list[NormalisedLine] = []

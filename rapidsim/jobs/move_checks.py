@@ -53,8 +53,8 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
         if robot.carried_by and not station.external_axes:
             return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
-        is_other = number > 0 and bool(station.robots)
-        if is_other and robot.name:
+        is_further = number > 0 and bool(station.robots)
+        if is_further and robot.name:
             arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:
             arm = opened()
@@ -62,7 +62,7 @@ def choose_move_check(job: Job) -> CheckMoves | None:
             run_options(job),
             start_joints_deg=robot.start_joints_deg,
             world_from_base=robot.world_from_base,
-            external_axes=robot.external if is_other else station.external_axes,
+            external_axes=robot.external if is_further else station.external_axes,
             task=task,
             entry=job.entry(task),
             queue=next((one.queue for one in station.tasks if one.name == task), None),

@@ -45,12 +45,12 @@ def task_setups(
     setups: list[TaskSetup] = []
     given = 0
     for task in tasks:
-        said = known.get(task.name.lower(), StationTask())
-        number = said.robot_number
+        listed = known.get(task.name.lower(), StationTask())
+        number = listed.robot_number
         if task in movers or (number is None and len(tasks) == 1):
             number = given
         setup = TaskSetup(
-            task.name, task.program, kind=said.kind, written=task.written, queue=said.queue
+            task.name, task.program, kind=listed.kind, written=task.written, queue=listed.queue
         )
         if number is not None:
             given += 1

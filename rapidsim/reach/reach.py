@@ -148,7 +148,7 @@ def _needs_run(
     options: RunOptions,
     cycle_budget_s: float | None,
 ) -> bool:
-    """Whether a run of main is needed for its moves, contacts or cycle time, and can place all."""
+    """Whether moves, contacts or cycle time need a run of main, and no frame prevents it."""
     if FRAME_WITHOUT_ORIENTATION in left_out.values():
         return False
     has_unplaced = bool(walked.unknown or left_out)

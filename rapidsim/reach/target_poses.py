@@ -107,7 +107,7 @@ def _skip_reason(
     robot: Robot,
     external: Sequence[ExternalAxis],
 ) -> str | None:
-    """Why a move is left out; None if it is not."""
+    """Reason to leave a move out; None if its end is computed."""
     move = known.move
     if not isinstance(move.to, JointTarget):
         if known.previous is None and is_wrist_driven(known, robot):

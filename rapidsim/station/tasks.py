@@ -159,7 +159,7 @@ def _with_robots(
 def _named_robot(
     reader: Reader, task: StationTask, robots: Sequence[str | None], taken: Mapping[int, str]
 ) -> int | None:
-    """The number of the robot that a task names; None if it names none that it can have."""
+    """Number of the robot that a task names; None if it names no robot that is free."""
     if task.robot is None:
         return None
     names = [name.lower() if name else None for name in robots]
@@ -176,7 +176,7 @@ def _named_robot(
 
 
 def _takes_any_robot(task: StationTask) -> bool:
-    """Whether a task that names no robot gets one of those that are left."""
+    """Whether a task without a named robot gets one of the remaining robots."""
     if task.robot is None and task.motion is None:
         return task.kind is TaskKind.NORMAL
     return task.robot is None and task.motion is True

@@ -276,13 +276,13 @@ def _joined(
 
 
 def _inner_names(by_name: Sequence[_BulkBlock], rows: Sequence[Offsets]) -> Iterator[str]:
-    """The targets of moves by name that stand between others whose targets are in runs."""
+    """Targets of moves by name whose neighbours also have their targets in runs."""
     for run, row in zip(by_name, rows, strict=True):
         yield from compress(run.names, _inner(row >= 0).tolist())
 
 
 def _masks(runs: Sequence[_BulkBlock], wanted: Set[str]) -> list[Mask]:
-    """The lines of each run whose name is wanted."""
+    """Lines of each run whose name is wanted."""
     return [np.array([name in wanted for name in run.names]) for run in runs]
 
 

@@ -65,7 +65,7 @@ def lent_symbols(
 
 
 def _lent_to_any(arguments: Sequence[tree.Argument], program: Program) -> Iterator[Symbol]:
-    """What a call may lend of which only the run shows which parameters take references."""
+    """Data that a call may lend, if only a run shows which parameters take references."""
     for argument in arguments:
         if not isinstance(argument, tree.ConditionalArgument) and argument.value is not None:
             yield from _lendable(argument.value, program)
@@ -74,7 +74,7 @@ def _lent_to_any(arguments: Sequence[tree.Argument], program: Program) -> Iterat
 def _lent_by(
     arguments: Iterable[BoundArgument], options: Mapping[str, ParameterSymbol], program: Program
 ) -> Iterator[Symbol]:
-    """What arguments for references lend; an option of the caller may be passed on."""
+    """Data that arguments for references lend, also those passed on as options."""
     for argument in arguments:
         if argument.value is not None:
             yield from _lendable(argument.value, program)

@@ -27,7 +27,7 @@ _ATTITUDES = (
     ("Euler angles", _EULER, "Euler angles are e1, e2, e3, in the order of --convention"),
     ("a pitch", (_PITCH,), ""),
 )
-"""What gives the attitude, its columns, and help where one of them is missing."""
+"""Forms of the attitude: name, columns, and the help if a column is missing."""
 _OF_JOINT = re.compile(r"[va][1-9]")
 _UNIT = re.compile(r"_(mm|deg|s|deg_s|deg_s2)$")
 _UNIT_TOLERANCE = 1e-3

@@ -24,7 +24,7 @@ _TRIGGER = TYPES["triggdata"]
 _ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
 """What happens on the way of a move changes nothing about it."""
 _Reference: TypeAlias = tuple[Box[Known], Known, tree.Expression | None]
-"""What an instruction may write, its value before, and the argument that names it."""
+"""Box that an instruction may write, its value before, and the argument that names the data."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -104,7 +104,7 @@ def _execute(
 
 
 def _written(references: Iterable[_Reference]) -> Iterator[tuple[tree.DataPath, Known]]:
-    """The data that have a new value, with it."""
+    """Data that the call has changed, with their new values."""
     for cell, old, argument in references:
         if argument is None or cell.value is old:
             continue

@@ -66,7 +66,7 @@ def frame_tree(
 
 
 def _data_with_frames(program: Program) -> Collection[DataSymbol]:
-    """Module data that are no arrays, by folded name: the last of those of one name."""
+    """Frames in module data, without arrays: for each folded name the last declaration."""
     data = {
         symbol.name.lower(): symbol
         for symbol in program.symbol_of.values()

@@ -81,7 +81,7 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
 
 
 def _at_foot(part: ProgramPart, facts: Facts, reported: set[object]) -> Iterator[Diagnostic]:
-    """The findings of single targets at the foot of the arm, once for data; these are noted."""
+    """Findings of targets at the foot of the arm; adds their data to those reported."""
     for move in moves(part, facts):
         target = move.arguments.get("topoint")
         if target is None or not _is_from_base(move, facts):
@@ -191,7 +191,7 @@ def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
 def _positions(
     part: ProgramPart, facts: Facts
 ) -> Iterator[tuple[tree.Expression, tuple[float, ...]]]:
-    """The targets of moves whose position [mm] is known, with it."""
+    """Targets of moves with their positions [mm], if these are known."""
     for move in moves(part, facts):
         target = move.arguments.get("topoint")
         value = known_value(target, facts)
