@@ -17,7 +17,7 @@ FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 
 OF_NAMES = {
     r"(^|_)(told|asked|given|found|said|kept|held|led|shown|taken|begun|heard|judged|watched"
-    r"|mended|cured|stood|gone|drawn|made|left|known)$": 72,
+    r"|mended|cured|stood|gone|drawn|made|left|known)$": 74,
     r"(^|_)(nobody|somebody|besides?|aside|together|apart|meanwhile|otherwise|instead|anew|alike"
     r"|there|here|outside|likewise)(_|$)": 15,
     r"(^|_)(who|whom|whose|why|what|where)(_|$)": 4,

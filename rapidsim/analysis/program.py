@@ -6,7 +6,7 @@ interpreter need not check again.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import field
 from enum import Enum
 from typing import TypeAlias
@@ -161,3 +161,11 @@ class Program:
     """Undeclared data by folded name, which fail at their use: the reason why a run ends there;
     None for an error of the controller.
     """
+
+    def routine_symbols(self) -> Iterator[RoutineSymbol]:
+        """The routines of all modules, in the order of the text."""
+        for module in self.modules:
+            for routine in module.routines:
+                symbol = self.symbol_of[routine]
+                if isinstance(symbol, RoutineSymbol):
+                    yield symbol

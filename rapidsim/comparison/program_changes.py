@@ -233,19 +233,7 @@ def _line_changes(
     old: ProgramParts,
     new: ProgramParts,
 ) -> Iterator[ProgramChange]:
-    a = [_indented(line, renamed) for line in before.lines]
-    b = [_indented(line, {}) for line in after.lines]
-    gone: list[NormalisedLine] = []
-    come: list[NormalisedLine] = []
-    changed: list[tuple[NormalisedLine, NormalisedLine]] = []
-    for word, a1, a2, b1, b2 in SequenceMatcher(None, a, b, autojunk=False).get_opcodes():
-        if word == "equal":
-            continue
-        left, right = list(before.lines[a1:a2]), list(after.lines[b1:b2])
-        pairs = list(_matching_lines(left, right))
-        changed += pairs
-        gone += [line for line in left if all(line is not x for x, _ in pairs)]
-        come += [line for line in right if all(line is not y for _, y in pairs)]
+    changed, gone, come = _differing_lines(before, after, renamed)
     for line in list(come):
         twin = next((x for x in gone if folded(x.text, renamed) == folded(line.text)), None)
         if twin is not None and not _is_frame(line):
@@ -260,6 +248,26 @@ def _line_changes(
     for line in gone:
         if not _is_frame(line):
             yield _change(after, "statement", line.text, f"removed: `{line.text}`", line, None)
+
+
+def _differing_lines(
+    before: Routine, after: Routine, renamed: Mapping[str, str]
+) -> tuple[list[tuple[NormalisedLine, NormalisedLine]], list[NormalisedLine], list[NormalisedLine]]:
+    """Changed statements as pairs of lines, lines that are gone, and lines that are new."""
+    a = [_indented(line, renamed) for line in before.lines]
+    b = [_indented(line, {}) for line in after.lines]
+    gone: list[NormalisedLine] = []
+    come: list[NormalisedLine] = []
+    changed: list[tuple[NormalisedLine, NormalisedLine]] = []
+    for word, a1, a2, b1, b2 in SequenceMatcher(None, a, b, autojunk=False).get_opcodes():
+        if word == "equal":
+            continue
+        left, right = list(before.lines[a1:a2]), list(after.lines[b1:b2])
+        pairs = list(_matching_lines(left, right))
+        changed += pairs
+        gone += [line for line in left if all(line is not x for x, _ in pairs)]
+        come += [line for line in right if all(line is not y for _, y in pairs)]
+    return changed, gone, come
 
 
 def _indented(line: NormalisedLine, renamed: Mapping[str, str]) -> str:

@@ -19,6 +19,7 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.controller.queue.path_marks import PathMarks
 from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
+from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.zone_table import WorldZoneTable
 from rapidsim.findings.levels import MoveWithoutStorePath
 from rapidsim.findings.ramps import RampWaits
@@ -79,21 +80,7 @@ class SoloMoves:
             )
         if queue.corrected is not None and move.sensed is SensorInfluence.NEVER:
             queue.corrected.end()
-        is_first = not len(queue.moves)
-        is_free = is_first and queue.start_is_free and move.sensed is SensorInfluence.NEVER
-        if is_free:
-            settings = self.state.settings
-            start = self.resolver.first_start(move, self.clock.place, queue.end, settings)
-            if start is not None:
-                queue.begin_at(start)
-        queued = self.resolver.resolve(
-            move,
-            self.clock.place,
-            queue.end,
-            self.state.settings,
-            is_first=is_first,
-            starts_free=is_free,
-        )
+        queued = self._resolved(move, queue)
         if self.clock.is_compute_bound() or not queue.is_open:
             self.clock.resolve_time()
         moment = self.clock.moment()
@@ -107,11 +94,7 @@ class SoloMoves:
         self._note_ramp(queued)
         self.state.use(move, self.clock.place.arguments)
         if queued.corner is CornerKind.STOP and wait and not move.concurrent:
-            self.clock.drive_to_stop()
-            if move.stop and move.stop.program_waits:
-                with self.clock.waiting(f"{move.stop.seconds:g} s") as waiting:
-                    self.clock.pass_time(self.clock.resolve_time() + move.stop.seconds)
-                    waiting.ended_by = THE_TIME
+            self._wait_for_stop(move)
             return
         self.clock.follow(queued.started)
         if (
@@ -122,6 +105,26 @@ class SoloMoves:
             or queue.open_moves > MAX_OPEN_MOVES
         ):
             self.keep_up()
+
+    def _resolved(self, move: Move, queue: SoloQueue) -> QueuedMove:
+        """The move from the end of the queue; the first may choose where the arm starts."""
+        place, settings = self.clock.place, self.state.settings
+        is_first = not len(queue.moves)
+        is_free = is_first and queue.start_is_free and move.sensed is SensorInfluence.NEVER
+        if is_free:
+            start = self.resolver.first_start(move, place, queue.end, settings)
+            if start is not None:
+                queue.begin_at(start)
+        return self.resolver.resolve(
+            move, place, queue.end, settings, is_first=is_first, starts_free=is_free
+        )
+
+    def _wait_for_stop(self, move: Move) -> None:
+        self.clock.drive_to_stop()
+        if move.stop and move.stop.program_waits:
+            with self.clock.waiting(f"{move.stop.seconds:g} s") as waiting:
+                self.clock.pass_time(self.clock.resolve_time() + move.stop.seconds)
+                waiting.ended_by = THE_TIME
 
     def keep_up(self) -> None:
         """Dispatch interrupts on time although the program runs ahead of the robot.

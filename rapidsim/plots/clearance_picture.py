@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from rapidsim.plots.sampled_run import MM, number_of, title_of
@@ -26,19 +29,16 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     figure = new_figure(f"Clearance: {title_of(run)}", width=11.0, height=4.2)
     axes = figure.subplots()
     touched = {one.move for one in hits}
+    least = {move: MM * one.distance_m for move, one in nearest.items()}
+    least |= dict.fromkeys(touched, 0.0)
     for move in run.robot_run.moves:
-        if move.index not in nearest and move.index not in touched:
-            continue
-        least = 0.0 if move.index in touched else MM * nearest[move.index].distance_m
-        colour = theme.failed if move.index in touched else theme.tcp
-        axes.hlines(least, move.start_s, max(move.end_s, move.start_s), colour, linewidth=2.4)
-    calm = [one for move, one in nearest.items() if move not in touched]
-    for places, colour in (
-        ([(one.time_s, MM * one.distance_m) for one in calm], theme.tcp),
-        ([(one.time_s, 0.0) for one in hits], theme.failed),
-    ):
-        if places:
-            axes.plot(*np.transpose(places), "o", color=colour, markersize=4.0)
+        if move.index in least:
+            colour = theme.failed if move.index in touched else theme.tcp
+            end_s = max(move.end_s, move.start_s)
+            axes.hlines(least[move.index], move.start_s, end_s, colour, linewidth=2.4)
+    calm = [(one.time_s, least[move]) for move, one in nearest.items() if move not in touched]
+    _draw_dots(axes, calm, theme.tcp)
+    _draw_dots(axes, [(one.time_s, 0.0) for one in hits], theme.failed)
     if collisions.geometry.clearance_m:
         wanted = MM * collisions.geometry.clearance_m
         axes.axhline(wanted, color=theme.limit, linestyle="--", linewidth=0.9)
@@ -49,3 +49,8 @@ def clearance_picture(run: SampledRun, theme: Theme) -> Figure | None:
     axes.set_title(f"{moves} something" if touched else "nothing is hit")
     time_axis(axes, run.end_s)
     return figure
+
+
+def _draw_dots(axes: Axes, places: Sequence[tuple[float, float]], colour: str) -> None:
+    if places:
+        axes.plot(*np.transpose(places), "o", color=colour, markersize=4.0)

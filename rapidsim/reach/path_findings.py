@@ -95,6 +95,11 @@ class SurveyedPaths:
     strays: Mapping[int, Array]
     """Joints (n,) [rad] of rows that arrive elsewhere than in the solution for their end alone."""
 
+    @property
+    def broken(self) -> frozenset[int]:
+        """The rows whose path cannot be followed to its end."""
+        return frozenset(row for row, way in self.surveyed.items() if way.broken)
+
     def driven(self, row: int) -> Segment:
         """Return the segment of a path as in a run, with the joints at its end if known."""
         segment, way = self.segments[row], self.surveyed[row]
@@ -141,7 +146,7 @@ class PathSurvey:
                 for row, way in ways.surveyed.items()
                 if way.arrival is not None and self._strays(row, way, ways)
             }
-            failing = frozenset(row for row, way in ways.surveyed.items() if way.broken)
+            failing = ways.broken
             if not strays and failing <= lost:
                 break
             lost |= failing

@@ -75,9 +75,7 @@ def check_reach(
     walked = walk_program(program)
     budget = cycle_budget_s if run else None
     if not walked.written and budget is None:
-        if not run:
-            return ReachReport()
-        of_main = _error_of_main(program, robot, options, walked)
+        of_main = _error_of_main(program, robot, options, walked) if run else ErrorRun()
         return ReachReport(of_main.diagnostics, Coverage(main_left_out=of_main.left_out))
     known = list(walked.moves)
     told: RunMoves | None = None
@@ -85,12 +83,10 @@ def check_reach(
     base_from_world = options.world_from_base.inverse()
     placed = posed(known, robot, base_from_world, options.external_axes)
     left_out = placed.left_out
-    can_run = run and FRAME_WITHOUT_ORIENTATION not in left_out.values()
-    needs_run = bool(walked.unknown or left_out) or budget is not None
-    if can_run and (needs_run or options.geometry is not None):
+    if run and _needs_run(walked, left_out, options, budget):
         longest_s = max(LONGEST_RUN_S, 2.0 * (budget or 0.0))
         told = run_for_moves(program, robot, options, walked, len(known), longest_s)
-        joints = {len(known) + at: one.joints for at, one in enumerate(told.executed)}
+        joints = dict(enumerate(told.end_joints, start=len(known)))
         if told.moves:
             known += told.moves
             placed = posed(known, robot, base_from_world, options.external_axes)
@@ -100,7 +96,6 @@ def check_reach(
     beginning = _beginning(robot, options)
     finder = PathSurvey(program, placed, ends, robot, options.model, joints, exact, beginning)
     ways = finder.survey()
-    broken = {row for row, way in ways.surveyed.items() if way.broken}
     found = [
         *orientation_findings(program, placed, options.external_axes),
         *unreachable_findings(program, placed, ends, robot, cures),
@@ -109,28 +104,26 @@ def check_reach(
         *margin_findings(program, placed, ends, ways.stances, robot),
         *wind_up_findings(program, placed, ways.stances, robot),
         *switch_findings(program, placed, ways.stances, robot),
-        *far_turn_findings(program, placed, ways.stances, robot, broken),
+        *far_turn_findings(program, placed, ways.stances, robot, ways.broken),
         *(() if by_default else overload_findings(program, placed, robot)),
-        *(() if told is None else told.diagnostics),
     ]
-    if told is not None and told.scene is not None:
-        found += _unrun_collisions(program, walked, placed, ways, robot, options, told)
-    if budget is not None and told is not None:
-        found += budget_findings(program, told, budget, options.model.version)
-        found += stop_findings(program, placed, ways)
     of_main = ErrorRun()
-    if told is None and run:
+    if told is not None:
+        found += told.diagnostics
+        if told.scene is not None:
+            found += _unrun_collisions(program, walked, placed, ways, robot, options, told)
+        if budget is not None:
+            found += budget_findings(program, told, budget, options.model.version)
+            found += stop_findings(program, placed, ways)
+    elif run:
         of_main = _error_of_main(program, robot, options, walked)
         found += _not_sure(program, walked, of_main.diagnostics)
-    goes_on = options.nearest_configuration
-    found = [
-        replace(one, assumed=goes_on) if one.violation.code in _GIVES_WAY else one for one in found
-    ]
+    found = list(_conditional_assumptions(found, options))
     if told is not None and any(one.severity is Severity.ERROR for one in found):
         found = list(_not_sure(program, walked, found))
-    of_run = of_main.diagnostics if told is None else told.diagnostics
-    met = of_main.met if told is None else told.met
-    distinct = tuple(_FindingKeys(walked).distinct(found, of_run, met))
+    run_of_main = of_main if told is None else told
+    met = run_of_main.met
+    distinct = tuple(_FindingKeys(walked).distinct(found, run_of_main.diagnostics, met))
     paths, unchecked_paths = _paths(placed, ends, ways, beginning, met)
     coverage = replace(
         _coverage(walked, ends, told, left_out),
@@ -147,6 +140,28 @@ def _beginning(robot: Robot, options: RunOptions) -> Beginning | None:
         return None
     degrees = options.start_joints_deg
     return Beginning(start_joints(robot, degrees), is_free=degrees is None)
+
+
+def _needs_run(
+    walked: WalkedProgram,
+    left_out: Mapping[int, str],
+    options: RunOptions,
+    cycle_budget_s: float | None,
+) -> bool:
+    """Whether moves, contacts or cycle time need a run of main, and no frame prevents it."""
+    if FRAME_WITHOUT_ORIENTATION in left_out.values():
+        return False
+    has_unplaced = bool(walked.unknown or left_out)
+    return has_unplaced or cycle_budget_s is not None or options.geometry is not None
+
+
+def _conditional_assumptions(
+    findings: Iterable[Diagnostic], options: RunOptions
+) -> Iterator[Diagnostic]:
+    """The findings, assumed where a run that takes the nearest configuration does not stop."""
+    continues = options.nearest_configuration
+    for one in findings:
+        yield replace(one, assumed=continues) if one.violation.code in _GIVES_WAY else one
 
 
 def _error_of_main(
@@ -174,7 +189,7 @@ def _unrun_collisions(
 ) -> Iterator[Diagnostic]:
     """Yield collisions of moves that the run did not make, if their start and end are known."""
     assert run_moves.scene is not None
-    sure = surveyed.stances.sure
+    sure, broken = surveyed.stances.sure, surveyed.broken
     rows = [
         row
         for row, known in enumerate(walked.moves)
@@ -183,7 +198,7 @@ def _unrun_collisions(
         and row not in placed.left_out
         and sure[row]
         and sure[known.previous]
-        and (row not in surveyed.surveyed or not surveyed.surveyed[row].broken)
+        and row not in broken
         and row not in surveyed.circle_faults
     ]
     if not rows or len(run_moves.scene.arms) > 1:

@@ -68,24 +68,14 @@ def posed(
         if at == len(placements):
             placements.append(_placement(*pair, base_from_world, external))
         frame[row] = at
-        placement = placements[at]
-        if isinstance(placement, targets.NotSimulatedFrame):
-            left_out[row] = placement.reason
-        elif placement.carrier is not None or external:
-            left_out[row] = "external axes, a stationary tool or a moved work object take part"
-        if move.interpolation is Interpolation.EXTERNAL_AXES:
-            left_out[row] = "only external axes move"
-        elif isinstance(move.to, JointTarget):
-            axes[row] = targets.joints(move.to, robot.kinematics)
-            to_axes[row] = True
+        reason = _skip_reason(known, placements[at], robot, external)
+        if reason is not None:
+            left_out[row] = reason
         if isinstance(move.to, JointTarget):
-            continue
-        for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
-            if targets.is_no_orientation(target.rot):
-                left_out[row] = "its orientation is not a unit quaternion"
-        if known.previous is None and is_wrist_driven(known, robot):
-            left_out[row] = "two wrist axes lead it from where the arm stands, which a run tells"
-        if row not in left_out:
+            if move.interpolation is not Interpolation.EXTERNAL_AXES:
+                axes[row] = targets.joints(move.to, robot.kinematics)
+                to_axes[row] = True
+        elif reason is None:
             position[row], quaternion[row] = move.to.trans, move.to.rot
     plain = [
         targets.Placement(Transform.identity(), Transform.identity())
@@ -109,6 +99,29 @@ def posed(
     return PosedMoves(
         moves, base_from_tcp, tcp_from_flange, base_from_flange, axes, to_axes, placed, left_out
     )
+
+
+def _skip_reason(
+    known_move: KnownMove,
+    placement: targets.Placement | targets.NotSimulatedFrame,
+    robot: Robot,
+    external: Sequence[ExternalAxis],
+) -> str | None:
+    """Reason to leave a move out; None if its end is computed."""
+    move = known_move.move
+    if not isinstance(move.to, JointTarget):
+        if known_move.previous is None and is_wrist_driven(known_move, robot):
+            return "two wrist axes lead it from where the arm stands, which a run tells"
+        for target in (move.to, *(() if move.circle_point is None else (move.circle_point,))):
+            if targets.is_no_orientation(target.rot):
+                return "its orientation is not a unit quaternion"
+    if move.interpolation is Interpolation.EXTERNAL_AXES:
+        return "only external axes move"
+    if isinstance(placement, targets.NotSimulatedFrame):
+        return placement.reason
+    if placement.carrier is not None or external:
+        return "external axes, a stationary tool or a moved work object take part"
+    return None
 
 
 def _placement(

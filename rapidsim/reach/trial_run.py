@@ -7,7 +7,7 @@ continue, but not at an unreachable stored configuration: the moves after it are
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -26,6 +26,7 @@ from rapidsim.findings.runs import (
     is_of_runs,
 )
 from rapidsim.findings.sockets import NobodyAnswers, NobodyConnects
+from rapidsim.frames.transform import Array
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.language.errors import Stopped
 from rapidsim.language.moves import MotionSettings
@@ -83,6 +84,11 @@ class RunMoves:
     scene: Scene | None = None
     """Bodies of the cell, with the pairs in which neither is ever carried; None if the station
     describes no bodies."""
+
+    @property
+    def end_joints(self) -> Iterator[Array]:
+        """Joints (n,) [rad] at the end of each move that the run made."""
+        return (move.joints for move in self.executed)
 
 
 def run_for_moves(

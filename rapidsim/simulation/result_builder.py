@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from rapidsim.analysis.program import Program
 from rapidsim.controller.cell.cell import Cell
@@ -10,6 +10,7 @@ from rapidsim.controller.journal.events import Event, EventKind, Unsimulated
 from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.executed_move import CornerKind, ExecutedMove
 from rapidsim.controller.moves.motion_findings import hasty_move_findings
+from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.simulation.options import RunOptions
 from rapidsim.simulation.results.early_outputs import early_output_findings
@@ -92,32 +93,7 @@ def _simulation(
         if run.setup.robot is not None
     )
     moves = numbered_moves(robots)
-    findings = tuple(
-        finding
-        for run, outcome in zip(runs, outcomes, strict=True)
-        for finding in (
-            *run.journal.diagnostics(),
-            *not_simulated_findings(run.journal),
-            *backward_findings(run.setup.program),
-            *hasty_move_findings(run.queue.moves),
-            *outcome.findings,
-        )
-    )
-    planners = [run.queue.planner for run in runs if run.setup.robot is not None]
-    findings += tuple(
-        finding
-        for robot, planner in zip(robots, planners, strict=True)
-        for finding in corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
-    )
     events = _sorted_events(runs[0].journal, moves)
-    programs = {run.setup.name: run.setup.program for run in runs}
-    findings += tuple(
-        finding
-        for robot in robots
-        for finding in early_output_findings(events, robot, _traps(programs[robot.task]))
-    )
-    labels = [run.setup.robot_label for run in runs if run.setup.robot is not None]
-    findings += moved_object_findings(robots, labels)
     motion_s = _motion_s(moves, time_s)
     ends = [outcome.end for outcome in outcomes]
     return Simulation(
@@ -138,7 +114,7 @@ def _simulation(
             for run, outcome in zip(runs, outcomes, strict=True)
         ),
         events=events,
-        diagnostics=findings,
+        diagnostics=tuple(_findings(runs, outcomes, robots, events)),
         unsimulated=_not_simulated(runs),
         home_files=tuple(WrittenFile(path, size) for path, size in cell.home.written()),
         lacked_files=cell.home.lacks,
@@ -160,6 +136,28 @@ def _simulation(
         ),
         signal_starts={signal.name: signal.value for signal in options.io.signals},
     )
+
+
+def _findings(
+    runs: Sequence[TaskRun],
+    outcomes: Sequence[TaskOutcome],
+    robots: Sequence[RobotRun],
+    events: Sequence[Event],
+) -> Iterator[Diagnostic]:
+    """The findings of each task, then those of the path and the outputs of each robot."""
+    for run, outcome in zip(runs, outcomes, strict=True):
+        yield from run.journal.diagnostics()
+        yield from not_simulated_findings(run.journal)
+        yield from backward_findings(run.setup.program)
+        yield from hasty_move_findings(run.queue.moves)
+        yield from outcome.findings
+    movers = [run for run in runs if run.setup.robot is not None]
+    for robot, run in zip(robots, movers, strict=True):
+        planner = run.queue.planner
+        yield from corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
+    for robot, run in zip(robots, movers, strict=True):
+        yield from early_output_findings(events, robot, _traps(run.setup.program))
+    yield from moved_object_findings(robots, [run.setup.robot_label for run in movers])
 
 
 def _traps(program: Program) -> frozenset[str]:

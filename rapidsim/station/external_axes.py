@@ -23,6 +23,8 @@ _KEYS = (
     "frame",
 )
 _FRAME_KEYS = ("position", "quaternion")
+_DIRECTIONS = {"linear": (1.0, 0.0, 0.0), "rotational": (0.0, 0.0, 1.0)}
+"""The direction of an axis without `direction`, by its kind."""
 
 
 def read_external_axes(
@@ -92,44 +94,30 @@ def _read_axis(
     limits = reader.numbers(table, path, "limits", 2)
     speed = reader.positive(table, path, "speed")
     acceleration = reader.positive(table, path, "acceleration")
-    carries = (
-        fallback.carries if fallback and "carries" not in table else _carries(reader, table, path)
+    carries = _carries(reader, table, path, fallback)
+    direction = _direction(reader, table, path)
+    world_from_user = _world_from_user(reader, table, path, fallback)
+    if fallback is None:
+        _note_missing_keys(reader, path, table)
+    letter = _one_of(reader, f"{path}.axis", letter, tuple(LETTERS), "none of a, b, c, d, e, f")
+    kind = _one_of(
+        reader, f"{path}.kind", kind, tuple(_DIRECTIONS), "neither `linear` nor `rotational`"
     )
-    direction = reader.numbers(table, path, "direction", 3)
-    if direction is not None and math.hypot(*direction) < 1e-6:
-        reader.wrong(f"{path}.direction", "a direction must not be all zeros")
-        direction = None
-    world_from_user = fallback.world_from_user if fallback else Transform.identity()
-    if "frame" in table:
-        world_from_user = read_frame(
-            reader, reader.table(table, "frame", f"{path}.frame"), f"{path}.frame"
-        )
-    for key in ("name", "axis", "kind", "limits", "speed"):
-        if key not in table and fallback is None:
-            reader.wrong(f"{path}.{key}", "is missing")
-    if letter is not None and (len(letter) != 1 or letter not in LETTERS):
-        reader.wrong(f"{path}.axis", f"`{letter}` is none of a, b, c, d, e, f")
-        letter = None
-    if kind is not None and kind not in ("linear", "rotational"):
-        reader.wrong(f"{path}.kind", f"`{kind}` is neither `linear` nor `rotational`")
-        kind = None
-    if limits is not None and limits[0] >= limits[1]:
-        reader.wrong(f"{path}.limits", "the first must be below the second")
-        limits = None
+    limits = _rising(reader, f"{path}.limits", limits)
     if fallback is not None:
-        scale = MM if fallback.linear else math.radians(1.0)
+        scale = _unit(linear=fallback.linear)
         limits = limits or (fallback.lower / scale, fallback.upper / scale)
         acceleration = acceleration or fallback.max_acceleration / scale
         speed, direction = speed or fallback.max_speed / scale, direction or fallback.direction
     if name is None or letter is None or kind is None or limits is None or speed is None:
         return None
-    scale = MM if kind == "linear" else math.radians(1.0)
-    default = (1.0, 0.0, 0.0) if kind == "linear" else (0.0, 0.0, 1.0)
-    x, y, z = direction or default
+    linear = kind == "linear"
+    scale = _unit(linear=linear)
+    x, y, z = direction or _DIRECTIONS[kind]
     return ExternalAxis(
         unit=name,
         letter=letter,
-        linear=kind == "linear",
+        linear=linear,
         lower=limits[0] * scale,
         upper=limits[1] * scale,
         max_speed=speed * scale,
@@ -141,7 +129,57 @@ def _read_axis(
     )
 
 
-def _carries(reader: Reader, table: Table, path: str) -> Carried | None:
+def _direction(reader: Reader, table: Table, path: str) -> tuple[float, ...] | None:
+    direction = reader.numbers(table, path, "direction", 3)
+    if direction is not None and math.hypot(*direction) < 1e-6:
+        reader.wrong(f"{path}.direction", "a direction must not be all zeros")
+        return None
+    return direction
+
+
+def _world_from_user(
+    reader: Reader, table: Table, path: str, fallback: ExternalAxis | None
+) -> Transform:
+    if "frame" in table:
+        path = f"{path}.frame"
+        return read_frame(reader, reader.table(table, "frame", path), path)
+    return fallback.world_from_user if fallback else Transform.identity()
+
+
+def _note_missing_keys(reader: Reader, path: str, table: Table) -> None:
+    for key in ("name", "axis", "kind", "limits", "speed"):
+        if key not in table:
+            reader.wrong(f"{path}.{key}", "is missing")
+
+
+def _one_of(
+    reader: Reader, path: str, text: str | None, words: tuple[str, ...], problem: str
+) -> str | None:
+    if text is None or text in words:
+        return text
+    reader.wrong(path, f"`{text}` is {problem}")
+    return None
+
+
+def _rising(
+    reader: Reader, path: str, limits: tuple[float, ...] | None
+) -> tuple[float, ...] | None:
+    if limits is not None and limits[0] >= limits[1]:
+        reader.wrong(path, "the first must be below the second")
+        return None
+    return limits
+
+
+def _unit(*, linear: bool) -> float:
+    """The unit of the file [m or rad]."""
+    return MM if linear else math.radians(1.0)
+
+
+def _carries(
+    reader: Reader, table: Table, path: str, fallback: ExternalAxis | None
+) -> Carried | None:
+    if fallback and "carries" not in table:
+        return fallback.carries
     match reader.text(table, path, "carries"):
         case "robot":
             return "robot"

@@ -137,25 +137,16 @@ def _with_robots(
     """Assign tasks the robots they name, then the remaining robots in order."""
     taken: dict[int, str] = {}
     numbers: dict[str, int] = {}
-    names = [name.lower() if name else None for name in robots]
     for task in tasks:
-        if task.robot is None:
-            continue
-        if task.robot.lower() not in names:
-            known = [name for name in robots if name]
-            help = did_you_mean(task.robot, known) or f"robots: {', '.join(known) or 'none'}"
-            reader.wrong(f"task {task.name}.robot", f"there is no [[robot]] `{task.robot}`", help)
-        elif (number := names.index(task.robot.lower())) in taken:
-            reader.wrong(f"task {task.name}.robot", f"{taken[number]} moves that robot")
-        else:
+        number = _named_robot(reader, task, robots, taken)
+        if number is not None:
             taken[number], numbers[task.name] = task.name, number
     for task in tasks:
         if task.robot_number is not None:
             taken.setdefault(task.robot_number, task.name)
             numbers[task.name] = task.robot_number
     for task in tasks:
-        waits = task.name not in numbers and task.robot is None and task.motion is not False
-        if not waits or (task.motion is None and task.kind is not TaskKind.NORMAL):
+        if task.name in numbers or not _takes_any_robot(task):
             continue
         free = next((number for number in range(len(robots)) if number not in taken), None)
         if free is not None:
@@ -163,3 +154,29 @@ def _with_robots(
         elif task.motion:
             reader.wrong(f"task {task.name}.motion", "no robot is left for it; add a [[robot]]")
     return tuple(replace(task, robot_number=numbers.get(task.name)) for task in tasks)
+
+
+def _named_robot(
+    reader: Reader, task: StationTask, robots: Sequence[str | None], used: Mapping[int, str]
+) -> int | None:
+    """Number of the robot that a task names; None if it names no robot that is free."""
+    if task.robot is None:
+        return None
+    names = [name.lower() if name else None for name in robots]
+    if task.robot.lower() not in names:
+        known = [name for name in robots if name]
+        help = did_you_mean(task.robot, known) or f"robots: {', '.join(known) or 'none'}"
+        reader.wrong(f"task {task.name}.robot", f"there is no [[robot]] `{task.robot}`", help)
+        return None
+    number = names.index(task.robot.lower())
+    if number in used:
+        reader.wrong(f"task {task.name}.robot", f"{used[number]} moves that robot")
+        return None
+    return number
+
+
+def _takes_any_robot(task: StationTask) -> bool:
+    """Whether a task without a named robot gets one of the remaining robots."""
+    if task.robot is None and task.motion is None:
+        return task.kind is TaskKind.NORMAL
+    return task.robot is None and task.motion is True

@@ -17,9 +17,9 @@ from __future__ import annotations
 import re
 import warnings
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from functools import lru_cache
-from itertools import pairwise
+from itertools import compress, pairwise
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -246,37 +246,44 @@ def _joined(
 
     A skipped name is skipped in both, and occurs nowhere else.
     """
-    columns = np.concatenate([run.numbers for run in declarations if run.numbers is not None])
+    tables = [run.numbers for run in declarations if run.numbers is not None]
+    columns = np.concatenate(tables)
     places = np.concatenate([run.lines[:-1] for run in declarations])
-    all_names = [name for run in declarations for name in run.names]
-    row_of = {name: row for row, name in enumerate(all_names)}
-    inner = np.concatenate(
-        [_inner(_is_plain_data(run.numbers)) for run in declarations if run.numbers is not None]
-    )
+    inner = np.concatenate([_inner(_is_plain_data(table)) for table in tables])
+    names = [name for run in declarations for name in run.names]
+    row_of = {name: row for row, name in enumerate(names)}
     # For each move by name the row of its declaration; -1 without one in a run.
     rows = [np.array([row_of.get(name, -1) for name in run.names]) for run in by_name]
-    of_moves = [_inner(row >= 0) for row in rows]
-    times = Counter(name for run in (*declarations, *by_name) for name in run.names)
+    every = (*declarations, *by_name)
+    times = Counter(name for run in every for name in run.names)
     wanted = {
         name
-        for run, is_inner in zip(by_name, of_moves, strict=True)
-        for name, chosen in zip(run.names, is_inner.tolist(), strict=True)
-        if chosen and times[name] == 2 and len(name) <= LONGEST_NAME and inner[row_of[name]]
+        for name in _inner_names(by_name, rows)
+        if times[name] == 2 and len(name) <= LONGEST_NAME and inner[row_of[name]]
     }
     wanted -= {word.lower() for word in rapid_table().words}
-    every = (*declarations, *by_name)
-    masks = [np.array([name in wanted for name in run.names]) for run in every]
-    wanted -= _words(text, _omitted_spans(written, every, masks))
-    masks = [np.array([name in wanted for name in run.names]) for run in every]
+    wanted -= _words(text, _omitted_spans(written, every, _masks(every, wanted)))
+    masks = iter(_masks(every, wanted))
     found: list[SkippedSpan] = []
     begin = 0
-    for run, mask in zip(declarations, masks, strict=False):
+    for run in declarations:
         stop = begin + len(run.names)
-        found += _cut(run, mask, columns[begin:stop])
+        found += _cut(run, next(masks), columns[begin:stop])
         begin = stop
-    for run, row, mask in zip(by_name, rows, masks[len(declarations) :], strict=True):
-        found += _cut(run, mask, columns[row], places[row])
+    for run, row in zip(by_name, rows, strict=True):
+        found += _cut(run, next(masks), columns[row], places[row])
     return found if len(wanted) * 2 > len(found) * _LEAST_STRETCH else []
+
+
+def _inner_names(by_name: Sequence[_BulkBlock], rows: Sequence[Offsets]) -> Iterator[str]:
+    """Targets of moves by name whose neighbours also have their targets in runs."""
+    for run, row in zip(by_name, rows, strict=True):
+        yield from compress(run.names, _inner(row >= 0).tolist())
+
+
+def _masks(runs: Sequence[_BulkBlock], wanted: Set[str]) -> list[Mask]:
+    """Lines of each run whose name is wanted."""
+    return [np.array([name in wanted for name in run.names]) for run in runs]
 
 
 def _omitted_spans(

@@ -6,7 +6,7 @@ place between the required ones; among themselves any order is accepted.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Set
 from itertools import combinations
 from math import comb
 from typing import TypeAlias
@@ -74,19 +74,27 @@ def bind(
                 next_required = max(next_required, position + 1)
         filled.add(formal.key)
         bound.append((argument, formal))
+    _report_superfluous(extra, callee, context)
+    _report_missing(call, filled, callee, context)
+    return bound, extra
+
+
+def _report_superfluous(extra: Sequence[tree.Argument], callee: Callee, context: Context) -> None:
     positional = [a for a in extra if isinstance(a, tree.RequiredArgument) and a.name is None]
     if positional:
-        count = sum(not formal.optional for formal in formals)
+        count = sum(not formal.optional for formal in callee.parameters)
         problem = f"`{callee.name}` takes {_counted(count)}, {count + len(positional)} given"
         violation = BadArguments(problem, "too many", callee.order)
         context.report(violation, positional[0], *callee.declared)
-    missing = [f for f in formals if not f.optional and f.key not in filled]
+
+
+def _report_missing(call: tree.Node, filled: Set[str], callee: Callee, context: Context) -> None:
+    missing = [f for f in callee.parameters if not f.optional and f.key not in filled]
     if missing:
         names = " and ".join(f"`{formal.name}`" for formal in missing)
         problem = f"the call of `{callee.name}` lacks {names}"
         violation = BadArguments(problem, "too few", callee.order)
         context.report(violation, call, *callee.declared)
-    return bound, extra
 
 
 def _named(argument: tree.Argument, callee: Callee, context: Context) -> int | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.program import (
@@ -15,7 +15,7 @@ from rapidsim.analysis.program import (
     Storage,
     Symbol,
 )
-from rapidsim.interpreter.codegen.calls import match_arguments
+from rapidsim.interpreter.codegen.calls import BoundArgument, match_arguments
 from rapidsim.interpreter.codegen.data_access import by_reference
 from rapidsim.interpreter.codegen.inlined_instructions import assigned_in_place
 from rapidsim.interpreter.codegen.written_paths import bare, flat
@@ -49,13 +49,7 @@ def lent_symbols(
             if isinstance(declared, DataSymbol) and is_signal(declared.type):
                 yield declared
         elif isinstance(node, tree.LateCall) or may_be_loaded(node, program):
-            # The parameters that take references are known only at run time.
-            for argument in node.arguments:
-                if (
-                    not isinstance(argument, tree.ConditionalArgument)
-                    and argument.value is not None
-                ):
-                    yield from _lendable(argument.value, program)
+            yield from _lent_to_any(node.arguments, program)
         elif isinstance(node, tree.Call) and assigned_in_place(node, program):
             continue
         elif isinstance(node, tree.Call | tree.FunctionCall):
@@ -64,17 +58,30 @@ def lent_symbols(
             taking = takers.get(callee)
             if taking is None:
                 taking = takers[callee] = frozenset(_taking_references(parameters))
-            if not taking:
-                continue
-            for name, given in match_arguments(node.arguments, parameters).items():
-                if name not in taking:
-                    continue
-                if given.value is not None:
-                    yield from _lendable(given.value, program)
-                elif given.caller_option is not None:
-                    option = options.get(given.caller_option.key)
-                    if option is not None and _lives_in_variable(option):
-                        yield option
+            if taking:
+                arguments = match_arguments(node.arguments, parameters)
+                given = [argument for name, argument in arguments.items() if name in taking]
+                yield from _lent_by(given, options, program)
+
+
+def _lent_to_any(arguments: Sequence[tree.Argument], program: Program) -> Iterator[Symbol]:
+    """Data that a call may lend, if only a run shows which parameters take references."""
+    for argument in arguments:
+        if not isinstance(argument, tree.ConditionalArgument) and argument.value is not None:
+            yield from _lendable(argument.value, program)
+
+
+def _lent_by(
+    arguments: Iterable[BoundArgument], options: Mapping[str, ParameterSymbol], program: Program
+) -> Iterator[Symbol]:
+    """Data that arguments for references lend, also those passed on as options."""
+    for argument in arguments:
+        if argument.value is not None:
+            yield from _lendable(argument.value, program)
+        elif argument.caller_option is not None:
+            option = options.get(argument.caller_option.key)
+            if option is not None and _lives_in_variable(option):
+                yield option
 
 
 def _parameters(callee: Symbol) -> _Parameters:

@@ -52,6 +52,7 @@ _COMPARISONS: dict[str, type[ast.cmpop]] = {
     "XOR": ast.NotEq,
 }
 _LOGICAL: dict[str, type[ast.boolop]] = {"AND": ast.And, "OR": ast.Or}
+_CHECKED = (DeferredCheck.CHECKED_SINGLE, DeferredCheck.CHECKED_DOUBLE)
 _INTEGER = {"DIV": "_quotient", "MOD": "_remainder"}
 _WHOLE = {"DIV": "_whole_quotient", "MOD": "_whole_remainder"}
 """Function by operator, for Python integers."""
@@ -229,13 +230,8 @@ class Expressions:
     ) -> Code:
         may_raise = left.may_raise or right.may_raise
         calls = left.calls or right.calls
-        checked = operator in "*/" and not _cannot_grow(operator, left, right)
-        checked = checked or DeferredCheck.CHECKED_SINGLE in (left.deferred, right.deferred)
-        checked = checked or DeferredCheck.CHECKED_DOUBLE in (left.deferred, right.deferred)
-        if is_dnum:
-            owed = DeferredCheck.CHECKED_DOUBLE if checked else DeferredCheck.NOTHING
-        else:
-            owed = DeferredCheck.CHECKED_SINGLE if checked else DeferredCheck.SINGLE
+        owed = _deferred_check(operator, left, right, is_dnum=is_dnum)
+        checked = owed in _CHECKED
         divides = operator == "/" and not right.literal
         folded = _folded(operator, left, right, at)
         if folded is not None:
@@ -328,6 +324,15 @@ class Expressions:
         return of.name.lower()
 
 
+def _deferred_check(operator: str, left: Code, right: Code, *, is_dnum: bool) -> DeferredCheck:
+    """The check that the result of an operation still needs."""
+    checked = operator in "*/" and not _cannot_grow(operator, left, right)
+    checked = checked or left.deferred in _CHECKED or right.deferred in _CHECKED
+    if is_dnum:
+        return DeferredCheck.CHECKED_DOUBLE if checked else DeferredCheck.NOTHING
+    return DeferredCheck.CHECKED_SINGLE if checked else DeferredCheck.SINGLE
+
+
 def _folded(operator: str, left: Code, right: Code, at: AstBuilder) -> Code | None:
     """Fold the sum, difference or product of literals, if it is an integer."""
     a, b = left.literal, right.literal
@@ -379,26 +384,37 @@ def _division_of_integers(
     a, b = left.integer, right.integer
     assert a is not None
     assert b is not None
-    python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
-    node: ast.expr = at.operation(left.node, python, right.node)
     # A quotient of larger numbers is rounded as doubles are, unless a power of 2 divides them.
     exact = operator == "MOD" or a.is_double
     may_raise = left.may_raise or right.may_raise or integer.signed or not exact
     exact = exact or halves
-    if not (b.low > 0 and a.low >= 0 and exact):
+    if b.low > 0 and a.low >= 0 and exact:
+        python = ast.FloorDiv() if operator == "DIV" else ast.Mod()
+        node: ast.expr = at.operation(left.node, python, right.node)
+    else:
         may_raise = True
-        name = left.node if isinstance(left.node, ast.Name) else None
-        n, first = (name, name) if name else (at.name("_n"), at.named("_n", left.node))
-        if operator == "DIV" and by_literal and b.low > 0:
-            easy = within(first, None if a.low >= 0 else 0, None if exact else MAX_EXACT, at)
-            node = at.operation(n, python, right.node)
-            node = at.choice(easy, node, at.call("_literal_quotient", [n, right.node]))
-        elif operator == "MOD" and isinstance(right.node, ast.Name) and name:
-            easy = at.compare(right.node, (ast.Gt(), at.constant(0)))
-            node = at.choice(easy, node, at.call("_whole_remainder", [n, right.node]))
-        else:
-            node = at.call(_WHOLE[operator], [left.node, right.node])
+        most = None if exact else MAX_EXACT
+        node = _checked_division(operator, left, right, most, at, by_literal=by_literal)
     return Code(node, may_raise=may_raise, calls=calls, integer=integer)
+
+
+def _checked_division(
+    operator: str, left: Code, right: Code, most: float | None, at: AstBuilder, *, by_literal: bool
+) -> ast.expr:
+    """The division, after a test of its operands; Python divides dividends up to `most`."""
+    assert left.integer is not None
+    assert right.integer is not None
+    name = left.node if isinstance(left.node, ast.Name) else None
+    n, first = (name, name) if name else (at.name("_n"), at.named("_n", left.node))
+    if operator == "DIV" and by_literal and right.integer.low > 0:
+        easy = within(first, None if left.integer.low >= 0 else 0, most, at)
+        node = at.operation(n, ast.FloorDiv(), right.node)
+        return at.choice(easy, node, at.call("_literal_quotient", [n, right.node]))
+    if operator == "MOD" and isinstance(right.node, ast.Name) and name:
+        easy = at.compare(right.node, (ast.Gt(), at.constant(0)))
+        node = at.operation(left.node, ast.Mod(), right.node)
+        return at.choice(easy, node, at.call("_whole_remainder", [n, right.node]))
+    return at.call(_WHOLE[operator], [left.node, right.node])
 
 
 def _combined(operator: str, left: Code, right: Code) -> Interval | None:

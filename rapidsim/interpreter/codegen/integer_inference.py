@@ -74,12 +74,7 @@ def integers_of(
         program: The whole program, because every call matters.
         constant_value: Returns the value of a CONST.
     """
-    routines = [
-        symbol
-        for module in program.modules
-        for routine in module.routines
-        if isinstance(symbol := program.symbol_of[routine], RoutineSymbol)
-    ]
+    routines = list(program.routine_symbols())
     inference = _Inference(program, constant_value)
     mine = [inference.candidates(routine) for routine in routines]
     for routine, own in zip(routines, mine, strict=True):
@@ -114,16 +109,8 @@ class _Inference:
         """Collect the candidates of a routine; return whether it has any of its own."""
         node = routine.node
         is_open = self.program.loads_modules
-        nums = [one for one in routine.parameters if _is_num(one.type) and not one.optional]
-        given = [one for one in nums if one.mode is ParameterMode.IN and not is_open]
-        data = [
-            symbol
-            for statement in node.body
-            if isinstance(statement, tree.Data)
-            and isinstance(symbol := self.program.symbol_of[statement], DataSymbol)
-            and symbol.storage is Storage.VAR
-            and _is_num(symbol.type)
-        ]
+        given = [] if is_open else [one for one in routine.parameters if _is_plain_num(one)]
+        data = _num_variables(routine, self.program)
         if given or data:
             lent = set(lent_symbols(routine, list(descendants(node)), self.program))
             given = [one for one in given if one not in lent]
@@ -296,6 +283,23 @@ def _literal(value: Value) -> Interval | None:
     """A number as an interval; a literal zero has the sign as written."""
     known = isinstance(value, float) and value.is_integer() and abs(value) <= MAX_INTEGER
     return Interval(int(value), int(value), signed=True) if known else None
+
+
+def _is_plain_num(parameter: ParameterSymbol) -> bool:
+    """Whether a parameter is a num that each call passes by value."""
+    is_required = parameter.mode is ParameterMode.IN and not parameter.optional
+    return is_required and _is_num(parameter.type)
+
+
+def _num_variables(routine: RoutineSymbol, program: Program) -> list[DataSymbol]:
+    return [
+        symbol
+        for statement in routine.node.body
+        if isinstance(statement, tree.Data)
+        and isinstance(symbol := program.symbol_of[statement], DataSymbol)
+        and symbol.storage is Storage.VAR
+        and _is_num(symbol.type)
+    ]
 
 
 def _is_num(of: Type) -> bool:

@@ -27,12 +27,7 @@ from rapidsim.syntax import tree
 
 def persistent_parameters(program: Program) -> frozenset[tree.Node]:
     """The parameters of all routines that may be bound to a persistent, by declaration."""
-    routines = [
-        symbol
-        for module in program.modules
-        for routine in module.routines
-        if isinstance(symbol := program.symbol_of[routine], RoutineSymbol)
-    ]
+    routines = list(program.routine_symbols())
     parameters = [one for routine in routines for one in routine.parameters]
     lent: set[tree.Node] = {one.node for one in parameters if one.mode is ParameterMode.INOUT}
     found: set[tree.Node] = {one.node for one in parameters if one.mode is ParameterMode.PERS}

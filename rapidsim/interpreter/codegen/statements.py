@@ -11,7 +11,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Sequence, Set
 from dataclasses import dataclass
-from typing import NoReturn, assert_never
+from typing import NoReturn
 
 from rapidsim.analysis.program import (
     DataSymbol,
@@ -104,6 +104,26 @@ class Statements:
                 return self._test(statement, at)
             case tree.Label():
                 return []
+            case tree.Connect():
+                return self._connect(statement, at)
+            case tree.Empty():
+                return [at.nothing()]
+            case tree.Data():
+                return self._data(statement, at)
+            case tree.Placeholder():
+                return self._guard([at.do(at.call("_unfinished"))], at)
+            case tree.InvalidStatement():
+                self._refuse("a part with syntax errors", statement)
+            case _:
+                return self._transfer(statement, at)
+
+    def _transfer(
+        self,
+        statement: tree.Goto | tree.Return | tree.Raise | tree.Exit | tree.Retry | tree.TryNext,
+        at: AstBuilder,
+    ) -> list[ast.stmt]:
+        """Translate a statement that passes control elsewhere."""
+        match statement:
             case tree.Goto(name=name):
                 return self.jumps.jump(name.key, at)
             case tree.Return(value=value):
@@ -116,18 +136,6 @@ class Statements:
                 return [at.leave(at.constant(1))]
             case tree.TryNext():
                 return [at.leave(at.constant(0))]
-            case tree.Connect():
-                return self._connect(statement, at)
-            case tree.Empty():
-                return [at.nothing()]
-            case tree.Data():
-                return self._data(statement, at)
-            case tree.Placeholder():
-                return self._guard([at.do(at.call("_unfinished"))], at)
-            case tree.InvalidStatement():
-                self._refuse("a part with syntax errors", statement)
-            case _:
-                assert_never(statement)
 
     def _guard(
         self, body: Sequence[ast.stmt], at: AstBuilder, *, else_body: Sequence[ast.stmt] = ()

@@ -41,34 +41,34 @@ def choose_move_check(job: Job) -> CheckMoves | None:
         opened()
 
     def check_moves(program: Program, task: str, *, runs: bool) -> ReachReport | str:
-        from rapidsim.frames.transform import Transform
         from rapidsim.jobs.inputs.run_options import run_options
         from rapidsim.reach.reach import check_reach
+        from rapidsim.station.robot import StationRobot
 
         number = station.robot_number(task)
         if station.robots and number >= len(station.robots):
             return f"{task} moves none of the robots: there are {len(station.robots)}"
-        robot = station.robots[number] if station.robots else None
-        if robot is not None and robot is job.unknown_arm:
+        robot = station.robots[number] if station.robots else StationRobot()
+        if robot is job.unknown_arm:
             return f"arm unknown: the catalogue has no {robot.unknown}; --robot names another"
-        if robot is not None and robot.carried_by and not station.external_axes:
+        if robot.carried_by and not station.external_axes:
             return f"{robot.label} is mounted on {robot.carried_by}, whose axes are not known"
-        if number and robot and robot.name:
+        is_further = number > 0 and bool(station.robots)
+        if is_further and robot.name:
             arm = robot.fitted(job.open_robot(robot.name, robot.scale))
         else:
             arm = opened()
         options = replace(
             run_options(job),
-            start_joints_deg=robot.start_joints_deg if robot else None,
-            world_from_base=robot.world_from_base if robot else Transform.identity(),
-            external_axes=robot.external if number and robot else station.external_axes,
+            start_joints_deg=robot.start_joints_deg,
+            world_from_base=robot.world_from_base,
+            external_axes=robot.external if is_further else station.external_axes,
             task=task,
             entry=job.entry(task),
             queue=next((one.queue for one in station.tasks if one.name == task), None),
         )
-        is_guess = not job.is_arm_named or bool(
-            robot and robot.unknown and job.request.robot is None
-        )
+        is_stand_in = bool(robot.unknown) and job.request.robot is None
+        is_guess = is_stand_in or not job.is_arm_named
         budget_s = station.check.cycle_budget_s
         trial_run = job.request.trial_run and runs
         report = check_reach(

@@ -12,7 +12,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.task_run import TaskSetup
 from rapidsim.station.robot import StationRobot
 from rapidsim.station.station import Station
-from rapidsim.station.task_kind import TaskKind
+from rapidsim.station.tasks import StationTask
 
 _ROUNDING_DEG = 1e-6
 """Tolerance [deg] for a limit that was written in degrees and stored in radians."""
@@ -41,51 +41,58 @@ def task_setups(
         InputError: If a start position does not have one value per axis, or has one past its limit.
     """
     known = {task.name.lower(): task for task in station.tasks}
-    robots = station.robots or (StationRobot(),)
-    with_axes = replace(first, external=station.external_axes) if station.external_axes else first
+    movers = _movers_without_robot(tasks, station)
     setups: list[TaskSetup] = []
     given = 0
-    unsaid = [task for task in tasks if task.name.lower() not in known]
-    seated = any(task.robot_number is not None for task in station.tasks)
-    movers = [task for task in unsaid if task.has_moves]
-    if not movers and not seated:
-        movers = unsaid[:1]
     for task in tasks:
-        said = known.get(task.name.lower())
-        kind = TaskKind.NORMAL if said is None else said.kind
-        number = None if said is None else said.robot_number
-        queue = None if said is None else said.queue
+        listed = known.get(task.name.lower(), StationTask())
+        number = listed.robot_number
         if task in movers or (number is None and len(tasks) == 1):
             number = given
-        if number is None:
-            setups.append(
-                TaskSetup(task.name, task.program, kind=kind, written=task.written, queue=queue)
-            )
-            continue
-        given += 1
-        robot = robots[number] if number < len(robots) else StationRobot()
-        arm = with_axes if number == 0 else first
-        if number and robot.name:
-            arm = robot.fitted(open_robot(robot.name, robot.scale))
-        if number and robot.external:
-            arm = replace(arm, external=robot.external)
-        start, place = robot.start_joints_deg, robot.world_from_base
-        _require_axes(station, arm, start)
-        setups.append(
-            TaskSetup(
-                task.name,
-                task.program,
-                arm,
-                start,
-                place,
-                kind,
-                task.written,
-                queue=queue,
-                robot_label=robot.label,
-                is_base_known=not robot.carried_by or bool(station.external_axes),
-            )
+        setup = TaskSetup(
+            task.name, task.program, kind=listed.kind, written=task.written, queue=listed.queue
         )
+        if number is not None:
+            given += 1
+            setup = _with_robot(setup, number, station, first, open_robot)
+        setups.append(setup)
     return tuple(setups)
+
+
+def _movers_without_robot(tasks: Sequence[LoadedTask], station: Station) -> Sequence[LoadedTask]:
+    """The tasks that the station file does not list and that get a robot."""
+    listed = {task.name.lower() for task in station.tasks}
+    unlisted = [task for task in tasks if task.name.lower() not in listed]
+    movers = [task for task in unlisted if task.has_moves]
+    is_assigned = any(task.robot_number is not None for task in station.tasks)
+    return movers if movers or is_assigned else unlisted[:1]
+
+
+def _with_robot(
+    setup: TaskSetup,
+    number: int,
+    station: Station,
+    first: Robot,
+    open_robot: Callable[[str, float | None], Robot],
+) -> TaskSetup:
+    """The setup of a task with a robot, by its number in the station file."""
+    robots = station.robots or (StationRobot(),)
+    robot = robots[number] if number < len(robots) else StationRobot()
+    arm, external = first, station.external_axes
+    if number:
+        arm = robot.fitted(open_robot(robot.name, robot.scale)) if robot.name else first
+        external = robot.external
+    if external:
+        arm = replace(arm, external=external)
+    _require_axes(station, arm, robot.start_joints_deg)
+    return replace(
+        setup,
+        robot=arm,
+        start_joints_deg=robot.start_joints_deg,
+        world_from_base=robot.world_from_base,
+        robot_label=robot.label,
+        is_base_known=not robot.carried_by or bool(station.external_axes),
+    )
 
 
 def _require_axes(station: Station, arm: Robot, start: tuple[float, ...] | None) -> None:

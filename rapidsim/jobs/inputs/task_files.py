@@ -18,10 +18,12 @@ from rapidsim.module_files import (
     read_tasks,
 )
 from rapidsim.station.station import Station
+from rapidsim.station.tasks import StationTask
 
 # Rules that find a name that another module may declare.
 _UNDECLARED = ("N201", "N209", "N210")
 _NAMED_NEIGHBOURS = 4
+_NO_FILES = TaskFiles(None, ())
 
 
 def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
@@ -40,34 +42,14 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
         require_inside(listing.modules, rooms)
     require_inside(station.stubs, rooms)
     if len(station.tasks) < 2:
-        everything = (*paths, *_as_typed((*station.modules, *station.stubs)))
-        unseen = station.tasks[0].unseen if station.tasks else ()
-        refers_late = bool(station.tasks) and station.tasks[0].refers_late
-        return tuple(
-            replace(task, unseen=(*task.unseen, *unseen), refers_late=refers_late)
-            for task in named_tasks(
-                read_tasks(everything, rooms, more=bool(station.modules)), station.task
-            )
-        )
+        return _files_of_one_task(paths, station, rooms)
     lists_modules = any(task.modules for task in station.tasks)
-    named = read_tasks(paths, rooms, more=lists_modules) or (TaskFiles(None, ()),)
+    named = read_tasks(paths, rooms, more=lists_modules) or (_NO_FILES,)
     stubs = read_tasks(_as_typed(station.stubs), rooms)[0].files if station.stubs else ()
     listed = [
-        read_tasks(_as_typed(task.modules), rooms)[0] if task.modules else TaskFiles(None, ())
+        read_tasks(_as_typed(task.modules), rooms)[0] if task.modules else _NO_FILES
         for task in station.tasks
     ]
-    if len(named) > 1:
-        if len(named) > len(station.tasks):
-            raise InputError(
-                f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
-                f"{station.file}"
-            )
-        # Tasks that only the station file has are last.
-        own = [*named, *(TaskFiles(None, ()) for _ in station.tasks[len(named) :])]
-    else:
-        claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
-        rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)
-        own = [replace(named[0], files=rest), *(TaskFiles(None, ()) for _ in listed[1:])]
     tasks = tuple(
         replace(
             mine,
@@ -76,17 +58,53 @@ def all_tasks(paths: Sequence[str], station: Station) -> tuple[TaskFiles, ...]:
             unseen=(*mine.unseen, *more.unseen, *task.unseen),
             refers_late=task.refers_late,
         )
-        for task, mine, more in zip(station.tasks, own, listed, strict=True)
+        for task, mine, more in zip(
+            station.tasks, _own_files(named, listed, station), listed, strict=True
+        )
     )
-    for task in tasks:
-        if not task.files:
-            if station.file is None:
-                raise InputError(f"SYS.cfg of the backup loads no module into {task.name}")
-            raise InputError(
-                f"{station.file}: the task {task.name} has no module",
-                "list them: modules = [...]",
-            )
+    _require_modules(tasks, station)
     return tuple(task for task, one in zip(tasks, station.tasks, strict=True) if not one.is_system)
+
+
+def _files_of_one_task(
+    paths: Sequence[str], station: Station, rooms: Sequence[Path]
+) -> tuple[TaskFiles, ...]:
+    """The files of the only task, or of the tasks of a backup that no station file describes."""
+    everything = (*paths, *_as_typed((*station.modules, *station.stubs)))
+    listed = station.tasks[0] if station.tasks else StationTask()
+    files = read_tasks(everything, rooms, more=bool(station.modules))
+    return tuple(
+        replace(task, unseen=(*task.unseen, *listed.unseen), refers_late=listed.refers_late)
+        for task in named_tasks(files, station.task)
+    )
+
+
+def _own_files(
+    named: Sequence[TaskFiles], listed: Sequence[TaskFiles], station: Station
+) -> list[TaskFiles]:
+    """The files that paths give to each task, without those that the station file lists."""
+    if len(named) > len(station.tasks):
+        raise InputError(
+            f"there are {len(named)} task folders and {len(station.tasks)} [[task]] tables in "
+            f"{station.file}"
+        )
+    if len(named) == 1:
+        claimed = {os.path.realpath(file.name) for task in listed for file in task.files}
+        rest = tuple(one for one in named[0].files if os.path.realpath(one.name) not in claimed)
+        named = [replace(named[0], files=rest)]
+    # Those that only the station file has come last.
+    return [*named, *(_NO_FILES for _ in listed[len(named) :])]
+
+
+def _require_modules(tasks: Sequence[TaskFiles], station: Station) -> None:
+    for task in tasks:
+        if task.files:
+            continue
+        if station.file is None:
+            raise InputError(f"SYS.cfg of the backup loads no module into {task.name}")
+        raise InputError(
+            f"{station.file}: the task {task.name} has no module", "list them: modules = [...]"
+        )
 
 
 def chosen_tasks(paths: Sequence[str], station: Station, task: str | None) -> tuple[TaskFiles, ...]:

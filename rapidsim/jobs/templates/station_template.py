@@ -261,16 +261,18 @@ def _one_a_main(modules: Sequence[_Module]) -> Iterator[tuple[TemplateTask, list
     shared = [module for module in modules if not module.has_main]
     groups = [[main, *_needed([main], shared)] for main in mains]
     moving = [group for group in groups if any(module.moves for module in group)]
-    used = {module.name for group in groups for module in group}
-    left = [module for module in shared if module.name not in used]
+    left = _unused(shared, groups)
     for number, group in enumerate(moving or groups[:1], 1):
         yield TemplateTask(f"T_ROB{number}", ()), [*group, *(left if number == 1 else ())]
-    for group in groups:
-        if group in moving or (not moving and group is groups[0]):
-            continue
-        name = Path(group[0].source.name).stem
-        kind = TaskKind.SEMISTATIC if moving else TaskKind.NORMAL
-        yield TemplateTask(name, (), kind, moves=False), group
+    others = [group for group in groups if group not in moving] if moving else groups[1:]
+    kind = TaskKind.SEMISTATIC if moving else TaskKind.NORMAL
+    for group in others:
+        yield TemplateTask(Path(group[0].source.name).stem, (), kind, moves=False), group
+
+
+def _unused(modules: Sequence[_Module], groups: Sequence[Sequence[_Module]]) -> list[_Module]:
+    used = {module.name for group in groups for module in group}
+    return [module for module in modules if module.name not in used]
 
 
 def _needed(own: Sequence[_Module], other_modules: Sequence[_Module]) -> list[_Module]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import isfinite
 
 import numpy as np
@@ -22,6 +22,12 @@ _PLACE = ("x", "y", "z")
 _QUATERNION = ("q1", "q2", "q3", "q4")
 _EULER = ("e1", "e2", "e3")
 _PITCH, _KNOT, _TIME = "pitch", "knot", "time"
+_ATTITUDES = (
+    ("a quaternion", _QUATERNION, "a quaternion has q1 to q4, the scalar first"),
+    ("Euler angles", _EULER, "Euler angles are e1, e2, e3, in the order of --convention"),
+    ("a pitch", (_PITCH,), ""),
+)
+"""Forms of the attitude: name, columns, and the help if a column is missing."""
 _OF_JOINT = re.compile(r"[va][1-9]")
 _UNIT = re.compile(r"_(mm|deg|s|deg_s|deg_s2)$")
 _UNIT_TOLERANCE = 1e-3
@@ -67,34 +73,44 @@ def points_from_text(
     ]
     columns = dict(zip(names, np.array(rows).T, strict=True))
     numbers = [number for number, _ in lines[1:]]
-
-    def together(wanted: Sequence[str]) -> Array | None:
-        if wanted[0] not in columns:
-            return None
-        return np.stack([columns[name] for name in wanted], axis=1)
-
-    quaternions = together(_QUATERNION)
-    if quaternions is not None:
-        _check_unit(quaternions, numbers, file)
-        quaternions = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
-    pitches = together((_PITCH,))
-    angles = together(_EULER)
-    if angles is not None:
-        quaternions = quaternion_from_matrix(rotation_from_euler(np.radians(angles), convention))
+    attitudes = _attitudes(columns, numbers, file, convention)
     for rising in (_KNOT, _TIME):
         if rising in columns:
             _check_rising(columns[rising], rising, numbers, file)
-    joints = range(1, joint_count + 1)
-    speeds = together([f"v{joint}" for joint in joints])
-    accelerations = together([f"a{joint}" for joint in joints])
     return Points(
         positions=np.stack([columns[name] for name in _PLACE], axis=1) / 1000.0,
-        attitudes=quaternions if pitches is None else np.radians(pitches),
+        attitudes=attitudes,
         knots=columns.get(_KNOT),
         times=columns.get(_TIME),
-        speeds=None if speeds is None else np.radians(speeds),
-        accelerations=None if accelerations is None else np.radians(accelerations),
+        speeds=_radians(columns, [f"v{joint}" for joint in range(1, joint_count + 1)]),
+        accelerations=_radians(columns, [f"a{joint}" for joint in range(1, joint_count + 1)]),
     )
+
+
+def _attitudes(
+    columns: Mapping[str, Array], lines: Sequence[int], file: str, convention: Convention
+) -> Array | None:
+    quaternions = _stacked(columns, _QUATERNION)
+    if quaternions is not None:
+        _check_unit(quaternions, lines, file)
+        unit: Array = quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
+        return unit
+    angles = _radians(columns, _EULER)
+    if angles is not None:
+        return quaternion_from_matrix(rotation_from_euler(angles, convention))
+    return _radians(columns, (_PITCH,))
+
+
+def _stacked(columns: Mapping[str, Array], names: Sequence[str]) -> Array | None:
+    """Columns as an array (k, n); None if the first of them is missing."""
+    if names[0] not in columns:
+        return None
+    return np.stack([columns[name] for name in names], axis=1)
+
+
+def _radians(columns: Mapping[str, Array], names: Sequence[str]) -> Array | None:
+    degrees = _stacked(columns, names)
+    return None if degrees is None else np.radians(degrees)
 
 
 def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) -> tuple[str, ...]:
@@ -114,14 +130,7 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
         if names.count(name) > 1:
             raise InputError(f"{where}: column `{name}` appears twice")
     _need(where, names, _PLACE, "a point has x, y and z")
-    if any(name in names for name in _QUATERNION):
-        _need(where, names, _QUATERNION, "a quaternion has q1 to q4, the scalar first")
-    if any(name in names for name in _EULER):
-        _need(where, names, _EULER, "Euler angles are e1, e2, e3, in the order of --convention")
-    given = [what for what, name in (("a quaternion", _QUATERNION[0]), ("Euler angles", _EULER[0]),
-                                     ("a pitch", _PITCH)) if name in names]  # fmt: skip
-    if len(given) > 1:
-        raise InputError(f"{where}: there are both {' and '.join(given)}", "leave one of them out")
+    _require_one_attitude(where, names)
     for letter, what in (("v", "speeds"), ("a", "accelerations")):
         given = [name for name in names if re.fullmatch(f"{letter}[1-9]", name)]
         wanted = tuple(f"{letter}{joint}" for joint in range(1, joint_count + 1))
@@ -131,6 +140,19 @@ def _names(header: str, line: int, delimiter: str, file: str, joint_count: int) 
         if given:
             _need(where, names, wanted, f"{what} are given for all {joint_count} joints")
     return names
+
+
+def _require_one_attitude(location: str, names: Sequence[str]) -> None:
+    """Require that the attitude of points is complete, and given in one form at most."""
+    given: list[str] = []
+    for form, wanted, help in _ATTITUDES:
+        if any(name in names for name in wanted):
+            _need(location, names, wanted, help)
+            given.append(form)
+    if len(given) > 1:
+        raise InputError(
+            f"{location}: there are both {' and '.join(given)}", "leave one of them out"
+        )
 
 
 def _need(location: str, names: Sequence[str], wanted: Sequence[str], help: str) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TypeAlias
 
 from rapidsim.analysis.evaluation import Evaluator, Known, NotStatic
 from rapidsim.interpreter.codegen.calls import match_arguments
@@ -23,6 +24,8 @@ from rapidsim.values import value_class
 _TRIGGER = TYPES["triggdata"]
 _ANY_TRIGGER = Trigger(RaiseInterrupt(0.0))
 """Value of all triggers: events along the path of a move do not affect it."""
+_Reference: TypeAlias = tuple[Box[Known], Known, tree.Expression | None]
+"""Box that an instruction may write, its value before, and the argument that names the data."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -58,7 +61,7 @@ def perform(
     values = argument_values(plain, given, evaluator)
     if isinstance(values, NotStatic):
         return values.reason
-    cells: list[tuple[Box[Known], Known, tree.DataPath]] = []
+    references: list[_Reference] = []
     required: list[object] = []
     if signature.takes_controller:
         required.append(signature.concern_of(uniform_controller(recorder)))
@@ -70,11 +73,8 @@ def perform(
         if key in values and by_reference(parameter.mode):
             if any(isinstance(resolved(of), ArrayOf) for of in parameter.types):
                 return "an array is given by reference"
-            written = given[key].value
-            path = None if written is None else bare(written)
             cell = Box(value)
-            if isinstance(path, tree.DataReference | tree.Index | tree.ComponentAccess):
-                cells.append((cell, value, path))
+            references.append((cell, value, given[key].value))
             value = cell
         if parameter.by_keyword:
             options[parameter.python] = value
@@ -85,6 +85,15 @@ def perform(
         if typed is None or typed.value is None:
             return "its type is not known"
         options[keyword] = evaluator.tables.type_of.get(typed.value)
+    return _execute(routine, required, options, references)
+
+
+def _execute(
+    routine: LibraryRoutine,
+    required: Sequence[object],
+    options: Mapping[str, object],
+    references: Iterable[_Reference],
+) -> InstructionEffect | str:
     try:
         routine.body(*required, **options)
     except NeedsRunError:
@@ -93,4 +102,14 @@ def perform(
         return InstructionEffect(continues=False)
     except RapidError as error:
         return f"it fails: {error.message}"
-    return InstructionEffect(tuple((path, c.value) for c, old, path in cells if c.value is not old))
+    return InstructionEffect(tuple(_written(references)))
+
+
+def _written(references: Iterable[_Reference]) -> Iterator[tuple[tree.DataPath, Known]]:
+    """Data that the call has changed, with their new values."""
+    for cell, old, argument in references:
+        if argument is None or cell.value is old:
+            continue
+        path = bare(argument)
+        if isinstance(path, tree.DataReference | tree.Index | tree.ComponentAccess):
+            yield path, cell.value

@@ -6,7 +6,8 @@ stand under each work object that a move names with them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
+from typing import TypeVar
 
 from rapidsim.analysis.program import DataSymbol, Program
 from rapidsim.frames import quaternion as rotations
@@ -14,6 +15,7 @@ from rapidsim.language.data import IDENTITY_POSE, Pose, RobTarget, ToolData, Wob
 from rapidsim.reach.dataflow.written_moves import NO_WOBJ, targets_by_wobj
 from rapidsim.values import value_class
 
+T = TypeVar("T")
 ValueOf = Callable[[DataSymbol], object]
 """The value of program data before the program runs."""
 
@@ -36,20 +38,9 @@ def frame_tree(
     program: Program, value_of: ValueOf, robot_name: str, world_from_base: Pose = IDENTITY_POSE
 ) -> FrameNode:
     """The frame tree of a program on a robot with a base frame in the world."""
-    data = {
-        symbol.name.lower(): symbol
-        for symbol in program.symbol_of.values()
-        if isinstance(symbol, DataSymbol)
-        and symbol.node is not None
-        and not symbol.node.dimensions
-        and symbol.type.name in ("tooldata", "wobjdata", "robtarget")
-        and _is_module_data(symbol)
-    }
-    values = {key: value_of(symbol) for key, symbol in data.items()}
-    names = {key: symbol.name for key, symbol in data.items()}
-    tools = {names[k]: v for k, v in values.items() if isinstance(v, ToolData)}
-    wobjs = {names[k]: v for k, v in values.items() if isinstance(v, WobjData)}
-    targets = {names[k]: v for k, v in values.items() if isinstance(v, RobTarget)}
+    values = {symbol.name: value_of(symbol) for symbol in _data_with_frames(program)}
+    tools, wobjs = _of_type(values, ToolData), _of_type(values, WobjData)
+    targets = _of_type(values, RobTarget)
     used = targets_by_wobj(program)
     held = [_tool(name, tool, None) for name, tool in tools.items() if tool.robhold]
     fixed = [_tool(name, tool, IDENTITY_POSE) for name, tool in tools.items() if not tool.robhold]
@@ -72,6 +63,24 @@ def frame_tree(
     base = FrameNode("base", "base", world_from_base, world_from_base, (flange,), robot_name)
     children = (base, *fixed, *standing, *in_world, *unused)
     return FrameNode("world", "world", IDENTITY_POSE, IDENTITY_POSE, children)
+
+
+def _data_with_frames(program: Program) -> Collection[DataSymbol]:
+    """Frames in module data, without arrays: for each folded name the last declaration."""
+    data = {
+        symbol.name.lower(): symbol
+        for symbol in program.symbol_of.values()
+        if isinstance(symbol, DataSymbol)
+        and symbol.node is not None
+        and not symbol.node.dimensions
+        and symbol.type.name in ("tooldata", "wobjdata", "robtarget")
+        and _is_module_data(symbol)
+    }
+    return data.values()
+
+
+def _of_type(values: Mapping[str, object], type_: type[T]) -> dict[str, T]:
+    return {name: value for name, value in values.items() if isinstance(value, type_)}
 
 
 def composed(a_from_b: Pose, b_from_c: Pose) -> Pose:

@@ -66,25 +66,7 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
         if whole is not None:
             yield whole
             continue
-        for move in moves(part, facts):
-            target = move.arguments.get("topoint")
-            if target is None or not _is_from_base(move, facts):
-                continue
-            taught = taught_target(target, facts)
-            symbol = facts.symbol(taught)
-            if symbol in reported or (
-                isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR
-            ):
-                continue
-            distance = _length(known_value(taught, facts), 0)
-            if distance is None or not 0.0 < distance < _NEAREST_TARGET_MM:
-                continue
-            if symbol is not None:
-                reported.add(symbol)
-            shown = " ".join(part.module.span(taught).text.split())
-            named = f"`{shown}`" if len(shown) < 40 else "this target"
-            what = f"{named} is {distance:.3g} mm from the robot's base"
-            yield part.finding(_metres(what), taught, *_declared(symbol, part))
+        yield from _at_foot(part, facts, reported)
     for part in facts.parts:
         for node in part.all(tree.Data):
             if node.type.key != "tooldata" or node.dimensions or node.value is None:
@@ -95,6 +77,28 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
             if length is not None and 0.0 < length < _SHORTEST_TOOL_MM:
                 what = f"the TCP of `{node.name.text}` is {length:.3g} mm from the flange"
                 yield part.finding(_metres(what), node.name)
+
+
+def _at_foot(part: ProgramPart, facts: Facts, reported: set[object]) -> Iterator[Diagnostic]:
+    """Findings of targets at the foot of the arm; adds their data to those reported."""
+    for move in moves(part, facts):
+        target = move.arguments.get("topoint")
+        if target is None or not _is_from_base(move, facts):
+            continue
+        taught = taught_target(target, facts)
+        symbol = facts.symbol(taught)
+        is_variable = isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR
+        if is_variable or symbol in reported:
+            continue
+        distance = _length(known_value(taught, facts), 0)
+        if distance is None or not 0.0 < distance < _NEAREST_TARGET_MM:
+            continue
+        if symbol is not None:
+            reported.add(symbol)
+        shown = " ".join(part.module.span(taught).text.split())
+        named = f"`{shown}`" if len(shown) < 40 else "this target"
+        what = f"{named} is {distance:.3g} mm from the robot's base"
+        yield part.finding(_metres(what), taught, *_declared(symbol, part))
 
 
 def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
@@ -160,13 +164,7 @@ def find_radians(facts: Facts) -> Iterator[Diagnostic]:
 
 def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
     """Finding that the targets of a routine are in metres; None if they do not show it."""
-    targets = [target for move in moves(part, facts) if (target := move.arguments.get("topoint"))]
-    values = [known_value(target, facts) for target in targets]
-    positions = [
-        (target, position)
-        for target, value in zip(targets, values, strict=True)
-        if isinstance(value, tuple) and value and (position := numbers(value[0], 3)) is not None
-    ]
+    positions = list(_positions(part, facts))
     is_call = (run for run in part.module.runs if isinstance(run.like, tree.Call))
     runs = [run for run in is_call if part.contains(run.like)]
     many = len({position for _, position in positions}) + sum(map(len, runs))
@@ -187,6 +185,18 @@ def _of_whole_routine(part: ProgramPart, facts: Facts) -> Diagnostic | None:
     else:
         return None
     return part.finding(_metres(what, is_certain=True), positions[0][0])
+
+
+def _positions(
+    part: ProgramPart, facts: Facts
+) -> Iterator[tuple[tree.Expression, tuple[float, ...]]]:
+    """Targets of moves with their positions [mm], if these are known."""
+    for move in moves(part, facts):
+        target = move.arguments.get("topoint")
+        value = known_value(target, facts)
+        position = numbers(value[0], 3) if isinstance(value, tuple) and value else None
+        if target and position is not None:
+            yield target, position
 
 
 def _longest_step_mm(run: tree.BulkStatements) -> float:
