@@ -166,8 +166,8 @@ def cycle_time(simulation: Simulation) -> str:
             ],
             kind="times",
         )
-        + f'</div><p class="aside">off it: largest distance of the TCP from the programmed line or '
-        f"arc between its zones, and the root mean square; by forward kinematics</p>{note}"
+        + '</div><p class="aside">path deviation: largest distance of the TCP from the programmed '
+        f"line or arc between its zones, and the root mean square; by forward kinematics</p>{note}"
     )
     return section(
         "times",
@@ -300,7 +300,7 @@ def assumptions(simulation: Simulation) -> str:
         "fine_dwell_s": "Time at a fine point [s]",
     }
     facts = [
-        (text(named.get(name, name)), text(value))
+        (text(named.get(name, name)), text(_rounded(value)))
         for name, value in models(simulation).items()
         if name != "robot_not_modelled"
     ]
@@ -319,6 +319,11 @@ def assumptions(simulation: Simulation) -> str:
         "compare where it matters.</p>" + table(("", ""), facts, kind="facts")
     )
     return section("models", "Models and assumptions", body, "what the numbers rest on")
+
+
+def _rounded(value: object) -> object:
+    """A number with four digits, as people write it; other values unchanged."""
+    return f"{value:.4g}" if isinstance(value, float) else value
 
 
 def _sensitivity(figures: Figures) -> str:
