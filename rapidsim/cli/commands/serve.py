@@ -9,6 +9,7 @@ from contextlib import redirect_stdout
 from math import inf
 from pathlib import Path
 from ssl import SSLContext
+from typing import TYPE_CHECKING
 
 import click
 
@@ -24,6 +25,9 @@ from rapidsim.extras import require
 from rapidsim.files import InputError
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.values import value_class
+
+if TYPE_CHECKING:
+    from rapidsim.server.settings import EngineSettings, ServerSettings
 
 _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
 
@@ -166,34 +170,13 @@ def serve(options: ServeOptions) -> int:
     ports = _port("--rws1-port", options.rws1_port), _port("--rws2-port", options.rws2_port)
     if ports[1] is not None:
         require("cryptography", "--rws2-port")
-    from rapidsim.egm.devices import read_device
     from rapidsim.jobs.running.run_files import ProgramRejectedError
-    from rapidsim.server.http.guard import is_loopback
     from rapidsim.server.process import started
     from rapidsim.server.serve import Addresses
     from rapidsim.server.serve import serve as serve_engine
-    from rapidsim.server.settings import DEFAULT_USERS, EngineSettings, ServerSettings
-    from rapidsim.simulation.live.states import Motors, OperatingMode
 
-    if "-" in options.paths:
-        raise InputError("serve reads no program from standard input", "name a file or a folder")
-    if ports == (None, None):
-        raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
-    if options.view and options.record is None:
-        raise InputError("--view: it shows what --record FILE.rrd writes")
-    if options.view:
-        require_screen()
-    if options.record is not None:
-        require("rerun", "--record")
-    if options.request_time is not None and not options.lock_step:
-        raise InputError("--request-time: it needs --lock-step")
-    if not options.users and not is_loopback(options.host):
-        raise InputError(
-            f"--host {options.host}: other computers reach it, and default passwords are known to "
-            "all",
-            "`--user NAME:PASSWORD` says who may come in",
-        )
-    asked = RunRequest(
+    _require_consistent(options, ports)
+    request = RunRequest(
         paths=options.paths,
         robot=options.robot,
         station=options.station,
@@ -204,31 +187,12 @@ def serve(options: ServeOptions) -> int:
         home=options.home,
         ramdisk=options.ramdisk,
     )
-    engine_settings = EngineSettings(
-        speed=_speed(options.speed),
-        request_s=(options.request_time or 0.05) if options.lock_step else None,
-        motors=Motors.ON if options.motors == "on" else Motors.OFF,
-        mode=OperatingMode(_MODES[options.opmode]),
-        hosts=frozenset(options.network_hosts),
-        sensors=tuple(map(read_device, options.sensors)),
-        journal=None if options.journal is None else Path(options.journal),
-        record=None if options.record is None else Path(options.record),
-        view=options.view,
-    )
-    server_settings = ServerSettings(
-        host=options.host,
-        rws1_port=ports[0],
-        rws2_port=ports[1],
-        tls=None if ports[1] is None else _tls(),
-        users=_users(options.users) if options.users else DEFAULT_USERS,
-        most_sessions=options.max_sessions,
-        # In lock-step nothing depends on the wall, sessions included.
-        session_timeout_s=inf if options.lock_step else options.session_timeout,
-    )
+    engine_settings = _engine_settings(options)
+    server_settings = _server_settings(options, ports)
     try:
-        engine = started(asked, engine_settings)
+        engine = started(request, engine_settings)
     except ProgramRejectedError as rejected:
-        _print_rejected(asked, rejected.diagnostics)
+        _print_rejected(request, rejected.diagnostics)
         return ExitCode.FINDINGS
 
     def ready(addresses: Addresses) -> None:
@@ -248,6 +212,62 @@ def serve(options: ServeOptions) -> int:
     if not ended:
         echo("error: the controller's process has ended; please report this", err=True)
     return ExitCode.CLEAN if ended else ExitCode.DEFECT
+
+
+def _require_consistent(options: ServeOptions, ports: tuple[int | None, int | None]) -> None:
+    from rapidsim.server.http.guard import is_loopback
+
+    if "-" in options.paths:
+        raise InputError("serve reads no program from standard input", "name a file or a folder")
+    if ports == (None, None):
+        raise InputError("--rws1-port off, --rws2-port off: nobody could reach the controller")
+    if options.view and options.record is None:
+        raise InputError("--view: it shows what --record FILE.rrd writes")
+    if options.view:
+        require_screen()
+    if options.record is not None:
+        require("rerun", "--record")
+    if options.request_time is not None and not options.lock_step:
+        raise InputError("--request-time: it needs --lock-step")
+    if not options.users and not is_loopback(options.host):
+        raise InputError(
+            f"--host {options.host}: other computers reach it, and default passwords are known to "
+            "all",
+            "`--user NAME:PASSWORD` says who may come in",
+        )
+
+
+def _engine_settings(options: ServeOptions) -> EngineSettings:
+    from rapidsim.egm.devices import read_device
+    from rapidsim.server.settings import EngineSettings
+    from rapidsim.simulation.live.states import Motors, OperatingMode
+
+    return EngineSettings(
+        speed=_speed(options.speed),
+        request_s=(options.request_time or 0.05) if options.lock_step else None,
+        motors=Motors.ON if options.motors == "on" else Motors.OFF,
+        mode=OperatingMode(_MODES[options.opmode]),
+        hosts=frozenset(options.network_hosts),
+        sensors=tuple(map(read_device, options.sensors)),
+        journal=None if options.journal is None else Path(options.journal),
+        record=None if options.record is None else Path(options.record),
+        view=options.view,
+    )
+
+
+def _server_settings(options: ServeOptions, ports: tuple[int | None, int | None]) -> ServerSettings:
+    from rapidsim.server.settings import DEFAULT_USERS, ServerSettings
+
+    return ServerSettings(
+        host=options.host,
+        rws1_port=ports[0],
+        rws2_port=ports[1],
+        tls=None if ports[1] is None else _tls(),
+        users=_users(options.users) if options.users else DEFAULT_USERS,
+        most_sessions=options.max_sessions,
+        # In lock-step nothing depends on the wall, sessions included.
+        session_timeout_s=inf if options.lock_step else options.session_timeout,
+    )
 
 
 def _port(option: str, text: str) -> int | None:
