@@ -118,9 +118,8 @@ class Facts:
         """The routines that each routine calls, each once."""
         found: dict[ProgramPart, tuple[ProgramPart, ...]] = {}
         for part in self.routine_parts:
-            called = (self.routine_called(call) for call in part.calls)
-            known = (self.part_of[one] for one in called if one is not None and one in self.part_of)
-            found[part] = tuple(dict.fromkeys(known))
+            callees = filter(None, map(self.callee_of, part.calls))
+            found[part] = tuple(dict.fromkeys(callees))
         return found
 
     @cached_property

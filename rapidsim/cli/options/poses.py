@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import radians
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING
 
 import click
 
@@ -13,8 +12,6 @@ from rapidsim.files import InputError
 
 if TYPE_CHECKING:
     from rapidsim.frames.transform import Array, Transform
-
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 CONVENTIONS = ("zyx", "xyz", "zyz", "rpy")
 UNIT_TOLERANCE = 1e-3
