@@ -1,9 +1,9 @@
 """Evaluator of static expressions, with the reason why others are not static.
 
 Values equal those in a run, bit for bit: a num is rounded to single precision as in a run, after
-each arithmetic expression, not each operator; a dnum is a double. The environment provides the
-values of data and the results of functions: constants for a rule, the state at a statement for an
-abstract interpreter. Programs with errors are accepted, too: an expression that does not fit its
+each arithmetic expression, not each operator; a dnum is a double. The caller provides the values of
+data and the results of functions: constants for a rule, the state at a statement for an abstract
+interpreter. Programs with errors are accepted, too: an expression that does not fit its
 type is not static.
 """
 
@@ -55,16 +55,9 @@ class Tables(Protocol):
         ...
 
 
-class Environment(Protocol):
-    """The values of data and of function calls."""
-
-    def read(self, reference: tree.DataReference) -> Known:
-        """The value of the data that a name refers to."""
-        ...
-
-    def call(self, call: tree.FunctionCall, evaluator: Evaluator) -> Known:
-        """The result of a function; the evaluator is for its arguments."""
-        ...
+def _call_nothing(call: tree.FunctionCall, evaluator: Evaluator) -> Known:
+    """Leave the results of functions unknown."""
+    return NOT_STATIC
 
 
 _COMPARISONS: Mapping[str, Callable[[float, float], bool]] = {
@@ -86,10 +79,13 @@ _ON_POSITIONS: Mapping[tuple[str, type, type], Callable[[Any, Any], Any]] = {
 
 @value_class(frozen=True, slots=True)
 class Evaluator:
-    """Evaluates the expressions of a program in an environment."""
+    """Evaluates the expressions of a program."""
 
     tables: Tables
-    environment: Environment
+    read: Callable[[tree.DataReference], Known]
+    """Returns the value of the data that a name refers to."""
+    call: Callable[[tree.FunctionCall, Evaluator], Known] = _call_nothing
+    """Returns the result of a function; the evaluator is for its arguments."""
 
     def value(self, expression: tree.Expression, of: Type | None = None) -> Known:
         """Return the value of an expression, rounded as in an assignment, or the reason why not.
@@ -117,7 +113,7 @@ class Evaluator:
             case tree.Parenthesised(inner=inner):
                 return self._unrounded(inner, self.tables.type_of.get(inner, of))
             case tree.DataReference():
-                return self.environment.read(expression)
+                return self.read(expression)
             case tree.NumberLiteral() | tree.StringLiteral() | tree.BoolLiteral():
                 return literal(expression, of or types.NUM)
             case tree.LiteralAggregate(value=values):
@@ -133,7 +129,7 @@ class Evaluator:
             case tree.Binary(left=left, operator=operator, right=right):
                 return self._binary(left, operator, right)
             case tree.FunctionCall():
-                return self.environment.call(expression, self)
+                return self.call(expression, self)
             case _:
                 return NOT_STATIC
 

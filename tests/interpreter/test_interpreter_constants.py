@@ -5,7 +5,7 @@ from hypothesis import strategies as st
 from interpreter_cell import checked, main, texts
 from laws import examples
 
-from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, Known, NotStatic
+from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, NotStatic
 from rapidsim.language.single_precision import single
 from rapidsim.language.types import NUM
 from rapidsim.syntax import tree
@@ -24,16 +24,6 @@ EXPRESSIONS = st.recursive(
 )
 
 
-class Nothing:
-    """An environment without data and functions."""
-
-    def read(self, reference: tree.DataReference) -> Known:
-        return NOT_STATIC
-
-    def call(self, call: tree.FunctionCall, evaluator: Evaluator) -> Known:
-        return NOT_STATIC
-
-
 @examples(60)
 @given(st.lists(EXPRESSIONS, min_size=8, max_size=8))
 def test_a_constant_expression_is_what_a_run_computes(expressions: list[str]) -> None:
@@ -41,7 +31,7 @@ def test_a_constant_expression_is_what_a_run_computes(expressions: list[str]) ->
         main("", " ".join(f"VAR num r{n} := {e};" for n, e in enumerate(expressions)))
     )
     declared = [item for item in program.modules[0].items if isinstance(item, tree.Data)]
-    evaluator = Evaluator(program, Nothing())
+    evaluator = Evaluator(program, lambda _: NOT_STATIC)
     known = [evaluator.value(item.value, NUM) for item in declared if item.value is not None]
     static = [
         (text, value)

@@ -11,7 +11,6 @@ from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.program import DataSymbol, Scope, Storage
 from rapidsim.language.types import NUM
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 
 
 def constant_number(expression: tree.Expression, context: Context) -> float | None:
@@ -21,29 +20,18 @@ def constant_number(expression: tree.Expression, context: Context) -> float | No
 
 
 def _value(expression: tree.Expression, context: Context, seen: frozenset[DataSymbol]) -> Known:
-    return Evaluator(context.analysis, _ScopedConstants(context, seen)).value(expression, NUM)
-
-
-@value_class(frozen=True, slots=True)
-class _ScopedConstants:
-    """Implements `evaluation.Environment` with the constants that a scope sees."""
-
-    context: Context
-    seen: frozenset[DataSymbol]
-
-    def read(self, reference: tree.DataReference) -> Known:
+    def read(reference: tree.DataReference) -> Known:
         key = reference.name.key
-        symbol = self.context.scope.find(key) or installed_symbol(key)
+        symbol = context.scope.find(key) or installed_symbol(key)
         if not isinstance(symbol, DataSymbol) or symbol.storage is not Storage.CONST:
             return NOT_STATIC
         if symbol.node is None:
             return symbol.value
-        if symbol.node.value is None or symbol in self.seen:
+        if symbol.node.value is None or symbol in seen:
             return NOT_STATIC
-        home = self.context
+        home = context
         if symbol.scope is not Scope.ROUTINE:
             home = home.analysis.home_of[home.analysis.module_of[symbol]]
-        return _value(symbol.node.value, home, self.seen | {symbol})
+        return _value(symbol.node.value, home, seen | {symbol})
 
-    def call(self, call: tree.FunctionCall, evaluator: Evaluator) -> Known:
-        return NOT_STATIC
+    return Evaluator(context.analysis, read).value(expression, NUM)

@@ -17,7 +17,6 @@ from rapidsim.language import types
 from rapidsim.language.annotations import ParameterMode
 from rapidsim.library.table import LibraryRoutine
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 
 
 class ProgramState(Protocol):
@@ -34,28 +33,21 @@ class ProgramState(Protocol):
 
 def evaluator_of(program: Program, state: ProgramState) -> Evaluator:
     """Return the evaluator of a program's expressions in a state, which may change."""
-    return Evaluator(program, _StateEnvironment(program, state))
 
+    def read(reference: tree.DataReference) -> Known:
+        symbol = program.symbol_of.get(reference)
+        return NOT_STATIC if symbol is None else state.read(symbol)
 
-@value_class(frozen=True, slots=True)
-class _StateEnvironment:
-    """Implements `evaluation.Environment` over the state of a program."""
-
-    program: Program
-    state: ProgramState
-
-    def read(self, reference: tree.DataReference) -> Known:
-        symbol = self.program.symbol_of.get(reference)
-        return NOT_STATIC if symbol is None else self.state.read(symbol)
-
-    def call(self, call: tree.FunctionCall, evaluator: Evaluator) -> Known:
-        match self.program.symbol_of.get(call):
+    def call(call: tree.FunctionCall, evaluator: Evaluator) -> Known:
+        match program.symbol_of.get(call):
             case LibrarySymbol(routine=routine) if is_pure(routine):
                 return _library_result(routine, call, evaluator)
             case RoutineSymbol() as symbol:
-                return self.state.call(symbol, call.arguments)
+                return state.call(symbol, call.arguments)
             case _:
                 return NotStatic(f"`{call.name.text}` tells it while the program runs")
+
+    return Evaluator(program, read, call)
 
 
 def argument_values(

@@ -11,8 +11,8 @@ from typing import TypeAlias
 from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, Known, NotStatic
 from rapidsim.analysis.program import DataSymbol, Storage
 from rapidsim.analysis.program_parts import Facts
+from rapidsim.language.types import Type
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 
 Value: TypeAlias = "float | str | bool | tuple[Value, ...]"
 
@@ -34,7 +34,7 @@ def known_value(
     """
     if expression is None:
         return None
-    value = Evaluator(facts.analysis, _Declarations(facts, persistents)).value(expression)
+    value = _value(expression, None, facts, persistents, 0)
     return None if isinstance(value, NotStatic) else _as_tuples(value)
 
 
@@ -47,31 +47,25 @@ def numbers(value: object, count: int) -> tuple[float, ...] | None:
     return value
 
 
-@value_class(frozen=True, slots=True)
-class _Declarations:
-    """Implements `evaluation.Environment` with the values that data are declared with."""
+def _value(
+    expression: tree.Expression, of: Type | None, facts: Facts, persistents: bool, depth: int
+) -> Known:
+    """The value of an expression, after so many names; circular definitions have no value."""
 
-    facts: Facts
-    persistents: bool
-    depth: int = 0
-    """Names followed so far; circular definitions have no value."""
-
-    def read(self, reference: tree.DataReference) -> Known:
-        symbol = self.facts.symbol(reference)
-        if not isinstance(symbol, DataSymbol) or self.depth > _DEEPEST:
+    def read(reference: tree.DataReference) -> Known:
+        symbol = facts.symbol(reference)
+        if not isinstance(symbol, DataSymbol) or depth > _DEEPEST:
             return NOT_STATIC
-        is_stored = self.persistents and symbol.storage is Storage.PERS
+        is_stored = persistents and symbol.storage is Storage.PERS
         if symbol.storage is not Storage.CONST and not is_stored:
             return NOT_STATIC
         if symbol.node is None:
             return symbol.value
         if symbol.node.value is None:
             return NOT_STATIC
-        inner = _Declarations(self.facts, self.persistents, self.depth + 1)
-        return Evaluator(self.facts.analysis, inner).value(symbol.node.value, symbol.type)
+        return _value(symbol.node.value, symbol.type, facts, persistents, depth + 1)
 
-    def call(self, call: tree.FunctionCall, evaluator: Evaluator) -> Known:
-        return NOT_STATIC
+    return Evaluator(facts.analysis, read).value(expression, of)
 
 
 def _as_tuples(value: Known) -> Value | None:
