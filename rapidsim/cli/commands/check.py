@@ -237,13 +237,10 @@ class _Outcome:
     fixed: Sequence[_FixedCheck]
     judged: Sequence[NewFindings]
     """The results without known findings, by settings."""
+    result: CheckResult
+    """Those results as one."""
     differences: str
     """The text of `--diff`."""
-
-    @property
-    def result(self) -> CheckResult:
-        """The results of all programs as one."""
-        return merge_results([group.result for group in self.judged])
 
     @property
     def is_ok(self) -> bool:
@@ -281,7 +278,8 @@ def _outcome(
         judged = [compare_with_baseline(group, update=updates, create=creates) for group in groups]
     arms = (result.arm or job.robot for job, result in zip(jobs, results, strict=True))
     names = ", ".join(dict.fromkeys(arm.text for arm in arms))
-    return _Outcome(programs, jobs, names, fixed, judged, differences)
+    result = merge_results([group.result for group in judged])
+    return _Outcome(programs, jobs, names, fixed, judged, result, differences)
 
 
 def _print_findings(
