@@ -23,7 +23,6 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Severity, Source, all_rules
-from rapidsim.export.text_edits import edited_text
 from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
@@ -37,6 +36,7 @@ from rapidsim.report.pages.rules import programs
 from rapidsim.report.palette import PLAIN
 from rapidsim.syntax.lexer import lex
 from rapidsim.syntax.parser import parse
+from rapidsim.text_edits import edited_text
 
 ROOT = Path(__file__).parents[2]
 FAILURES = Path("fuzz-failures")

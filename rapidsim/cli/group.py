@@ -22,6 +22,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "serve": "Serve a controller to clients of Robot Web Services.",
         "view": "Open a recording.",
         "check": "Check a program for mistakes.",
+        "fmt": "Lay out RAPID: indentation, reserved words, white space.",
         "diff": "Show what changed between two programs or runs.",
         "explain": "Explain a rule, with an example and a fix.",
         "init": "Write a first station file for a program, a folder or a backup.",

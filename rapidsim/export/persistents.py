@@ -10,9 +10,10 @@ import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from rapidsim.export.text_edits import TextEdit, write_edits
+from rapidsim.export.edited_files import write_edits
 from rapidsim.files import SourceFile
 from rapidsim.simulation.results.persistents import PersistentChange, literal_places, parts_of
+from rapidsim.text_edits import TextEdit
 
 _NOT_ASCII = re.compile("[\x80-\xff]")
 

@@ -16,10 +16,10 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.cli.boundary import run_commands
 from rapidsim.cli.tools.fixes import apply_fixes, choose_fixes, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
-from rapidsim.export.text_edits import edited_text
 from rapidsim.files import SourceFile, decode
 from rapidsim.jobs.checking.check_files import check_tasks
 from rapidsim.module_files import TaskFiles
+from rapidsim.text_edits import edited_text
 
 ROOT = Path(__file__).parents[2]
 PROGRAMS = [decode(path.read_bytes())[0] for path in sorted((ROOT / "programs").rglob("*.mod"))]

@@ -10,13 +10,13 @@ from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Diagnostic, Severity, Source, all_rules
-from rapidsim.export.text_edits import edited_text
 from rapidsim.files import decode
 from rapidsim.module_files import MODULE_SUFFIXES
 from rapidsim.report.pages.rules import programs
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
 from rapidsim.syntax.printer import print_module
+from rapidsim.text_edits import edited_text
 
 PROGRAMS = {
     str(file.relative_to(CORPUS)): file.read_bytes()

@@ -12,7 +12,7 @@ import pytest
 from cli_helper import rapidsim
 from laws import cases
 
-from rapidsim.export.text_edits import edited_bytes
+from rapidsim.export.edited_files import edited_bytes
 from rapidsim.files import InputError, SourceFile
 
 MAIN = (

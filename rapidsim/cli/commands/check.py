@@ -31,7 +31,7 @@ from rapidsim.cli.tools.known_findings import (
 )
 from rapidsim.cli.tools.watch_mode import watch_option
 from rapidsim.diagnostics import Severity
-from rapidsim.export.text_edits import write_edits
+from rapidsim.export.edited_files import write_edits
 from rapidsim.files import InputError
 from rapidsim.jobs.checking.batch_check import merge_results
 from rapidsim.jobs.checking.check_result import CheckResult
@@ -346,7 +346,8 @@ def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe:
     parts = []
     for job, result in zip(jobs, results, strict=True):
         chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe)
-        parts.append(difference(chosen.edits, job.tasks))
+        files = [file for task in job.tasks for file in task.files]
+        parts.append(difference(chosen.edits, files))
     return "".join(parts)
 
 

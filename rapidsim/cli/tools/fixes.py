@@ -8,8 +8,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Edit, Severity
-from rapidsim.export.text_edits import TextEdit, edited_text
+from rapidsim.files import SourceFile
 from rapidsim.module_files import TaskFiles
+from rapidsim.text_edits import TextEdit, edited_text
 from rapidsim.values import value_class
 
 _MOST_ROUNDS = 20
@@ -152,19 +153,18 @@ def _edited(
     )
 
 
-def difference(edits: dict[str, list[TextEdit]], tasks: Sequence[TaskFiles]) -> str:
+def difference(edits: Mapping[str, Iterable[TextEdit]], files: Iterable[SourceFile]) -> str:
     """Changes of the edits as a unified difference with LF at all line ends."""
     parts: list[str] = []
-    for task in tasks:
-        for file in task.files:
-            if file.name not in edits:
-                continue
-            before = file.text.splitlines()
-            after = edited_text(file.text, edits[file.name]).splitlines()
-            lines = list(difflib.unified_diff(before, after, file.name, file.name, lineterm=""))
-            if not lines:
-                lines = [f"--- {file.name}", f"+++ {file.name}", "(line ends alone change)"]
-            parts += lines
+    for file in files:
+        if file.name not in edits:
+            continue
+        before = file.text.splitlines()
+        after = edited_text(file.text, edits[file.name]).splitlines()
+        lines = list(difflib.unified_diff(before, after, file.name, file.name, lineterm=""))
+        if not lines:
+            lines = [f"--- {file.name}", f"+++ {file.name}", "(line ends alone change)"]
+        parts += lines
     return "".join(f"{line}\n" for line in parts)
 
 

@@ -14,9 +14,7 @@ from pathlib import Path
 from rapidsim.files import InputError, SourceFile, decode, input_bytes
 from rapidsim.module_files import STANDARD_INPUT, packed_station
 from rapidsim.output_files import whole_file
-
-TextEdit = tuple[int, int, str]
-"""Start and end of the replaced span, in characters, and the new text."""
+from rapidsim.text_edits import TextEdit, edited_text
 
 
 def write_edits(
@@ -78,13 +76,3 @@ def edited_bytes(file: SourceFile, edits: Iterable[TextEdit], *, subject: str) -
         raise InputError(
             f"{file.name} is {file.encoding}, which has no character {text[error.start]!r}"
         ) from error
-
-
-def edited_text(text: str, edits: Iterable[TextEdit]) -> str:
-    """Return a text after replacing spans."""
-    pieces: list[str] = []
-    end_before = 0
-    for start, end, new in sorted(edits):
-        pieces += (text[end_before:start], new)
-        end_before = end
-    return "".join((*pieces, text[end_before:]))
