@@ -15,7 +15,8 @@ from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.interpreter.linking.loader import FatalError, Task, load, running
 from rapidsim.interpreter.runtime.shared_persistents import SharedPersistents
-from rapidsim.interpreter.tools.stepping import StepGranularity, Stepper
+from rapidsim.interpreter.tools.step_positions import StepGranularity
+from rapidsim.interpreter.tools.stepping import Stepper
 from rapidsim.language.errors import CycleEnded, Stopped
 from rapidsim.language.moves import Place
 from rapidsim.simulation.live.scheduler import LiveScheduler
