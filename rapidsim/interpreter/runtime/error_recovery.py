@@ -38,7 +38,7 @@ from rapidsim.values import value_class
 ERRORS: Final = (RapidError, ZeroDivisionError)
 """Errors that a program can catch. Python itself raises on division by zero; any other is a bug."""
 
-GENERATED: Final = "_origin"
+GENERATED: Final = "_rapid_origin"
 """A name that the namespaces of generated code have, and no other namespace."""
 
 Handler = Callable[[RapidError], int]
