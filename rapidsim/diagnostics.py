@@ -170,8 +170,12 @@ class Rule:
 
     def read(self, file: str) -> bytes:
         """Contents of a file in its folder; empty if there is no such file."""
-        found = self._folder / file
+        found = self.path(file)
         return found.read_bytes() if found.is_file() else b""
+
+    def path(self, file: str) -> Path:
+        """Path of a file in its folder, whether or not there is one."""
+        return self._folder / file
 
     @property
     def _folder(self) -> Path:

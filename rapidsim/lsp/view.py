@@ -1,0 +1,124 @@
+"""A workspace as an editor sees it: documents by URI, places by line and column."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+from lsprotocol.types import Location, Position, Range, TextEdit, WorkspaceEdit
+
+from rapidsim.analysis.occurrences.locate import name_at
+from rapidsim.analysis.occurrences.names import NamesOfNodes, Occurrence
+from rapidsim.diagnostics import Span
+from rapidsim.lsp.positions import Encoding, LineTable
+from rapidsim.lsp.uris import Uris
+from rapidsim.syntax import tree
+from rapidsim.values import value_class
+from rapidsim.workspace.workspace import Workspace
+
+
+class View:
+    """A workspace with the encoding and the URIs of a client."""
+
+    def __init__(
+        self, workspace: Workspace, uris: Uris | None = None, encoding: Encoding = Encoding.UTF16
+    ) -> None:
+        """Take the parts; without URIs, those of the paths."""
+        self.workspace = workspace
+        self.uris = uris or Uris()
+        self.encoding = encoding
+        self._tables: dict[str, LineTable] = {}
+
+    def document(self, path: str) -> Document:
+        """Return one text.
+
+        Raises:
+            KeyError: If the workspace has no such file.
+        """
+        return Document(self, path)
+
+    def lines(self, path: str) -> LineTable:
+        """Return the lines of a text.
+
+        Raises:
+            KeyError: If the workspace has no such file.
+        """
+        text = self.workspace.text(path)
+        table = self._tables.get(path)
+        if table is None or table.text is not text:
+            table = self._tables[path] = LineTable(text, self.encoding)
+        return table
+
+    def location(self, span: Span) -> Location:
+        """Return a span of a text as a location."""
+        return Location(self.uris.uri(span.file), self.span_range(span))
+
+    def span_range(self, span: Span) -> Range:
+        """Return the range of a span in its file."""
+        if span.file in self.workspace.paths:
+            return self.lines(span.file).range(span.start, span.end)
+        return LineTable(span.source.text, self.encoding).range(span.start, span.end)
+
+    def workspace_edit(self, edits: Mapping[str, list[TextEdit]]) -> WorkspaceEdit:
+        """Return edits by path as those of a client."""
+        return WorkspaceEdit(changes={self.uris.uri(path): of for path, of in edits.items()})
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class Document:
+    """One text of a view."""
+
+    view: View
+    path: str
+
+    @property
+    def uri(self) -> str:
+        """URI of the client."""
+        return self.view.uris.uri(self.path)
+
+    @property
+    def text(self) -> str:
+        """The present text."""
+        return self.view.workspace.text(self.path)
+
+    @property
+    def lines(self) -> LineTable:
+        """Lines of the text."""
+        return self.view.lines(self.path)
+
+    @property
+    def file(self) -> tree.File:
+        """Tree of the text."""
+        return self.view.workspace.file(self.path)
+
+    @property
+    def names(self) -> NamesOfNodes:
+        """Names of the task of the file."""
+        return NamesOfNodes(self.view.workspace.facts(self.path))
+
+    def offset(self, position: Position) -> int:
+        """Offset of a position."""
+        return self.lines.offset(position)
+
+    def range(self, start: int, end: int) -> Range:
+        """Range of a part of the text."""
+        return self.lines.range(start, end)
+
+    def name_at(self, position: Position, names: NamesOfNodes | None = None) -> Occurrence | None:
+        """Return the name at a position; None without one."""
+        return name_at(self.file, self.offset(position), names or self.names)
+
+    def node_range(self, node: tree.Node) -> Range:
+        """Range of a node of this file."""
+        return self.range(node.start, node.end)
+
+
+NO_EDITS: Mapping[str, list[TextEdit]] = MappingProxyType({})
+
+
+def spans_by_file(spans: Iterator[Span] | tuple[Span, ...]) -> dict[str, list[Span]]:
+    """Return spans grouped by file, in order."""
+    found: dict[str, list[Span]] = {}
+    for span in spans:
+        found.setdefault(span.file, []).append(span)
+    return found
