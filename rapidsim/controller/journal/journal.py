@@ -130,6 +130,10 @@ class Journal:
         """The number of events of the cell and statements of this task so far."""
         return len(self._events) + len(self._lines)
 
+    def undated(self, begin: int) -> tuple[Event, ...]:
+        """The events of the cell from a position on; their times may be unknown, and are NaN."""
+        return tuple(one.event for one in self._events[begin:])
+
     def event(
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object
     ) -> None:
