@@ -110,7 +110,9 @@ def statement_context(text: str, offset: int) -> StatementContext:
     return StatementContext(tuple(tokens), "")
 
 
-def call_context(tokens: Sequence[Token], is_procedure: Callable[[str], bool]) -> CallContext | None:
+def call_context(
+    tokens: Sequence[Token], is_procedure: Callable[[str], bool]
+) -> CallContext | None:
     """Return the innermost call in which the text after some tokens is an argument.
 
     Args:

@@ -76,9 +76,7 @@ def _callees(
                     pass
 
 
-def _around(
-    module: tree.Module, name: tree.Name, names: NamesOfNodes
-) -> RoutineSymbol | None:
+def _around(module: tree.Module, name: tree.Name, names: NamesOfNodes) -> RoutineSymbol | None:
     for routine in module.routines:
         if routine.start <= name.start < routine.end:
             symbol = names.facts.analysis.symbol_of.get(routine)

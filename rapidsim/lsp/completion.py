@@ -293,5 +293,3 @@ def _matches(name: str, prefix: str) -> bool:
         return False
     initials = "".join(re.findall(r"[A-Z0-9]|(?<=_)\w|^\w", name)).lower()
     return initials.startswith(prefix.lower())
-
-

@@ -48,7 +48,7 @@ def _related(view: View, finding: Diagnostic) -> list[lsp.DiagnosticRelatedInfor
     return found or None
 
 
-def _data(finding: Diagnostic) -> lsp.LSPObject:
+def _data(finding: Diagnostic) -> dict[str, lsp.LSPAny]:
     """Facts for clients: the name of the rule, the controller's number, whether a fix exists."""
     fix = finding.fix
     return {

@@ -58,10 +58,8 @@ def pose_text(symbol: DataSymbol, facts: Facts) -> str:
     """
     if isinstance(symbol.type, ArrayOf) or symbol.type.name != "robtarget" or symbol.node is None:
         return ""
-    value = known_value(_reference(symbol), facts)
-    if value is None:
-        value = _literal(symbol.node)
-    match value:
+    known = known_value(symbol.node.value, facts)
+    match _literal(symbol.node) if known is None else known:
         case ((float() as x, float() as y, float() as z), rotation, configuration, *_):
             parts = [f"Position {x:g}, {y:g}, {z:g} mm"]
             angles = euler_zyx(rotation)
@@ -90,10 +88,6 @@ def euler_zyx(quaternion: object) -> tuple[float, float, float] | None:
     about_x = atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
     # Without the sum, a rotation of zero may be shown as -0.0.
     return degrees(about_z) + 0.0, degrees(about_y) + 0.0, degrees(about_x) + 0.0
-
-
-def _reference(symbol: DataSymbol) -> tree.Expression | None:
-    return None if symbol.node is None else symbol.node.value
 
 
 def _literal(node: tree.Data) -> object:

@@ -57,9 +57,7 @@ def references(
     ]
 
 
-def document_highlights(
-    document: Document, position: lsp.Position
-) -> list[lsp.DocumentHighlight]:
+def document_highlights(document: Document, position: lsp.Position) -> list[lsp.DocumentHighlight]:
     """Return the uses of the name at a position in its file, writing ones apart."""
     names = document.names
     found = document.name_at(position, names)

@@ -36,9 +36,7 @@ BLOCKS = (
     Block("TEST", "TEST ${1:number}\nCASE ${2:1}:\n    $0\nDEFAULT:\nENDTEST"),
     Block("ERROR", "ERROR\n    IF ERRNO=${1:ERR_NAME} THEN\n        $0\n    ENDIF"),
     Block("PROC", "PROC ${1:name}()\n    $0\nENDPROC", is_of_routine=False),
-    Block(
-        "FUNC", "FUNC ${1:num} ${2:name}(${3:num x})\n    RETURN ${4:x};\nENDFUNC", False
-    ),
+    Block("FUNC", "FUNC ${1:num} ${2:name}(${3:num x})\n    RETURN ${4:x};\nENDFUNC", False),
     Block("TRAP", "TRAP ${1:name}\n    $0\nENDTRAP", is_of_routine=False),
     Block("RECORD", "RECORD ${1:name}\n    ${2:num} ${3:x};\nENDRECORD", False),
     Block("MODULE", "MODULE ${1:name}\n    $0\nENDMODULE", is_of_routine=False),

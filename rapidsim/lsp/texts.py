@@ -59,8 +59,8 @@ _ANGLES = ("rx", "ry", "rz")
 def declaration(symbol: NamedSymbol) -> str:
     """Return the declaration of a symbol in the notation of RAPID, in one line."""
     match symbol:
-        case DataSymbol(node=tree.Data()):
-            scope = f"{symbol.node.scope} " if symbol.node.scope else ""
+        case DataSymbol(node=tree.Data(scope=word)):
+            scope = f"{word} " if word else ""
             return f"{scope}{symbol.storage.value} {_typed(symbol.type, symbol.name)}"
         case DataSymbol():
             return f"{symbol.storage.value} {_typed(symbol.type, symbol.name)}"
@@ -206,7 +206,7 @@ def routine_text(symbol: RoutineSymbol) -> str:
 
 
 def _grouped(symbol: RoutineSymbol) -> Iterator[str]:
-    """Yield the parameters, alternatives as one: `\\num a | num b`."""
+    r"""Yield the parameters, alternatives as one: `\num a | num b`."""
     last: int | None = None
     text = ""
     for one in symbol.parameters:
@@ -221,7 +221,7 @@ def _grouped(symbol: RoutineSymbol) -> Iterator[str]:
 
 
 def parameter_text(symbol: ParameterSymbol) -> str:
-    """Return a parameter of a routine of the user as declared: `\\VAR num x{*}`."""
+    r"""Return a parameter of a routine of the user as declared: `\VAR num x{*}`."""
     mode = "" if symbol.mode is ParameterMode.IN else f"{symbol.mode.value} "
     return f"{chr(92) if symbol.optional else ''}{mode}{_typed(symbol.type, symbol.name)}"
 

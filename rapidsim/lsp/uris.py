@@ -13,6 +13,8 @@ from pathlib import Path
 from urllib.parse import quote, unquote, urlsplit
 
 _DRIVE = re.compile(r"/([A-Za-z]):(?=/|$)")
+_SCHEME = re.compile(r"[A-Za-z][\w+.-]+:")
+"""At least two letters: one would be a drive."""
 
 
 def path_of(uri: str, *, is_windows: bool = os.name == "nt") -> str:
@@ -35,28 +37,38 @@ def path_of(uri: str, *, is_windows: bool = os.name == "nt") -> str:
 
 def uri_of(path: str, *, is_windows: bool = os.name == "nt") -> str:
     """Return the URI of a path; a path that is a URI is returned as it is."""
-    if re.match(r"[A-Za-z][\w+.-]+:", path):
+    if _SCHEME.match(path):
         return path
-    absolute = path if is_windows else str(Path(path).absolute())
-    absolute = absolute.replace("\\", "/") if is_windows else absolute
-    if is_windows and absolute.startswith("//"):
+    if not is_windows:
+        return f"file://{quote(str(Path(path).absolute()))}"
+    absolute = path.replace("\\", "/")
+    if absolute.startswith("//"):
         return f"file:{quote(absolute)}"
-    return f"file://{'/' if is_windows else ''}{quote(absolute)}"
+    return f"file:///{quote(absolute)}"
+
+
+def is_file(uri: str) -> bool:
+    """Whether a URI names a file."""
+    return uri[:5].lower() == "file:"
 
 
 class Uris:
-    """The URIs of a client, by path."""
+    """The URIs of a client, and the paths of the workspace."""
 
     def __init__(self) -> None:
         """Know none."""
-        self._of_client: dict[str, str] = {}
+        self._uri_of: dict[str, str] = {}
+        self._path_of: dict[str, str] = {}
+
+    def learn(self, uri: str, path: str) -> None:
+        """Keep the spelling of a client for a path of the workspace."""
+        self._uri_of[path] = uri
+        self._path_of[uri] = path
 
     def path(self, uri: str) -> str:
-        """Return the path that a client means, and keep the spelling of its URI."""
-        path = path_of(uri)
-        self._of_client[path] = uri
-        return path
+        """Return the path of a URI."""
+        return self._path_of.get(uri) or path_of(uri)
 
     def uri(self, path: str) -> str:
         """Return the URI of a path, as the client wrote it if it did."""
-        return self._of_client.get(path) or uri_of(path)
+        return self._uri_of.get(path) or uri_of(path)
