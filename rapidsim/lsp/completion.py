@@ -73,9 +73,9 @@ def completions(
     for item in _items(statement, scope, snippets=snippets):
         if _matches(item.filter_text or item.label, statement.prefix):
             found.append(item)
-            if len(found) == MOST_ITEMS:
-                break
-    return lsp.CompletionList(len(found) == MOST_ITEMS or not statement.prefix, found)
+    found.sort(key=lambda item: item.sort_text or "")
+    is_incomplete = len(found) > MOST_ITEMS or not statement.prefix
+    return lsp.CompletionList(is_incomplete, found[:MOST_ITEMS])
 
 
 def resolve(item: lsp.CompletionItem) -> lsp.CompletionItem:

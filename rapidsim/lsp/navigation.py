@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from lsprotocol import types as lsp
 
 from rapidsim.analysis.occurrences.names import NamesOfNodes, Occurrence, declared_name
@@ -17,10 +19,11 @@ from rapidsim.analysis.program import (
     RoutineSymbol,
     TypeSymbol,
 )
-from rapidsim.analysis.tree_walk import descendants
 from rapidsim.language.types import ArrayOf, Type
 from rapidsim.lsp.view import Document
 from rapidsim.syntax import tree
+
+_ASSIGNED = re.compile(r"(?:\s*\{[^{}]*\}|\s*\.\s*\w+)*\s*:=")
 
 
 def definition(document: Document, position: lsp.Position) -> list[lsp.Location]:
@@ -63,12 +66,11 @@ def document_highlights(document: Document, position: lsp.Position) -> list[lsp.
     found = document.name_at(position, names)
     if found is None or found.symbol is None:
         return []
-    written = _written_names(found.module)
     return [
         lsp.DocumentHighlight(
             document.node_range(one.name),
             lsp.DocumentHighlightKind.Write
-            if one.is_declaration or one.name in written
+            if one.is_declaration or _is_assigned(document.text, one.name)
             else lsp.DocumentHighlightKind.Read,
         )
         for one in occurrences(found.symbol, names, (document.file,))
@@ -105,13 +107,7 @@ def _type_of(symbol: NamedSymbol | None) -> Type | None:
             return None
 
 
-def _written_names(module: tree.Module) -> set[tree.Name]:
-    """Names at the roots of assigned data."""
-    found: set[tree.Name] = set()
-    for node in descendants(*module.items):
-        if isinstance(node, tree.Assignment) and not isinstance(node.target, tree.Placeholder):
-            target = node.target
-            while not isinstance(target, tree.DataReference):
-                target = target.array if isinstance(target, tree.Index) else target.record
-            found.add(target.name)
-    return found
+def _is_assigned(text: str, name: tree.Name) -> bool:
+    """Whether a value is assigned to data at a name, to an element or to a component."""
+    is_argument = text[max(0, name.start - 8) : name.start].rstrip(" \t").endswith("\\")
+    return _ASSIGNED.match(text, name.end) is not None and not is_argument

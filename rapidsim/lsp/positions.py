@@ -49,11 +49,19 @@ class LineTable:
         """Offset of the first character of each line."""
         return (0, *(match.end() for match in _LINE_END.finditer(self.text)))
 
+    @cached_property
+    def _is_plain(self) -> bool:
+        """Whether each character is one code unit."""
+        return self.encoding is Encoding.UTF32 or self.text.isascii()
+
     def position(self, offset: int) -> Position:
         """Position of an offset; offsets past the end mean the end."""
         offset = max(0, min(offset, len(self.text)))
         line = bisect_right(self.starts, offset) - 1
-        return Position(line, self.encoding.units(self.text[self.starts[line] : offset]))
+        start = self.starts[line]
+        if self._is_plain:
+            return Position(line, offset - start)
+        return Position(line, self.encoding.units(self.text[start:offset]))
 
     def range(self, start: int, end: int) -> Range:
         """Range of a part of the text."""
@@ -70,7 +78,7 @@ class LineTable:
             return 0
         start = self.starts[position.line]
         line = self.text[start : self.line_end(position.line)]
-        if line.isascii() or self.encoding is Encoding.UTF32:
+        if self._is_plain or line.isascii():
             return start + max(0, min(position.character, len(line)))
         units = 0
         for index, character in enumerate(line):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from types import MappingProxyType
 
 from lsprotocol.types import Location, Position, Range, TextEdit, WorkspaceEdit
 
@@ -55,9 +54,11 @@ class View:
 
     def span_range(self, span: Span) -> Range:
         """Return the range of a span in its file."""
-        if span.file in self.workspace.paths:
-            return self.lines(span.file).range(span.start, span.end)
-        return LineTable(span.source.text, self.encoding).range(span.start, span.end)
+        text = span.source.text
+        table = self._tables.get(span.file)
+        if table is None or table.text is not text:
+            table = self._tables[span.file] = LineTable(text, self.encoding)
+        return table.range(span.start, span.end)
 
     def workspace_edit(self, edits: Mapping[str, list[TextEdit]]) -> WorkspaceEdit:
         """Return edits by path as those of a client."""
@@ -111,9 +112,6 @@ class Document:
     def node_range(self, node: tree.Node) -> Range:
         """Range of a node of this file."""
         return self.range(node.start, node.end)
-
-
-NO_EDITS: Mapping[str, list[TextEdit]] = MappingProxyType({})
 
 
 def spans_by_file(spans: Iterator[Span] | tuple[Span, ...]) -> dict[str, list[Span]]:

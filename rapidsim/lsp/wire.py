@@ -33,6 +33,7 @@ from rapidsim.lsp.requests import REQUESTS, Request
 from rapidsim.lsp.run_results import RunSummary
 from rapidsim.lsp.session import OpenDocument, OpenProgram, Session
 from rapidsim.lsp.uris import path_of
+from rapidsim.syntax.garbage_collection import gc_rarely
 
 _MOMENT_S = 0.002
 """Wait before a long answer, in which the next message may arrive."""
@@ -66,7 +67,9 @@ class RapidServer(LanguageServer):
         options = params.initialization_options
         if isinstance(options, dict) and options.get("checkMoves") is False:
             self.checks_moves = False
-        self.session.encoding = Encoding(lsp.PositionEncodingKind(self.workspace.position_encoding).value)
+        self.session.encoding = Encoding(
+            lsp.PositionEncodingKind(self.workspace.position_encoding).value
+        )
 
     @property
     def pulls(self) -> bool:
@@ -199,7 +202,8 @@ def serve(version: str) -> None:
     logging.getLogger("pygls").setLevel(logging.CRITICAL)
     server = make_server(version)
     try:
-        server.start_io()
+        with gc_rarely():
+            server.start_io()
     finally:
         server.close()
 
