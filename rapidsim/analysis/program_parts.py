@@ -7,11 +7,11 @@ once, so that thirty rules do not traverse the tree thirty times.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from operator import or_
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
@@ -24,6 +24,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 N = TypeVar("N", bound=tree.Node)
+V = TypeVar("V")
 ENTRY = "main"
 
 
@@ -34,6 +35,8 @@ class ProgramPart:
     module: tree.Module
     routine: tree.Routine | None
     nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
+    memo: dict[object, Any] = field(default_factory=dict)
+    """Results of functions of this part alone, by function: see `Facts.of_part`."""
 
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
@@ -86,6 +89,32 @@ class Facts:
 
     files: tuple[tree.File, ...]
     analysis: Analysis
+    memo: dict[tree.Node, Any] = field(default_factory=dict)
+    """The interpretation of calls, by call: see `rules/facts/instruction_questions.py`."""
+
+    def of_part(self, function: Callable[[ProgramPart, Facts], V], part: ProgramPart) -> V:
+        """Return the result of a function of one part, computed once as long as the part stays.
+
+        Args:
+            function: Examines one part, its symbols and types, and the declarations outside of
+                routines; no other routine and no other fact of the task.
+            part: The part.
+        """
+        if function not in part.memo:
+            part.memo[function] = function(part, self)
+        result: V = part.memo[function]
+        return result
+
+    def with_parts(self, files: tuple[tree.File, ...], parts: tuple[ProgramPart, ...]) -> Facts:
+        """Return the facts of the same task after some of its parts changed.
+
+        Args:
+            files: The files.
+            parts: All parts, in order.
+        """
+        facts = Facts(files, self.analysis, self.memo)
+        vars(facts)["parts"] = parts
+        return facts
 
     @cached_property
     def parts(self) -> tuple[ProgramPart, ...]:
@@ -101,7 +130,7 @@ class Facts:
         outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
         yield ProgramPart(module, None, _by_kind(outside))
         for routine in module.routines:
-            yield ProgramPart(module, routine, _by_kind([routine]))
+            yield part_of_routine(module, routine)
 
     @cached_property
     def routine_parts(self) -> tuple[ProgramPart, ...]:
@@ -116,11 +145,11 @@ class Facts:
     @cached_property
     def call_graph(self) -> Mapping[ProgramPart, tuple[ProgramPart, ...]]:
         """The routines that each routine calls, each once."""
-        found: dict[ProgramPart, tuple[ProgramPart, ...]] = {}
-        for part in self.routine_parts:
-            callees = filter(None, map(self.callee_of, part.calls))
-            found[part] = tuple(dict.fromkeys(callees))
-        return found
+        part_of = self.part_of
+        return {
+            part: tuple(part_of[one] for one in self.of_part(_callees, part) if one in part_of)
+            for part in self.routine_parts
+        }
 
     @cached_property
     def bit_of(self) -> Mapping[ProgramPart, int]:
@@ -145,8 +174,12 @@ class Facts:
                 callee = self.callee_of(node)
                 return callee is not None and not known[callee]
 
-            graph = self.flow(part)
+            if not self.of_part(_may_return, part):
+                return False
+            if all(known[callee] for callee in self.call_graph[part]):
+                return True
             is_unread = tree.InvalidStatement in part.nodes
+            graph = self.flow(part)
             return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
 
         found = summarise(self.routine_parts, self.call_graph.__getitem__, False, summary_of)
@@ -231,6 +264,25 @@ class Facts:
         """The user routine that a call invokes."""
         symbol = self.symbol(node)
         return symbol.node if isinstance(symbol, RoutineSymbol) else None
+
+
+def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
+    """The routines of the user that a part calls, each once."""
+    called = (facts.routine_called(call) for call in part.calls)
+    return tuple(dict.fromkeys(routine for routine in called if routine is not None))
+
+
+def _may_return(part: ProgramPart, facts: Facts) -> bool:
+    """Whether a routine can return if all its callees do."""
+    if tree.InvalidStatement in part.nodes:
+        return True
+    graph = facts.flow(part)
+    return EXIT in graph.reached(NORMAL, graph.entries)
+
+
+def part_of_routine(module: tree.Module, routine: tree.Routine) -> ProgramPart:
+    """Return the part of a routine."""
+    return ProgramPart(module, routine, _by_kind([routine]))
 
 
 def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:

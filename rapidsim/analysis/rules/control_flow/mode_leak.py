@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
 from rapidsim.analysis.rules.facts.modes_in_force import routines_with, unrestored_modes
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
@@ -77,6 +77,11 @@ def _sets_motion(row: LibraryRoutine) -> bool:
     return not _HELD & row.traits
 
 
+def _called(part: ProgramPart, facts: Facts) -> list[tree.Routine]:
+    """The routines of the user that the calls of a part invoke, one for each call."""
+    return list(filter(None, map(facts.routine_called, part.calls)))
+
+
 def _beginning(facts: Facts) -> set[tree.Routine]:
     """Return the routines whose settings apply to the program: main, and its initialisation.
 
@@ -86,12 +91,9 @@ def _beginning(facts: Facts) -> set[tree.Routine]:
     if entry is None or entry.routine is None:
         return set()
     found: set[tree.Routine] = {entry.routine}
-    callers = Counter(
-        routine
-        for part in facts.routine_parts
-        for call in part.calls
-        if (routine := facts.routine_called(call)) is not None
-    )
+    callers = Counter[tree.Routine]()
+    for part in facts.routine_parts:
+        callers.update(facts.of_part(_called, part))
     first: list[tree.Node] = []
     for statement in entry.routine.body:
         if isinstance(statement, tree.While | tree.For) or as_move(statement, facts) is not None:
