@@ -7,7 +7,7 @@ once, so that thirty rules do not traverse the tree thirty times.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from operator import or_
@@ -15,7 +15,7 @@ from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
-from rapidsim.analysis.flow.summaries import summarise
+from rapidsim.analysis.flow.summaries import components, summarise
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
@@ -37,6 +37,13 @@ class ProgramPart:
     nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
     memo: dict[object, Any] = field(default_factory=dict)
     """Results of functions of this part alone, by function: see `Facts.of_part`."""
+
+    def renew(self) -> None:
+        """Read the routine again after its body changed; nothing else of a part ever changes."""
+        assert self.routine is not None
+        vars(self).pop("names", None)
+        vars(self)["nodes"] = _by_kind([self.routine])
+        self.memo.clear()
 
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
@@ -100,20 +107,35 @@ class Facts:
                 routines; no other routine and no other fact of the task.
             part: The part.
         """
-        if function not in part.memo:
-            part.memo[function] = function(part, self)
-        result: V = part.memo[function]
+        try:
+            result: V = part.memo[function]
+        except KeyError:
+            result = part.memo[function] = function(part, self)
         return result
 
-    def with_parts(self, files: tuple[tree.File, ...], parts: tuple[ProgramPart, ...]) -> Facts:
-        """Return the facts of the same task after some of its parts changed.
+    def only(self, part: ProgramPart) -> Facts:
+        """Return the facts as if the task had only one part."""
+        facts = Facts((), self.analysis, self.memo)
+        vars(facts)["parts"] = (part,)
+        return facts
+
+    def renewed(self, files: tuple[tree.File, ...], changed: Iterable[ProgramPart]) -> Facts:
+        """Return the facts of the same task after the bodies of some routines changed.
 
         Args:
             files: The files.
-            parts: All parts, in order.
+            changed: The parts of these routines, which are read again.
         """
         facts = Facts(files, self.analysis, self.memo)
-        vars(facts)["parts"] = parts
+        stays = True
+        for part in changed:
+            before = tuple(part.memo.get(function) for function in (_callees, _may_return))
+            part.renew()
+            after = tuple(facts.of_part(function, part) for function in (_callees, _may_return))
+            stays = stays and before == after
+        # If the calls stay, so does what follows from them.
+        kept = _OF_PARTS + _OF_CALLS if stays else _OF_PARTS
+        vars(facts).update((name, vars(self)[name]) for name in kept if name in vars(self))
         return facts
 
     @cached_property
@@ -130,7 +152,7 @@ class Facts:
         outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
         yield ProgramPart(module, None, _by_kind(outside))
         for routine in module.routines:
-            yield part_of_routine(module, routine)
+            yield ProgramPart(module, routine, _by_kind([routine]))
 
     @cached_property
     def routine_parts(self) -> tuple[ProgramPart, ...]:
@@ -157,13 +179,19 @@ class Facts:
         return {part: 1 << number for number, part in enumerate(self.routine_parts)}
 
     @cached_property
+    def components(self) -> Sequence[tuple[ProgramPart, ...]]:
+        """The routines, callees first; those that call each other are in one component."""
+        return components(self.routine_parts, self.call_graph.__getitem__)
+
+    @cached_property
     def reached_from(self) -> Mapping[ProgramPart, int]:
         """The bits of all routines that each routine may cause to run, itself included."""
 
         def summary_of(part: ProgramPart, known: Mapping[ProgramPart, int]) -> int:
             return reduce(or_, (known[one] for one in self.call_graph[part]), self.bit_of[part])
 
-        return summarise(self.routine_parts, self.call_graph.__getitem__, 0, summary_of)
+        callees = self.call_graph.__getitem__
+        return summarise(self.routine_parts, callees, 0, summary_of, self.components)
 
     @cached_property
     def returning(self) -> Mapping[tree.Routine, bool]:
@@ -182,7 +210,8 @@ class Facts:
             graph = self.flow(part)
             return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
 
-        found = summarise(self.routine_parts, self.call_graph.__getitem__, False, summary_of)
+        callees = self.call_graph.__getitem__
+        found = summarise(self.routine_parts, callees, False, summary_of, self.components)
         return {part.routine: can for part, can in found.items() if part.routine is not None}
 
     def can_return(self, call: tree.Call | tree.FunctionCall) -> bool:
@@ -266,6 +295,12 @@ class Facts:
         return symbol.node if isinstance(symbol, RoutineSymbol) else None
 
 
+_OF_PARTS = ("parts", "routine_parts", "part_of", "bit_of")
+"""Facts that stay as long as the routines are the same."""
+_OF_CALLS = ("call_graph", "components", "reached_from", "returning")
+"""Facts that stay as long as the routines have the same callees and can return as before."""
+
+
 def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
     """The routines of the user that a part calls, each once."""
     called = (facts.routine_called(call) for call in part.calls)
@@ -278,11 +313,6 @@ def _may_return(part: ProgramPart, facts: Facts) -> bool:
         return True
     graph = facts.flow(part)
     return EXIT in graph.reached(NORMAL, graph.entries)
-
-
-def part_of_routine(module: tree.Module, routine: tree.Routine) -> ProgramPart:
-    """Return the part of a routine."""
-    return ProgramPart(module, routine, _by_kind([routine]))
 
 
 def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:

@@ -9,7 +9,7 @@ from rapidsim.analysis.cell_names import CellNames
 from rapidsim.analysis.context import MOST_COMPARED, UnitResults
 from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
-from rapidsim.analysis.program_parts import Facts, ProgramPart, part_of_routine
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
 from rapidsim.analysis.tree_walk import clauses, statements
 from rapidsim.diagnostics import Diagnostic
@@ -146,13 +146,9 @@ class CheckedTask:
         if None in decided or len(analysis.nearest) >= MOST_COMPARED:
             return False
         self._trees[path] = self._units[path].file
-        parts = tuple(
-            part_of_routine(part.module, part.routine)
-            if part.routine is not None and (part.routine in again or part.routine in decided)
-            else part
-            for part in self._facts.parts
-        )
-        self._facts = self._facts.with_parts(tuple(self._trees.values()), parts)
+        part_of = self._facts.part_of
+        parts = [part_of[one] for one in {*again, *decided} if one is not None]
+        self._facts = self._facts.renewed(tuple(self._trees.values()), parts)
         return True
 
     def _forget(self, part: ProgramPart) -> None:

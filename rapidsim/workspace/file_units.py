@@ -55,7 +55,8 @@ class FileUnits:
         for found in parsed.diagnostics:
             piece = -1 if found.span is None else self.source.piece_of(found.span.start)
             routine = self._homes[piece][0] if piece in self._homes else None
-            if found.span is not None and routine and routine.header_end <= found.span.start:
+            place = -1 if found.span is None else found.span.start
+            if routine and routine.header_end <= place < routine.end:
                 self._inside.setdefault(piece, []).append(found)
             else:
                 self._outside.append(found)

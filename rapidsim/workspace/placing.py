@@ -24,10 +24,7 @@ def _placed(span: Span) -> Span:
     source = span.source
     if not isinstance(source, SpacedSource):
         return span
-    start = source.offset(span.start)
-    # An empty span at the end of a piece stays empty.
-    end = start if span.end == span.start else source.offset(span.end)
-    return Span(source.written, start, end)
+    return Span(source.written, *source.offsets(span.start, span.end))
 
 
 def _fix(fix: Fix) -> Fix:

@@ -62,6 +62,14 @@ class SpacedSource(Source):
         inside = min(address - self._addresses[piece], self._end(piece) - self._starts[piece])
         return self._starts[piece] + inside
 
+    def offsets(self, start: int, end: int) -> tuple[int, int]:
+        """Offsets in the file of the addresses of a range."""
+        piece = bisect_right(self._addresses, start) - 1
+        shift = self._starts[piece] - self._addresses[piece]
+        if start <= end <= self._end(piece) - shift:
+            return start + shift, end + shift
+        return self.offset(start), self.offset(end)
+
     def piece_at(self, start: int, end: int) -> tuple[int, int, int] | None:
         """Return the piece that may grow and contains a range, with its number.
 

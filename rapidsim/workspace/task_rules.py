@@ -41,5 +41,5 @@ class TaskRules:
             yield from rule(facts)
 
     def _in_part(self, part: ProgramPart, facts: Facts) -> list[Diagnostic]:
-        alone = facts.with_parts((), (part,))
+        alone = facts.only(part)
         return [one for rule in (find_newer, *self._of_routine) for one in rule(alone)]

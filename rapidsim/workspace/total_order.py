@@ -21,7 +21,7 @@ def in_total_order(findings: Iterable[Diagnostic]) -> tuple[Diagnostic, ...]:
 
 
 def _place_and_code(finding: Diagnostic) -> tuple[tuple[str, int], str]:
-    return finding.order, finding.code
+    return finding.order, finding.violation.rule.code
 
 
 def _contents(finding: Diagnostic) -> tuple[str, int, str]:

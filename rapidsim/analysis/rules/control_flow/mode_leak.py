@@ -49,13 +49,16 @@ class ModeLeak(Violation, code="F411"):
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
     """Report, for each routine and mode, the first exit at which the mode may still be set."""
-    beginning = _beginning(facts)
+    beginning: set[tree.Routine] | None = None
     kept: dict[str, bool] = {}
     for part in facts.routine_parts:
         routine = part.routine
-        if not isinstance(routine, tree.Proc | tree.Func) or routine in beginning:
+        if not isinstance(routine, tree.Proc | tree.Func):
             continue
         for left in unrestored_modes(part, facts, _sets_motion):
+            beginning = _beginning(facts) if beginning is None else beginning
+            if routine in beginning:
+                break
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
             if may_move(later, facts):
                 shown = " ".join(part.module.span(left.call).text.split())

@@ -126,7 +126,9 @@ def effects_behind_moves(
         return outcome.summary
 
     parts = _relevant_parts(facts)
-    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of)
+    relevant = set(parts)
+    order = [one for one in facts.components if one[0] in relevant]
+    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of, order)
     home_of = {move: part for part in parts for move in facts.of_part(_fly_by_moves, part)}
     for part in parts:
         for effect in found[part].effects:

@@ -27,23 +27,19 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
         return
     done = set[Symbol]().union(*(changed_in(part, facts) for part in facts.parts))
     for part in facts.parts:
-        for symbol, node, declared in facts.of_part(_first_uses, part):
+        for symbol, finding in facts.of_part(_first_uses, part):
             if symbol in done:
                 continue
             if symbol.name.lower() in facts.strings or not _all_is_seen(symbol, facts):
                 continue
             done.add(symbol)
-            related = part.place(declared.name, "declared without a value here")
-            same = symbol.module is None or symbol.module is part.module
-            yield part.finding(ReadBeforeSet(symbol.name), node, *((related,) if same else ()))
+            yield finding
 
 
-def _first_uses(
-    part: ProgramPart, facts: Facts
-) -> list[tuple[DataSymbol, tree.DataReference, tree.Data]]:
-    """Variables without an initial value, with their first use in a part, and their declaration."""
+def _first_uses(part: ProgramPart, facts: Facts) -> list[tuple[DataSymbol, Diagnostic]]:
+    """Variables without an initial value, with the finding at their first use in a part."""
     copied = {one.value for one in part.all(tree.Assignment)}
-    found: dict[DataSymbol, tuple[DataSymbol, tree.DataReference, tree.Data]] = {}
+    found: dict[DataSymbol, Diagnostic] = {}
     for node in part.all(tree.DataReference):
         symbol = facts.symbol(node)
         if not isinstance(symbol, DataSymbol) or symbol in found:
@@ -51,9 +47,13 @@ def _first_uses(
         declared = symbol.node
         if declared is None or declared.value is not None or not _has_value(symbol):
             continue
-        if not (node in copied and _clears(symbol)):
-            found[symbol] = symbol, node, declared
-    return list(found.values())
+        if node in copied and _clears(symbol):
+            continue
+        related = part.place(declared.name, "declared without a value here")
+        is_same_module = symbol.module is None or symbol.module is part.module
+        places = (related,) if is_same_module else ()
+        found[symbol] = part.finding(ReadBeforeSet(symbol.name), node, *places)
+    return list(found.items())
 
 
 def _has_value(symbol: DataSymbol) -> bool:

@@ -50,7 +50,16 @@ def find_unused_data(facts: Facts) -> Iterator[Diagnostic]:
             key = node.name.key
             if key in used or key in facts.strings or facts.analysis.may_be_unread(key):
                 continue
-            yield part.finding(UnusedData(node.name.text, node.type.text), node.name)
+            yield facts.of_part(_unused_data, part)[node]
+
+
+def _unused_data(part: ProgramPart, facts: Facts) -> dict[tree.Node, Diagnostic]:
+    """A finding for each declaration, to be reported if nothing uses it."""
+    del facts
+    return {
+        node: part.finding(UnusedData(node.name.text, node.type.text), node.name)
+        for node in part.all(tree.Data)
+    }
 
 
 def _accesses_by_name(part: ProgramPart, facts: Facts) -> bool:
@@ -72,11 +81,18 @@ def find_unused_routines(facts: Facts) -> Iterator[Diagnostic]:
         if used_elsewhere[key] > own_call or any(p.fullmatch(key) for p in patterns):
             continue
         if routine.scope == "LOCAL" or (facts.is_whole and _needs_a_caller(part)):
-            yield part.finding(_unused(routine), routine.name)
+            yield facts.of_part(_unused_routine, part)
 
 
 def _needs_a_caller(part: ProgramPart) -> bool:
     return not isinstance(part.routine, tree.Proc) or bool(part.routine.parameters)
+
+
+def _unused_routine(part: ProgramPart, facts: Facts) -> Diagnostic:
+    """The finding of a routine, to be reported if nothing uses it."""
+    del facts
+    assert part.routine is not None
+    return part.finding(_unused(part.routine), part.routine.name)
 
 
 def _unused(routine: tree.Routine) -> UnusedRoutine:
