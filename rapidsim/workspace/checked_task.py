@@ -4,23 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import groupby
 
 from rapidsim.analysis.cell_names import CellNames
-from rapidsim.analysis.passes.checker import Find, check
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.context import MOST_COMPARED, UnitResults
+from rapidsim.analysis.passes.checker import Find
+from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.diagnostics import Diagnostic, Source
-from rapidsim.files import SourceFile
+from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.diagnostics import Diagnostic
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
-from rapidsim.syntax.parser import parse
-from rapidsim.workspace.changes import Changed
+from rapidsim.syntax.garbage_collection import gc_paused
+from rapidsim.workspace.changes import Changed, TextChange, changed_text
+from rapidsim.workspace.file_units import EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
+from rapidsim.workspace.placing import placed
+from rapidsim.workspace.task_rules import TaskRules
+from rapidsim.workspace.total_order import in_total_order
+
+_HEADERS = frozenset(
+    {tree.Proc, tree.Func, tree.Trap, tree.ParameterDeclaration, tree.OptionalGroup}
+)
+"""Kinds of nodes that a routine keeps when its body changes."""
 
 
 class CheckedTask:
-    """The files of a task with their trees, symbols and findings."""
+    """The files of a task with their trees, symbols and findings.
+
+    A change within the body of a routine has this routine parsed and checked again, and the rules
+    asked again for it and for the task. Any other change has its file parsed and the task checked.
+    """
 
     def __init__(
         self,
@@ -30,72 +44,164 @@ class CheckedTask:
         is_looked_for: Callable[[str], bool],
     ) -> None:
         """Read and check a task; see `Workspace` for the arguments."""
-        self.task = task
-        self._rules = tuple(rules)
+        self._task = task
         self._cell = replace(cell, unseen=task.unseen, refers_late=task.refers_late)
+        self._rules = TaskRules(rules)
         self._is_looked_for = is_looked_for
-        self._check()
+        self._units = {file.name: FileUnits(file.name, file.text) for file in task.files}
+        self._raw: dict[str, list[Diagnostic]] = {}
+        self._findings: dict[str, tuple[Diagnostic, ...]] = {}
+        self._check_all()
+        self._collect()
 
     @property
-    def files(self) -> tuple[SourceFile, ...]:
-        """The files with their present texts."""
-        return self.task.files
+    def task(self) -> TaskFiles:
+        """The task with its present texts."""
+        files = tuple(replace(file, text=self.text(file.name)) for file in self._task.files)
+        return replace(self._task, files=files)
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """Paths of the files, in order."""
+        return tuple(self._units)
+
+    def text(self, path: str) -> str:
+        """The present text of a file."""
+        return self._units[path].source.written.text
 
     def file(self, path: str) -> tree.File:
         """The tree of a file."""
-        return self._trees[path]
+        return self._units[path].file
 
+    @property
+    def facts(self) -> Facts:
+        """Symbols, types and scopes of the task."""
+        return self._facts
+
+    @gc_paused()
     def findings(self, path: str) -> tuple[Diagnostic, ...]:
         """Findings in a file."""
+        if path not in self._findings:
+            units = self._units[path]
+            found = [*map(placed, self._raw[path]), *self._rules.in_file(units)]
+            written = tree.File(units.source.written, (), units.suppressing)
+            shown = without_suppressed(found, [written], is_looked_for=self._is_looked_for)
+            self._findings[path] = in_total_order(shown)
         return self._findings[path]
 
+    @gc_paused()
+    def change(self, path: str, change: TextChange) -> Changed:
+        """Change a text, and check what depends on it."""
+        text = changed_text(self.text(path), [change])
+        edited = self._units[path].edit(change)
+        if edited is None or not self._recheck(path, edited):
+            return self.replace(path, text)
+        return Changed(self._collect(path), is_local=True)
+
+    @gc_paused()
     def replace(self, path: str, text: str) -> Changed:
-        """Replace the text of a file, and check the task again."""
-        files = (
-            SourceFile(path, text, "utf-8") if one.name == path else one for one in self.task.files
+        """Replace a text, and check the task."""
+        self._units[path] = FileUnits(path, text)
+        self._check_all()
+        return Changed(self._collect(path))
+
+    def _check_all(self) -> None:
+        """Check all units."""
+        self._trees = {path: units.file for path, units in self._units.items()}
+        files = tuple(self._trees.values())
+        self._check = TaskCheck(files, self._cell)
+        self._facts = Facts(files, self._check.analysis)
+
+    def _recheck(self, path: str, edited: EditedRoutine) -> bool:
+        """Check a routine with its new body.
+
+        Returns:
+            Whether its other results follow from the old ones; if not, the state is unusable.
+        """
+        check, analysis = self._check, self._check.analysis
+        if len(analysis.nearest) >= MOST_COMPARED or not self._is_of_known_types(edited):
+            return False
+        routine, module = edited.routine, edited.module
+        loads = bool(check.loading)
+        self._forget(self._facts.part_of[routine])
+        routine.take_body(edited.replacement)
+        check.read_item(routine, module)
+        if bool(check.loading) != loads:
+            return False
+        again = {routine: module}
+        unread = "\n".join(check.unread.values())
+        if unread != analysis.unread_text:
+            analysis.unread_text = unread
+            if self._depends_on_unread(check.declarations):
+                return False
+            for other, unit in check.units.items():
+                if other is not routine and self._depends_on_unread(unit):
+                    part = self._facts.part_of[other]
+                    self._forget(part)
+                    again[other] = part.module
+        with deep_recursion():
+            for one, home in again.items():
+                check.check_routine(one, home)
+            decided = check.decide()
+        if None in decided or len(analysis.nearest) >= MOST_COMPARED:
+            return False
+        self._trees[path] = self._units[path].file
+        part_of = self._facts.part_of
+        parts = [part_of[one] for one in {*again, *decided} if one is not None]
+        self._facts = self._facts.renewed(tuple(self._trees.values()), parts)
+        return True
+
+    def _forget(self, part: ProgramPart) -> None:
+        """Remove what is known of the body of a routine."""
+        assert part.routine is not None
+        nodes = [one for kind, found in part.nodes.items() if kind not in _HEADERS for one in found]
+        self._check.forget(part.routine, nodes)
+        for node in nodes:
+            self._facts.memo.pop(node, None)
+
+    def _depends_on_unread(self, unit: UnitResults) -> bool:
+        """Whether the unread text answers a question of a unit differently than before."""
+        return any(
+            self._check.analysis.is_unread(key) != answer for key, answer in unit.unread.items()
         )
-        before = self._findings
-        self.task = replace(self.task, files=tuple(files))
-        self._check()
-        others = {one for one in before if before[one] != self._findings[one]}
-        return Changed(frozenset({path, *others}))
 
-    def _check(self) -> None:
-        parsed = [parse(Source(file.name, file.text)) for file in self.task.files]
-        files = tuple(one.file for one in parsed)
-        self._trees = {file.source.file: file for file in files}
-        taken: list[Facts] = []
+    def _is_of_known_types(self, edited: EditedRoutine) -> bool:
+        """Whether all local data have declared types; the task shares the shapes of others."""
+        bodies = (*clauses(edited.routine), *clauses(edited.replacement))
+        return all(
+            self._check.types.is_known(node.type.key, edited.module)
+            for node in statements(*bodies)
+            if isinstance(node, tree.Data)
+        )
 
-        def take(facts: Facts) -> tuple[Diagnostic, ...]:
-            taken.append(facts)
-            return ()
+    def _collect(self, edited: str | None = None) -> frozenset[str]:
+        """Sort all findings by file.
 
-        checked = check(files, (*self._rules, take), cell=self._cell)
-        (self.facts,) = taken
-        of_syntax = [found for one in parsed for found in one.diagnostics]
-        found = (*of_syntax, *without_guesses(checked.diagnostics, of_syntax, files))
-        shown = without_suppressed(found, files, is_looked_for=self._is_looked_for)
-        by_file: dict[str, list[Diagnostic]] = {path: [] for path in self._trees}
-        for one in shown:
-            by_file[one.span.file if one.span else files[0].source.file].append(one)
-        self._findings = {path: in_total_order(listed) for path, listed in by_file.items()}
+        Args:
+            edited: The file whose text changed; None for all.
 
-
-def in_total_order(findings: Sequence[Diagnostic]) -> tuple[Diagnostic, ...]:
-    """Findings by file, offset, code and message."""
-    coarse = sorted(findings, key=_place_and_code)
-    # A message is composed only where the other keys are equal.
-    groups = [list(group) for _, group in groupby(coarse, key=_place_and_code)]
-    return tuple(
-        one
-        for group in groups
-        for one in (group if len(group) == 1 else sorted(group, key=_message))
-    )
-
-
-def _place_and_code(finding: Diagnostic) -> tuple[tuple[str, int], str]:
-    return finding.order, finding.code
+        Returns:
+            The paths of files whose findings changed, or places that they name.
+        """
+        of_syntax = [one for units in self._units.values() for one in units.diagnostics]
+        with deep_recursion():
+            of_rules = list(self._rules.in_task(self._facts))
+        found = [*self._check.diagnostics(), *of_rules]
+        raw: dict[str, list[Diagnostic]] = {path: [] for path in self._units}
+        first = next(iter(raw))
+        for one in (*of_syntax, *without_guesses(found, of_syntax, tuple(self._trees.values()))):
+            raw[one.span.file if one.span else first].append(one)
+        changed = frozenset(
+            path
+            for path, listed in raw.items()
+            if path == edited or listed != self._raw.get(path) or _names(listed, edited)
+        )
+        for path in changed:
+            self._findings.pop(path, None)
+        self._raw = raw
+        return changed
 
 
-def _message(finding: Diagnostic) -> str:
-    return finding.message
+def _names(findings: Sequence[Diagnostic], path: str | None) -> bool:
+    """Whether findings name places in a file."""
+    return any(related.span.file == path for one in findings for related in one.related)

@@ -54,12 +54,12 @@ class Workspace:
         self._disk = {file.name: file for task in tasks for file in task.files}
         self._versions = dict.fromkeys(self._disk, 0)
         self._tasks = [CheckedTask(task, self._rules, cell, is_looked_for) for task in tasks]
-        self._task_of = {file.name: task for task in self._tasks for file in task.files}
+        self._task_of = {path: task for task in self._tasks for path in task.paths}
 
     @property
     def paths(self) -> tuple[str, ...]:
         """Paths of all files, task by task."""
-        return tuple(file.name for task in self._tasks for file in task.files)
+        return tuple(path for task in self._tasks for path in task.paths)
 
     def open(self, path: str, text: str) -> Changed:
         """Take a text in place of the one on the disk."""
@@ -89,7 +89,12 @@ class Workspace:
             KeyError: If there is no such file.
             ValueError: If a change refers to characters that the text does not have.
         """
-        return self._replaced(path, changed_text(self.text(path), changes))
+        # All changes are valid, or none is made.
+        changed_text(self.text(path), changes)
+        self._versions[path] += 1
+        made = [self._task_of[path].change(path, one) for one in changes]
+        paths = frozenset({path}).union(*(one.paths for one in made))
+        return Changed(paths, is_local=all(one.is_local for one in made))
 
     def findings(self, path: str) -> tuple[Diagnostic, ...]:
         """Findings in a file, in total order: by offset, code and message.
@@ -105,7 +110,7 @@ class Workspace:
         Raises:
             KeyError: If there is no such file.
         """
-        return self._file(path).text
+        return self._task_of[path].text(path)
 
     def version(self, path: str) -> int:
         """Number of changes of a file since it joined the workspace."""
@@ -122,9 +127,6 @@ class Workspace:
     def task_of(self, path: str) -> TaskFiles:
         """The task that a file belongs to, with its present texts."""
         return self._task_of[path].task
-
-    def _file(self, path: str) -> SourceFile:
-        return next(file for file in self._task_of[path].files if file.name == path)
 
     def _replaced(self, path: str, text: str) -> Changed:
         task = self._task_of.get(path)
