@@ -21,11 +21,11 @@ def prepare(document: Document, position: lsp.Position) -> list[lsp.CallHierarch
     found = document.name_at(position)
     if found is not None and isinstance(found.symbol, RoutineSymbol):
         return [_item(document.view, found.symbol)]
-    offset, facts = document.offset(position), document.view.workspace.facts(document.path)
+    place, facts = document.address(position), document.view.workspace.facts(document.path)
     for module in document.file.modules:
         for routine in module.routines:
             symbol = facts.analysis.symbol_of.get(routine)
-            if routine.start <= offset <= routine.end and isinstance(symbol, RoutineSymbol):
+            if routine.start <= place <= routine.end and isinstance(symbol, RoutineSymbol):
                 return [_item(document.view, symbol)]
     return []
 

@@ -105,7 +105,7 @@ def _suppressions(document: Document, findings: Sequence[Diagnostic]) -> Iterato
 
 def _suppression(document: Document, offset: int, code: str) -> lsp.TextEdit:
     """Return the edit that adds a comment for a code to the line of an offset."""
-    source = document.file.source
+    source, spaced = document.file.source.written, document.file.source
     number = source.position(offset)[0]
     start = source.line_starts[number - 1]
     line = source.line(number)
@@ -113,7 +113,8 @@ def _suppression(document: Document, offset: int, code: str) -> lsp.TextEdit:
         place = start + present.end(1)
         codes = present[1].strip()
         return lsp.TextEdit(document.range(place, place), f",{code}" if codes else code)
-    comments = (one for one in document.file.comments if start <= one.start <= start + len(line))
+    begin, end = spaced.address(start), spaced.address(start + len(line))
+    comments = (one for one in document.file.comments if begin <= one.start <= end)
     if next(comments, None) is not None:
         indent = line[: len(line) - len(line.lstrip())]
         text = f"{indent}! rapidsim: ignore[{code}]{_line_end(document.text)}"

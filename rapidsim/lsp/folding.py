@@ -17,7 +17,8 @@ def folding_ranges(document: Document) -> list[lsp.FoldingRange]:
     found: list[lsp.FoldingRange] = []
     lines = document.lines
     for node in _blocks(document.file):
-        first, last = lines.position(node.start).line, lines.position(node.end).line
+        start, end = document.offsets(node)
+        first, last = lines.position(start).line, lines.position(end).line
         if last > first:
             found.append(lsp.FoldingRange(first, last, kind=lsp.FoldingRangeKind.Region))
     found += _comments(document)
@@ -26,14 +27,13 @@ def folding_ranges(document: Document) -> list[lsp.FoldingRange]:
 
 def selection_range(document: Document, position: lsp.Position) -> lsp.SelectionRange:
     """Return the name or node at a position, with the nodes around it."""
-    offset = document.offset(position)
     spans = [(0, len(document.text))]
-    location = locate(document.file, offset)
+    location = locate(document.file, document.address(position))
     if location is not None:
-        spans += [(node.start, node.end) for node in location.path]
+        spans += [document.offsets(node) for node in location.path]
         found = document.name_at(position)
         if found is not None:
-            spans.append((found.name.start, found.name.end))
+            spans.append(document.offsets(found.name))
     selection: lsp.SelectionRange | None = None
     last: tuple[int, int] | None = None
     for start, end in spans:
@@ -78,8 +78,9 @@ def _comments(document: Document) -> Iterator[lsp.FoldingRange]:
     first: int | None = None
     last = -2
     for comment in document.file.comments:
-        line = lines.position(comment.start).line
-        if text[lines.starts[line] : comment.start].strip():
+        start = document.file.source.offset(comment.start)
+        line = lines.position(start).line
+        if text[lines.starts[line] : start].strip():
             continue
         if line != last + 1:
             if first is not None and last > first:

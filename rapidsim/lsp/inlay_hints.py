@@ -35,7 +35,8 @@ def inlay_hints(
 ) -> list[lsp.InlayHint]:
     """Return the hints in a range."""
     start, end = document.offset(range_.start), document.offset(range_.end)
-    hints = list(_parameter_names(document, start, end))
+    source = document.file.source
+    hints = list(_parameter_names(document, source.address(start), source.address(end)))
     moves = [one for one in results.moves.get(document.path, ()) if start <= one.end <= end]
     hints += _times(document, moves)
     return hints
@@ -77,7 +78,7 @@ def _names_at(
     for argument, formal in zip(given, required, strict=False):
         if argument.name is None and isinstance(argument.value, _PLAIN):
             yield lsp.InlayHint(
-                position=document.lines.position(argument.start),
+                position=document.node_range(argument).start,
                 label=f"{formal.name}:",
                 kind=lsp.InlayHintKind.Parameter,
                 padding_right=True,

@@ -21,7 +21,6 @@ from rapidsim.analysis.program import (
 )
 from rapidsim.language.types import ArrayOf, Type
 from rapidsim.lsp.view import Document
-from rapidsim.syntax import tree
 
 _ASSIGNED = re.compile(r"(?:\s*\{[^{}]*\}|\s*\.\s*\w+)*\s*:=")
 
@@ -70,7 +69,7 @@ def document_highlights(document: Document, position: lsp.Position) -> list[lsp.
         lsp.DocumentHighlight(
             document.node_range(one.name),
             lsp.DocumentHighlightKind.Write
-            if one.is_declaration or _is_assigned(document.text, one.name)
+            if one.is_declaration or _is_assigned(document.text, *document.offsets(one.name))
             else lsp.DocumentHighlightKind.Read,
         )
         for one in occurrences(found.symbol, names, (document.file,))
@@ -107,7 +106,7 @@ def _type_of(symbol: NamedSymbol | None) -> Type | None:
             return None
 
 
-def _is_assigned(text: str, name: tree.Name) -> bool:
+def _is_assigned(text: str, start: int, end: int) -> bool:
     """Whether a value is assigned to data at a name, to an element or to a component."""
-    is_argument = text[max(0, name.start - 8) : name.start].rstrip(" \t").endswith("\\")
-    return _ASSIGNED.match(text, name.end) is not None and not is_argument
+    is_argument = text[max(0, start - 8) : start].rstrip(" \t").endswith("\\")
+    return _ASSIGNED.match(text, end) is not None and not is_argument

@@ -106,11 +106,11 @@ def _symbol(
     children: list[lsp.DocumentSymbol],
 ) -> lsp.DocumentSymbol:
     # The range must contain that of the name, also where a repair has moved one of them.
-    start, end = min(node.start, name.start), max(node.end, name.end)
+    whole = tree.Node(min(node.start, name.start), max(node.end, name.end))
     return lsp.DocumentSymbol(
         name=name.text or "?",
         kind=kind,
-        range=document.range(start, end),
+        range=document.node_range(whole),
         selection_range=document.node_range(name),
         detail=detail or None,
         children=children or None,

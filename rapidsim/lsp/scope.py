@@ -33,7 +33,8 @@ class PlaceScope:
     def __init__(self, document: Document, offset: int) -> None:
         """Find the place in the tree; a repair may have moved it."""
         self.facts = document.view.workspace.facts(document.path)
-        self.location = locate(document.file, offset) or _nearest(document.file, offset)
+        place = document.file.source.address(offset)
+        self.location = locate(document.file, place) or _nearest(document.file, place)
 
     @cached_property
     def symbols(self) -> dict[str, Symbol]:
@@ -120,8 +121,8 @@ def _component_type(of: Type | None, name: str) -> Type | None:
     return next((one.type for one in target.components if one.name.lower() == name), None)
 
 
-def _nearest(file: tree.File, offset: int) -> Location | None:
-    """Return the last module that begins before an offset, or the first."""
-    before = [module for module in file.modules if module.start <= offset]
+def _nearest(file: tree.File, place: int) -> Location | None:
+    """Return the last module that begins before a place, or the first."""
+    before = [module for module in file.modules if module.start <= place]
     module = before[-1] if before else next(iter(file.modules), None)
     return None if module is None else Location(module, (module,))

@@ -129,7 +129,7 @@ class SemanticTokenEncoder:
         data: list[int] = []
         line, column = 0, 0
         lines = document.lines
-        for first, last, module, item in _parts(document.file, len(text)):
+        for first, last, module, item in _parts(document.file):
             if last < start or first > end:
                 continue
             part = text[first:last]
@@ -185,18 +185,20 @@ def _equal_up_to(before: Sequence[int], after: Sequence[int], most: int, *, from
 
 
 def _parts(
-    file: tree.File, end: int
+    file: tree.File,
 ) -> Iterator[tuple[int, int, tree.Module | None, tree.Node | None]]:
     """Yield the parts of a text in order, without gaps: items, and what is between them."""
-    at = 0
+    at, source = 0, file.source
+    end = len(source.written.text)
     for module in file.modules:
         for item in module.items:
-            if item.start < at or item.end <= item.start:
+            start, stop = source.offsets(item.start, item.end)
+            if start < at or stop <= start:
                 continue
-            if item.start > at:
-                yield at, item.start, module, None
-            yield item.start, item.end, module, item
-            at = item.end
+            if start > at:
+                yield at, start, module, None
+            yield start, stop, module, item
+            at = stop
     if at < end:
         yield at, end, file.modules[-1] if file.modules else None, None
 
@@ -214,7 +216,9 @@ def _piece(
     if module is not None:
         found = names_in(item, module, names) if item is not None else names.of(module, (), module)
         for one in found:
-            kinds[one.name.start - first] = _kind(one.symbol, is_declaration=one.is_declaration)
+            kinds[module.source.offset(one.name.start) - first] = _kind(
+                one.symbol, is_declaration=one.is_declaration
+            )
     table = LineTable(text, lines.encoding)
     data: list[int] = []
     line, column = 0, 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 
 from lsprotocol.types import Location, Position, Range, TextEdit, WorkspaceEdit
 
@@ -12,7 +13,6 @@ from rapidsim.diagnostics import Span
 from rapidsim.lsp.positions import Encoding, LineTable
 from rapidsim.lsp.uris import Uris
 from rapidsim.syntax import tree
-from rapidsim.values import value_class
 from rapidsim.workspace.workspace import Workspace
 
 
@@ -54,6 +54,7 @@ class View:
 
     def span_range(self, span: Span) -> Range:
         """Return the range of a span in its file."""
+        span = span.written
         text = span.source.text
         table = self._tables.get(span.file)
         if table is None or table.text is not text:
@@ -65,29 +66,30 @@ class View:
         return WorkspaceEdit(changes={self.uris.uri(path): of for path, of in edits.items()})
 
 
-@value_class(frozen=True, slots=True, eq=False)
 class Document:
-    """One text of a view."""
+    """One text of a view, for one request: its tree and lines are read once."""
 
-    view: View
-    path: str
+    def __init__(self, view: View, path: str) -> None:
+        """Take a path of the workspace."""
+        self.view = view
+        self.path = path
 
     @property
     def uri(self) -> str:
         """URI of the client."""
         return self.view.uris.uri(self.path)
 
-    @property
+    @cached_property
     def text(self) -> str:
         """The present text."""
         return self.view.workspace.text(self.path)
 
-    @property
+    @cached_property
     def lines(self) -> LineTable:
         """Lines of the text."""
         return self.view.lines(self.path)
 
-    @property
+    @cached_property
     def file(self) -> tree.File:
         """Tree of the text."""
         return self.view.workspace.file(self.path)
@@ -101,17 +103,25 @@ class Document:
         """Offset of a position."""
         return self.lines.offset(position)
 
+    def address(self, position: Position) -> int:
+        """Place in the tree of a position."""
+        return self.file.source.address(self.lines.offset(position))
+
     def range(self, start: int, end: int) -> Range:
         """Range of a part of the text."""
         return self.lines.range(start, end)
 
     def name_at(self, position: Position, names: NamesOfNodes | None = None) -> Occurrence | None:
         """Return the name at a position; None without one."""
-        return name_at(self.file, self.offset(position), names or self.names)
+        return name_at(self.file, self.address(position), names or self.names)
 
     def node_range(self, node: tree.Node) -> Range:
         """Range of a node of this file."""
-        return self.range(node.start, node.end)
+        return self.range(*self.offsets(node))
+
+    def offsets(self, node: tree.Node) -> tuple[int, int]:
+        """Offsets of a node of this file."""
+        return self.file.source.offsets(node.start, node.end)
 
 
 def spans_by_file(spans: Iterator[Span] | tuple[Span, ...]) -> dict[str, list[Span]]:

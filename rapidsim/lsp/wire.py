@@ -235,6 +235,7 @@ def _handler(server: RapidServer, request: Request) -> Callable[[Any], Any]:
         await asyncio.sleep(_MOMENT_S)
         if found.program.generation != generation:
             raise JsonRpcContentModified("the text has changed")
+        # Nothing of the document has been read before the moment passed.
         return _answer(request, found, params)
 
     return later if request.is_long else now

@@ -29,7 +29,7 @@ class Location:
 
 
 def locate(file: tree.File, offset: int) -> Location | None:
-    """Return the nodes at an offset, its end included; None outside of modules."""
+    """Return the nodes at a position of the tree, its end included; None outside of modules."""
     module = next((one for one in file.modules if one.start <= offset <= one.end), None)
     if module is None:
         return None
@@ -40,7 +40,7 @@ def locate(file: tree.File, offset: int) -> Location | None:
 
 
 def name_at(file: tree.File, offset: int, names: NamesOfNodes) -> Occurrence | None:
-    """Return the name at an offset, its end included; None without a name."""
+    """Return the name at a position of the tree, its end included; None without a name."""
     location = locate(file, offset)
     if location is None:
         return None

@@ -109,7 +109,7 @@ def plan_rename(symbol: NamedSymbol | None, new: str, names: NamesOfNodes) -> Re
     found = tuple(_all_places(symbol, names))
     if not any(one.is_declaration for one in found):
         raise RenameRefusedError(f"the declaration of `{symbol.name}` cannot be changed")
-    return Renaming(tuple(one.module.span(one.name) for one in found), new)
+    return Renaming(tuple(one.module.span(one.name).written for one in found), new)
 
 
 def _all_places(symbol: NamedSymbol, names: NamesOfNodes) -> Iterator[Occurrence]:
@@ -272,7 +272,7 @@ def _require_no_text(symbol: NamedSymbol, facts: Facts) -> None:
 def _strings(facts: Facts) -> Iterator[str]:
     """Yield the folded contents of all strings, also of those in literal aggregates."""
     for file in facts.files:
-        for match in _STRING.finditer(file.source.text):
+        for match in _STRING.finditer(file.source.written.text):
             if (text := match["text"]) is not None:
                 yield text.lower()
 

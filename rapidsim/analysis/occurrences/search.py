@@ -38,8 +38,9 @@ def occurrences(
 
 def names_spelled(key: str, file: tree.File, names: NamesOfNodes) -> Iterator[Occurrence]:
     """Yield the names of a file with a spelling, whatever they refer to."""
-    for match in word_pattern(key).finditer(file.source.text):
-        found = name_at(file, match.start(), names)
+    source = file.source
+    for match in word_pattern(key).finditer(source.written.text):
+        found = name_at(file, source.address(match.start()), names)
         if found is not None and found.name.key == key:
             yield found
 

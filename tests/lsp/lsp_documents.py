@@ -1,0 +1,59 @@
+"""Documents of a session in this process, with `|` where the pointer is."""
+
+from __future__ import annotations
+
+from lsprotocol import types as lsp
+
+from rapidsim.lsp.positions import Encoding, LineTable
+from rapidsim.lsp.requests import REQUESTS
+from rapidsim.lsp.session import OpenDocument, Session
+
+URI = "untitled:m.mod"
+HERE = lsp.TextDocumentIdentifier(URI)
+
+
+def opened(marked: str, encoding: Encoding = Encoding.UTF16) -> tuple[OpenDocument, lsp.Position]:
+    """An open document, and the position of the mark."""
+    at = marked.index("|") if "|" in marked else len(marked)
+    text = marked[:at] + marked[at + 1 :]
+    session = Session(encoding)
+    session.open(URI, text)
+    found = session.find(URI)
+    assert found is not None
+    return found, LineTable(text, encoding).position(at)
+
+
+def ask(method: str, of: OpenDocument, **parameters: object) -> object:
+    """Ask for a method of the table, with parameters as the protocol has them."""
+    kind = lsp.METHOD_TO_TYPES[method][2]
+    assert kind is not None
+    return REQUESTS[method].answer(of, kind(text_document=HERE, **parameters))
+
+
+def at(method: str, marked: str, **others: object) -> object:
+    """Ask for a method at the mark of a text."""
+    document, position = opened(marked)
+    return ask(method, document, position=position, **others)
+
+
+def texts_of(document: OpenDocument, ranges: list[lsp.Range]) -> list[str]:
+    """The texts of ranges of a document."""
+    table, text = document.document.lines, document.document.text
+    return [text[table.offset(one.start) : table.offset(one.end)] for one in ranges]
+
+
+def line_texts(document: OpenDocument, ranges: list[lsp.Range]) -> list[str]:
+    """The lines in which ranges begin."""
+    lines = document.document.text.split("\n")
+    return [lines[one.start.line].strip() for one in ranges]
+
+
+def applied(text: str, edits: list[lsp.TextEdit], encoding: Encoding = Encoding.UTF16) -> str:
+    """A text after edits that refer to it."""
+    table = LineTable(text, encoding)
+    spans = sorted(
+        (table.offset(e.range.start), table.offset(e.range.end), e.new_text) for e in edits
+    )
+    for start, end, new in reversed(spans):
+        text = text[:start] + new + text[end:]
+    return text
