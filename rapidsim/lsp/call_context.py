@@ -132,7 +132,8 @@ def call_context(
             # An element of an aggregate or an index, not an argument.
             return None
     for index, token in enumerate(tokens):
-        follows = index == 0 or tokens[index - 1].is_name or tokens[index - 1].text in _CLOSING
+        before = tokens[index - 1].text if index else ")"
+        follows = before in _CLOSING or before[0].isalnum() or before[0] in '_"'
         if token.is_name and follows and is_procedure(token.text.lower()):
             return _call(token, tokens[index + 1 :], is_function=False)
     return None

@@ -50,8 +50,10 @@ _KINDS: dict[type, lsp.CompletionItemKind] = {
     LibrarySymbol: lsp.CompletionItemKind.Function,
     TypeSymbol: lsp.CompletionItemKind.Struct,
 }
-_FITTING, _OTHER, _PREDEFINED, _WORD = "0", "1", "2", "3"
-"""Prefixes of sort keys: a fitting type, other names of the program, predefined, words."""
+_FITTING, _NAMED, _OTHER, _PREDEFINED, _WORD = "0", "1", "2", "3", "4"
+"""Prefixes of sort keys: fitting names of the program, fitting predefined data, other names of the
+program, other predefined names, words.
+"""
 
 
 def completions(
@@ -215,10 +217,11 @@ def _values(
             fits = not accepted or _fits(of, accepted)
             yield _item(symbol, _FITTING if fits else _OTHER)
     for datum in DATA.values():
-        if accepted and types.ANYTYPE not in accepted and _fits(datum.type, accepted):
+        # Not all that are numbers: each of many aliases has its own data.
+        if datum.type in accepted:
             installed = installed_symbol(datum.name.lower())
             if installed is not None:
-                yield _item(installed, _FITTING)
+                yield _item(installed, _NAMED)
     if not statement.prefix:
         return
     yield from _words(statement.prefix)

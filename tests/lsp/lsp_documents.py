@@ -1,4 +1,4 @@
-"""Documents of a session in this process, with `|` where the pointer is."""
+"""Documents of a session in this process, with a mark where the pointer is."""
 
 from __future__ import annotations
 
@@ -10,17 +10,18 @@ from rapidsim.lsp.session import OpenDocument, Session
 
 URI = "untitled:m.mod"
 HERE = lsp.TextDocumentIdentifier(URI)
+MARK = "^"
 
 
 def opened(marked: str, encoding: Encoding = Encoding.UTF16) -> tuple[OpenDocument, lsp.Position]:
-    """An open document, and the position of the mark."""
-    at = marked.index("|") if "|" in marked else len(marked)
-    text = marked[:at] + marked[at + 1 :]
+    """An open document, and the position of the mark; the end of the text without one."""
+    before, _, after = marked.partition(MARK)
+    text = before + after
     session = Session(encoding)
     session.open(URI, text)
     found = session.find(URI)
     assert found is not None
-    return found, LineTable(text, encoding).position(at)
+    return found, LineTable(text, encoding).position(len(before))
 
 
 def ask(method: str, of: OpenDocument, **parameters: object) -> object:
@@ -52,7 +53,7 @@ def applied(text: str, edits: list[lsp.TextEdit], encoding: Encoding = Encoding.
     """A text after edits that refer to it."""
     table = LineTable(text, encoding)
     spans = sorted(
-        (table.offset(e.range.start), table.offset(e.range.end), e.new_text) for e in edits
+        (table.offset(one.range.start), table.offset(one.range.end), one.new_text) for one in edits
     )
     for start, end, new in reversed(spans):
         text = text[:start] + new + text[end:]
