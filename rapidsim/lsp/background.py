@@ -7,9 +7,6 @@ whose text has changed meanwhile is discarded by its number.
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import os
-import sys
 import tempfile
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
@@ -84,7 +81,7 @@ class Background:
 
     async def _call(self, function: Callable[..., T], *arguments: object) -> T | None:
         if self._pool is None:
-            self._pool = ProcessPoolExecutor(1, mp_context=get_context("spawn"), initializer=detach)
+            self._pool = ProcessPoolExecutor(1, mp_context=get_context("spawn"))
         loop = asyncio.get_running_loop()
         try:
             return await loop.run_in_executor(self._pool, function, *arguments)
@@ -92,17 +89,6 @@ class Background:
             # Out of memory, or killed; the next request starts another.
             self._pool = None
             return None
-
-
-def detach() -> None:
-    """Keep the process from the streams of the protocol, which it inherits."""
-    with contextlib.suppress(OSError):
-        os.dup2(2, 1)
-    with contextlib.suppress(OSError):
-        null = os.open(os.devnull, os.O_RDONLY)
-        os.dup2(null, 0)
-        os.close(null)
-    sys.setrecursionlimit(max(sys.getrecursionlimit(), 3000))
 
 
 def findings_of_moves(job: Job) -> tuple[Diagnostic, ...]:

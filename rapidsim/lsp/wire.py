@@ -10,6 +10,8 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+import os
+import sys
 from collections.abc import Awaitable, Callable, Iterable
 from functools import partial
 from pathlib import Path
@@ -41,6 +43,8 @@ _PUBLISH_DELAY_S = 0.05
 """Findings are sent when no change has come for so long."""
 _CHECK_DELAY_S = 0.8
 """Moves are checked when no change has come for so long."""
+_PATIENCE_S = 1.0
+"""Wait for a client to accept that progress is shown; without an answer none is."""
 _WATCHED = "**/*.{mod,modx,sys,sysx,prg,MOD,SYS,PRG,toml,cfg}"
 
 
@@ -57,6 +61,7 @@ class RapidServer(LanguageServer):
         self._publishing: asyncio.TimerHandle | None = None
         self._checking: dict[OpenProgram, asyncio.TimerHandle] = {}
         self._tasks: set[asyncio.Task[None]] = set()
+        self._progress_count = 0
 
     def warn(self, message: str) -> None:
         """Show a sentence to the user."""
@@ -183,10 +188,12 @@ class RapidServer(LanguageServer):
         if window is None or not window.work_done_progress:
             yield
             return
-        token = f"rapidsim-{id(object())}-{title}"
+        self._progress_count += 1
+        token = f"rapidsim-{self._progress_count}"
         try:
-            await self.work_done_progress.create_async(token)
-        except JsonRpcException:
+            created = self.work_done_progress.create_async(token)
+            await asyncio.wait_for(created, _PATIENCE_S)
+        except (JsonRpcException, TimeoutError):
             yield
             return
         self.work_done_progress.begin(token, lsp.WorkDoneProgressBegin(title))
@@ -201,9 +208,12 @@ def serve(version: str) -> None:
     # Its messages about each request would go to standard error, and into the log of the editor.
     logging.getLogger("pygls").setLevel(logging.CRITICAL)
     server = make_server(version)
+    # Whatever else is printed, here or in the second process, must not get between the messages.
+    wire = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     try:
         with gc_rarely():
-            server.start_io()
+            server.start_io(stdout=wire)
     finally:
         server.close()
 

@@ -119,7 +119,9 @@ class FrameExpressions:
         node, parsed = _parsed(text)
         context = self._context(frame, parsed)
         of = type_of_expression(node, context, None)
-        errors = [one for one in context.analysis.unit.diagnostics if one.severity is Severity.ERROR]
+        errors = [
+            one for one in context.analysis.unit.diagnostics if one.severity is Severity.ERROR
+        ]
         unknown = _undeclared(node, context.analysis)
         if errors:
             raise NotShownError(errors[0].violation.message)
