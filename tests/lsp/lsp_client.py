@@ -97,11 +97,11 @@ class Client:
             if is_meant(message):
                 return self._others.pop(index)
         while True:
-            message = self._incoming.get(timeout=_TIMEOUT_S)
-            assert message is not None, "the server has ended"
-            if is_meant(message):
-                return message
-            self._others.append(message)
+            received = self._incoming.get(timeout=_TIMEOUT_S)
+            assert received is not None, "the server has ended"
+            if is_meant(received):
+                return received
+            self._others.append(received)
 
     def _send(self, message: dict[str, Any]) -> None:
         body = json.dumps({"jsonrpc": "2.0", **message}).encode()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from lsprotocol import types as lsp
 
 from rapidsim.lsp.positions import Encoding, LineTable
@@ -24,14 +26,17 @@ def opened(marked: str, encoding: Encoding = Encoding.UTF16) -> tuple[OpenDocume
     return found, LineTable(text, encoding).position(len(before))
 
 
-def ask(method: str, of: OpenDocument, **parameters: object) -> object:
+def kind_of_parameters(method: str) -> Any:
+    """The class of the parameters of a method."""
+    return lsp.METHOD_TO_TYPES[method][2]
+
+
+def ask(method: str, of: OpenDocument, **parameters: object) -> Any:
     """Ask for a method of the table, with parameters as the protocol has them."""
-    kind = lsp.METHOD_TO_TYPES[method][2]
-    assert kind is not None
-    return REQUESTS[method].answer(of, kind(text_document=HERE, **parameters))
+    return REQUESTS[method].answer(of, kind_of_parameters(method)(text_document=HERE, **parameters))
 
 
-def at(method: str, marked: str, **others: object) -> object:
+def at(method: str, marked: str, **others: object) -> Any:
     """Ask for a method at the mark of a text."""
     document, position = opened(marked)
     return ask(method, document, position=position, **others)

@@ -78,7 +78,7 @@ def test_diagnostics_of_all_rules() -> None:
 def actions(text: str, line: int, only: list[str] | None = None) -> list[lsp.CodeAction]:
     document, _ = opened(text)
     place = lsp.Range(lsp.Position(line, 0), lsp.Position(line, 99))
-    context = lsp.CodeActionContext([], only=only)  # type: ignore[arg-type]
+    context = lsp.CodeActionContext([], only=only)
     found = ask(CODE_ACTION, document, range=place, context=context)
     assert isinstance(found, list)
     return found
@@ -203,8 +203,8 @@ def test_hover_of_a_target_that_a_run_reached() -> None:
     document = with_run(MOVES)
     place = document.document.lines.position(MOVES.index("p1,") + 1)
     found = ask(lsp.TEXT_DOCUMENT_HOVER, document, position=place)
-    assert isinstance(found, lsp.Hover)
-    assert "In the last run: joints 2.0, 2.0" in found.contents.value  # type: ignore[union-attr]
+    assert isinstance(found.contents, lsp.MarkupContent)
+    assert "In the last run: joints 2.0, 2.0" in found.contents.value
 
 
 def test_no_results_say_nothing() -> None:
@@ -227,7 +227,7 @@ def test_folding() -> None:
 def test_selections_grow() -> None:
     text = 'MODULE m\n  PROC main()\n    TPWrite "a"\\Num:=co^unt;\n  ENDPROC\nENDMODULE\n'
     document, position = opened(text)
-    (found,) = ask(lsp.TEXT_DOCUMENT_SELECTION_RANGE, document, positions=[position])  # type: ignore[misc]
+    (found,) = ask(lsp.TEXT_DOCUMENT_SELECTION_RANGE, document, positions=[position])
     texts = []
     while found is not None:
         table = document.document.lines
@@ -320,7 +320,7 @@ def test_tokens_of_a_range() -> None:
     place = lsp.Range(lsp.Position(7, 0), lsp.Position(7, 4))
     document, _ = opened(MOVES)
     found = ask(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, document, range=place)
-    names = [text for text, _, _ in tokens(document, found.data)]  # type: ignore[attr-defined]
+    names = [text for text, _, _ in tokens(document, found.data)]
     assert "work" in names
     assert "SetDO" not in names
     assert at(lsp.TEXT_DOCUMENT_HOVER, f"{MARK}x") is None

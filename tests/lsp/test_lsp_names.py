@@ -164,7 +164,7 @@ def test_lines_that_end_in_cr_cr_lf() -> None:
     found = ask(DEFINITION, document, position=position)
     assert isinstance(found, list)
     assert [one.range.start.line for one in found] == [2]
-    (highlight, _) = ask(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT, document, position=position)  # type: ignore[misc]
+    (highlight, _) = ask(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT, document, position=position)
     assert highlight.range.start == lsp.Position(2, 10)
 
 
@@ -261,7 +261,7 @@ def test_call_hierarchy_of_the_routine_around() -> None:
 
 def test_document_symbols() -> None:
     document, _ = opened(PROGRAM)
-    (module,) = ask(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, document)  # type: ignore[misc]
+    (module,) = ask(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL, document)
     names = {one.name: [inner.name for inner in one.children or ()] for one in module.children}
     assert names["part"] == ["width", "label"]
     assert names["main"] == ["n"]

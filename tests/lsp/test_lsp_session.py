@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from laws import cases
-from lsp_documents import HERE, URI, opened
+from lsp_documents import HERE, URI, kind_of_parameters, opened
 from lsprotocol import types as lsp
 
 from rapidsim.analysis.occurrences.rename import RenameRefusedError
@@ -158,7 +158,7 @@ def parameters(chance: random.Random, method: str, table: LineTable) -> dict[str
 
     first, last = sorted([position(), position()])
     options = lsp.FormattingOptions(4, True)
-    return {
+    of_method: dict[str, dict[str, object]] = {
         lsp.TEXT_DOCUMENT_REFERENCES: {"context": lsp.ReferenceContext(True)},
         lsp.TEXT_DOCUMENT_RENAME: {"new_name": chance.choice(["fresh", "IF", "p10"])},
         lsp.TEXT_DOCUMENT_CODE_ACTION: {"context": lsp.CodeActionContext([])},
@@ -167,16 +167,16 @@ def parameters(chance: random.Random, method: str, table: LineTable) -> dict[str
         lsp.TEXT_DOCUMENT_ON_TYPE_FORMATTING: {"options": options, "ch": ";"},
         lsp.TEXT_DOCUMENT_SELECTION_RANGE: {"positions": [position()]},
         lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA: {"previous_result_id": "1"},
-    }.get(method, {}) | {"position": first, "range": lsp.Range(first, last)}
+    }
+    return {**of_method.get(method, {}), "position": first, "range": lsp.Range(first, last)}
 
 
 def ask_anything(document: OpenDocument, chance: random.Random) -> None:
     """Ask for every method at a random place."""
     table = document.document.lines
     for method, request in REQUESTS.items():
-        kind = lsp.METHOD_TO_TYPES[method][2]
-        assert kind is not None
-        names = {one.name for one in kind.__attrs_attrs__}  # type: ignore[attr-defined]
+        kind = kind_of_parameters(method)
+        names = {one.name for one in kind.__attrs_attrs__}
         given = parameters(chance, method, table)
         try:
             request.answer(

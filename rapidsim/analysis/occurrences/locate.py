@@ -41,13 +41,21 @@ def locate(file: tree.File, offset: int) -> Location | None:
 
 def name_at(file: tree.File, offset: int, names: NamesOfNodes) -> Occurrence | None:
     """Return the name at a position of the tree, its end included; None without a name."""
+    # Where a name ends, the next node may begin, as in `p10\WObj`.
+    return _name_over(file, offset, names) or _name_over(file, offset - 1, names, ends=offset)
+
+
+def _name_over(
+    file: tree.File, offset: int, names: NamesOfNodes, *, ends: int | None = None
+) -> Occurrence | None:
+    """Return the name of the nodes at a position; None without one, or if it ends elsewhere."""
     location = locate(file, offset)
     if location is None:
         return None
     path = location.path
     for depth in range(len(path) - 1, -1, -1):
         for found in names.of(path[depth], path[:depth], location.module):
-            if found.name.start <= offset <= found.name.end:
+            if found.name.start <= offset <= found.name.end and ends in (None, found.name.end):
                 return found
     return None
 
