@@ -39,10 +39,10 @@ class ProgramPart:
     """Results of functions of this part alone, by function: see `Facts.of_part`."""
 
     def renew(self) -> None:
-        """Read the routine again after its body changed; nothing else of a part ever changes."""
-        assert self.routine is not None
+        """Read the part again after the body of the routine changed, or the value of data."""
         vars(self).pop("names", None)
-        vars(self)["nodes"] = _by_kind([self.routine])
+        roots = _declarations(self.module) if self.routine is None else [self.routine]
+        vars(self)["nodes"] = _by_kind(roots)
         self.memo.clear()
 
     def all(self, kind: type[N]) -> Sequence[N]:
@@ -129,6 +129,9 @@ class Facts:
         facts = Facts(files, self.analysis, self.memo)
         stays = True
         for part in changed:
+            if part.routine is None:
+                part.renew()
+                continue
             before = tuple(part.memo.get(function) for function in (_callees, _may_return))
             part.renew()
             after = tuple(facts.of_part(function, part) for function in (_callees, _may_return))
@@ -149,8 +152,7 @@ class Facts:
         )
 
     def _parts_of(self, module: tree.Module) -> Iterator[ProgramPart]:
-        outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
-        yield ProgramPart(module, None, _by_kind(outside))
+        yield ProgramPart(module, None, _by_kind(_declarations(module)))
         for routine in module.routines:
             yield ProgramPart(module, routine, _by_kind([routine]))
 
@@ -313,6 +315,11 @@ def _may_return(part: ProgramPart, facts: Facts) -> bool:
         return True
     graph = facts.flow(part)
     return EXIT in graph.reached(NORMAL, graph.entries)
+
+
+def _declarations(module: tree.Module) -> list[tree.Node]:
+    """The items of a module that are no routines."""
+    return [item for item in module.items if not isinstance(item, tree.RoutineNode)]
 
 
 def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:

@@ -1,4 +1,4 @@
-"""The text of single routines in a file: where they are, and a tree of one of them alone.
+"""The text of single items in a file: where they are, and a tree of one of them alone.
 
 A routine whose text is closed by its own last word means the same wherever it is in its file. So
 after a change inside it, only it is parsed again. Errors in it are corrected as they are in the
@@ -12,13 +12,15 @@ from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Source
 from rapidsim.syntax import tree
-from rapidsim.syntax.blocks import CLOSERS, OPENERS, ROUTINES
+from rapidsim.syntax.blocks import CLOSERS, ROUTINES
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.limits import LONGEST_NAME
 from rapidsim.syntax.parser import parse_tokens
 from rapidsim.syntax.table import END
 from rapidsim.values import value_class
 
+_STORAGES = frozenset({"VAR", "PERS", "CONST"})
+_SCOPES = frozenset({"LOCAL", "TASK"})
 _ENDS = frozenset(CLOSERS[kind] for kind in ROUTINES)
 
 
@@ -31,30 +33,31 @@ class ParsedRoutine:
     diagnostics: tuple[Diagnostic, ...]
 
 
-def routine_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
-    """Yield the offsets of routines on lines of their own, each with its first and last word.
+def item_ranges(tokens: Tokens, text: str) -> Iterator[tuple[int, int]]:
+    """Yield the offsets of the routines and data of modules that are on lines of their own.
 
     Args:
         tokens: The tokens of a file as written.
         text: The text of the file.
 
     Yields:
-        Where the line of the first word begins, and the end of the last word.
+        Where the line of the first word begins, and the end of the last word or semicolon.
     """
-    begin: int | None = None
-    for index, kind in enumerate(tokens.kinds):
+    kinds = tokens.kinds
+    begin, wanted = 0, ""
+    for index, kind in enumerate(kinds):
         if kind in ROUTINES:
-            is_local = index > 0 and tokens.kinds[index - 1] == "LOCAL"
-            begin = index - is_local
-        elif kind in _ENDS and begin is not None:
-            opener = begin + (tokens.kinds[begin] == "LOCAL")
+            begin, wanted = index - (kinds[index - 1] in _SCOPES), CLOSERS[kind]
+        elif kind in _STORAGES and wanted not in _ENDS:
+            begin, wanted = index - (kinds[index - 1] in _SCOPES), "SEMICOLON"
+        elif kind == wanted:
             start, end = tokens.starts[begin], tokens.ends[index]
             line = _line_start(text, start)
-            is_first_on_line = not text[line:start].strip()
-            is_matching = tokens.kinds[opener] == OPENERS[kind]
-            if is_matching and is_first_on_line and _is_last_on_line(text, end):
+            if not text[line:start].strip() and _is_last_on_line(text, end):
                 yield line, end
-            begin = None
+            wanted = ""
+        elif kind in _ENDS:
+            wanted = ""
 
 
 def parse_routine(
@@ -90,6 +93,37 @@ def parse_routine(
     if not all(place is not None and found.header_end <= place.start < end for place in places):
         return None
     return ParsedRoutine(found, inside.comments, parsed.diagnostics)
+
+
+def parse_data(
+    source: Source, start: int, end: int, data: tree.Data, module: tree.Module
+) -> tree.Data | None:
+    """Parse the changed text of a declaration outside of routines.
+
+    Args:
+        source: The text that contains it.
+        start: Where the line of its first word begins.
+        end: The end of its semicolon.
+        data: The declaration before the change, of which only the value changed.
+        module: The module that contains it.
+
+    Returns:
+        The declaration; None if the text is anything else than one without errors.
+    """
+    inside = lex(source.text, [(0, start), (end, len(source.text))])
+    is_whole = inside.kinds[-2:] == ["SEMICOLON", END] and inside.kinds.count("SEMICOLON") == 1
+    if not is_whole or any(len(word) > LONGEST_NAME for word in inside.words):
+        return None
+    parsed = parse_tokens(_as_module(inside, end, module), source)
+    if parsed.diagnostics:
+        return None
+    match parsed.file.modules:
+        case (tree.Module(items=(tree.Data(value=tree.Node() as value) as found,)),):
+            before = data.value
+            is_same = before is not None and value.start == before.start
+            return found if is_same and found.start == data.start else None
+        case _:
+            return None
 
 
 def _as_module(tokens: Tokens, end: int, module: tree.Module) -> Tokens:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rapidsim.analysis.cell_names import CellNames
@@ -11,13 +11,13 @@ from rapidsim.analysis.passes.checker import Find
 from rapidsim.analysis.passes.task_check import TaskCheck, deep_recursion
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.analysis.tree_walk import clauses, descendants, statements
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.garbage_collection import gc_paused
 from rapidsim.workspace.changes import Changed, TextChange, changed_text
-from rapidsim.workspace.file_units import EditedRoutine, FileUnits
+from rapidsim.workspace.file_units import EditedData, EditedRoutine, FileUnits
 from rapidsim.workspace.guesses import without_guesses
 from rapidsim.workspace.placing import placed
 from rapidsim.workspace.task_rules import TaskRules
@@ -94,7 +94,16 @@ class CheckedTask:
         """Change a text, and check what depends on it."""
         text = changed_text(self.text(path), [change])
         edited = self._units[path].edit(change)
-        if edited is None or not self._recheck(path, edited):
+        is_checked = (
+            edited is not None
+            and len(self._check.analysis.nearest) < MOST_COMPARED
+            and (
+                self._recheck_data(path, edited)
+                if isinstance(edited, EditedData)
+                else self._recheck(path, edited)
+            )
+        )
+        if not is_checked:
             return self.replace(path, text)
         return Changed(self._collect(path), is_local=True)
 
@@ -119,7 +128,7 @@ class CheckedTask:
             Whether its other results follow from the old ones; if not, the state is unusable.
         """
         check, analysis = self._check, self._check.analysis
-        if len(analysis.nearest) >= MOST_COMPARED or not self._is_of_known_types(edited):
+        if not self._is_of_known_types(edited):
             return False
         routine, module = edited.routine, edited.module
         loads = bool(check.loading)
@@ -132,23 +141,83 @@ class CheckedTask:
         unread = "\n".join(check.unread.values())
         if unread != analysis.unread_text:
             analysis.unread_text = unread
-            if self._depends_on_unread(check.declarations):
+            outside = (check.declarations, *check.values.values())
+            if any(map(self._depends_on_unread, outside)):
                 return False
             for other, unit in check.units.items():
                 if other is not routine and self._depends_on_unread(unit):
                     part = self._facts.part_of[other]
                     self._forget(part)
                     again[other] = part.module
+        return self._conclude(path, again)
+
+    def _recheck_data(self, path: str, edited: EditedData) -> bool:
+        """Check data with their new value, and everything that names them; see `_recheck`."""
+        check, data = self._check, edited.data
+        if not check.types.resolves(data.type.key, edited.module):
+            # The value determines the shape of an undeclared type.
+            return False
+        check.forget_nodes(_nodes_of_value(data))
+        data.take_value(edited.replacement)
+        names = {data.name.key}
+        values = {data: edited.module}
+        pending = [
+            (item, module)
+            for module in check.modules
+            for item in module.items
+            if isinstance(item, tree.Data) and item is not data
+        ]
+        while True:
+            if any(not names.isdisjoint(_names_in(item.dimensions)) for item, _ in pending):
+                return False
+            using = [
+                (item, module)
+                for item, module in pending
+                if item.value is not None and not names.isdisjoint(_names_in((item.value,)))
+            ]
+            if not using:
+                break
+            names |= {item.name.key for item, _ in using}
+            values |= dict(using)
+            pending = [pair for pair in pending if pair[0] not in values]
+        again: dict[tree.Routine, tree.Module] = {}
+        for part in self._facts.parts:
+            if part.routine is not None and not names.isdisjoint(part.names):
+                self._forget(part)
+                again[part.routine] = part.module
         with deep_recursion():
-            for one, home in again.items():
-                check.check_routine(one, home)
+            for item, module in values.items():
+                check.forget_nodes(_nodes_of_value(item))
+                check.check_data(item, module)
+            check.check_circles()
+        homes = set(values.values())
+        heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
+        return self._conclude(path, again, heads)
+
+    def _conclude(
+        self,
+        path: str,
+        again: Mapping[tree.Routine, tree.Module],
+        changed: Iterable[ProgramPart] = (),
+    ) -> bool:
+        """Check routines, decide undeclared names, and renew the facts; see `_recheck`.
+
+        Args:
+            path: The file whose text changed.
+            again: The routines, which are forgotten, with their modules.
+            changed: Parts without routines that changed.
+        """
+        check = self._check
+        with deep_recursion():
+            for routine, module in again.items():
+                check.check_routine(routine, module)
             decided = check.decide()
-        if None in decided or len(analysis.nearest) >= MOST_COMPARED:
+        if None in decided or len(check.analysis.nearest) >= MOST_COMPARED:
             return False
         self._trees[path] = self._units[path].file
         part_of = self._facts.part_of
         parts = [part_of[one] for one in {*again, *decided} if one is not None]
-        self._facts = self._facts.renewed(tuple(self._trees.values()), parts)
+        self._facts = self._facts.renewed(tuple(self._trees.values()), (*changed, *parts))
         return True
 
     def _forget(self, part: ProgramPart) -> None:
@@ -169,7 +238,7 @@ class CheckedTask:
         """Whether all local data have declared types; the task shares the shapes of others."""
         bodies = (*clauses(edited.routine), *clauses(edited.replacement))
         return all(
-            self._check.types.is_known(node.type.key, edited.module)
+            self._check.types.resolves(node.type.key, edited.module)
             for node in statements(*bodies)
             if isinstance(node, tree.Data)
         )
@@ -200,6 +269,17 @@ class CheckedTask:
             self._findings.pop(path, None)
         self._raw = raw
         return changed
+
+
+def _nodes_of_value(data: tree.Data) -> list[tree.Node]:
+    return [] if data.value is None else list(descendants(data.value))
+
+
+def _names_in(expressions: Iterable[tree.Expression]) -> set[str]:
+    """Folded names of data in expressions."""
+    return {
+        node.name.key for node in descendants(*expressions) if isinstance(node, tree.DataReference)
+    }
 
 
 def _names(findings: Sequence[Diagnostic], path: str | None) -> bool:

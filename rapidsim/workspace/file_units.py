@@ -10,7 +10,7 @@ from rapidsim.diagnostics import Diagnostic
 from rapidsim.syntax import tree
 from rapidsim.syntax.lexer import Tokens, lex
 from rapidsim.syntax.parser import parse_tokens
-from rapidsim.syntax.routine_text import parse_routine, routine_ranges
+from rapidsim.syntax.routine_text import item_ranges, parse_data, parse_routine
 from rapidsim.values import value_class
 from rapidsim.workspace.changes import TextChange
 from rapidsim.workspace.spaced_source import SpacedSource
@@ -30,13 +30,23 @@ class EditedRoutine:
     """A routine with the same header and the new body."""
 
 
+@value_class(frozen=True, slots=True, eq=False)
+class EditedData:
+    """Data of a module whose value changed."""
+
+    data: tree.Data
+    """The declaration with its old value."""
+    module: tree.Module
+    replacement: tree.Data
+
+
 class FileUnits:
     """The tree of a file, with comments and findings of the text by routine."""
 
     def __init__(self, path: str, text: str) -> None:
         """Parse a file."""
         tokens = lex(text)
-        self.source = SpacedSource(path, text, list(routine_ranges(tokens, text)))
+        self.source = SpacedSource(path, text, list(item_ranges(tokens, text)))
         parsed = parse_tokens(_spaced(tokens, self.source), self.source)
         self.modules = parsed.file.modules
         self._homes = {
@@ -46,6 +56,16 @@ class FileUnits:
             if self.source.is_piece(routine.start, routine.end)
         }
         """Routines that can be parsed alone, with their modules, by number of their piece."""
+        self._data = {
+            self.source.piece_of(item.start): (item, module)
+            for module in self.modules
+            for item in module.items
+            if isinstance(item, tree.Data)
+            and item.value is not None
+            and self.source.text[item.end : item.end + 1] == ";"
+            and self.source.is_piece(item.start, item.end + 1)
+        }
+        """Data with values that can be parsed alone."""
         self._comments: dict[int, list[tree.Comment]] = {}
         self._inside: dict[int, list[Diagnostic]] = {}
         self._outside: list[Diagnostic] = []
@@ -82,18 +102,21 @@ class FileUnits:
         """Findings about the text."""
         return [*self._outside, *(one for found in self._inside.values() for one in found)]
 
-    def edit(self, change: TextChange) -> EditedRoutine | None:
-        """Change the text of a routine, and parse it.
+    def edit(self, change: TextChange) -> EditedRoutine | EditedData | None:
+        """Change the body of a routine or the value of a declaration, and parse it.
 
         Returns:
-            The routine, whose tree is still the old one; None if the file must be parsed as a
-            whole. The text may have changed then.
+            The routine or the data, whose tree is still the old one; None if the file must be
+            parsed as a whole. The text may have changed then.
         """
         place = self.source.piece_at(change.start, change.end)
         if place is None or self._outside or len(self.diagnostics) > _MOST_ERRORS:
             # Corrections outside of routines may depend on all text before them.
             return None
         piece, start, stop = place
+        end = stop + len(change.text) - (change.end - change.start)
+        if piece in self._data:
+            return self._edit_data(change, piece, start, end)
         if piece not in self._homes:
             return None
         routine, module = self._homes[piece]
@@ -101,7 +124,6 @@ class FileUnits:
             return None
         if not self.source.replace(change.start, change.end, change.text):
             return None
-        end = stop + len(change.text) - (change.end - change.start)
         parsed = parse_routine(self.source, start, end, routine, module)
         if parsed is None:
             return None
@@ -111,6 +133,16 @@ class FileUnits:
         self._comments[piece] = list(parsed.comments)
         self._inside[piece] = list(parsed.diagnostics)
         return EditedRoutine(routine, module, parsed.routine)
+
+    def _edit_data(self, change: TextChange, piece: int, start: int, end: int) -> EditedData | None:
+        data, module = self._data[piece]
+        assert data.value is not None
+        if self.source.address(change.start) < data.value.start or piece in self._comments:
+            return None
+        if not self.source.replace(change.start, change.end, change.text):
+            return None
+        parsed = parse_data(self.source, start, end, data, module)
+        return None if parsed is None else EditedData(data, module, parsed)
 
 
 def _spaced(tokens: Tokens, source: SpacedSource) -> Tokens:

@@ -14,8 +14,8 @@ from itertools import pairwise
 
 from rapidsim.diagnostics import Source
 
-_LEAST_ROOM = 400
-"""Least number of characters by which a piece can grow."""
+_LEAST_ROOM = 120
+"""Least number of characters by which a piece can grow; a large one grows by more."""
 
 
 class SpacedSource(Source):
@@ -39,7 +39,7 @@ class SpacedSource(Source):
         address = 0
         for number, (start, end) in enumerate(pairwise(marks)):
             self._addresses.append(address)
-            room = (_LEAST_ROOM + (end - start) // 2) * (number % 2)
+            room = (_LEAST_ROOM + (end - start)) * (number % 2)
             pieces.append(text[start:end] + self._filling * room)
             address += end - start + room
         self._set_texts(text, "".join(pieces))

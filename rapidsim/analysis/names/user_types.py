@@ -67,7 +67,7 @@ class UserTypes:
             return self._type_of(node)
         return installed_type(name.key) or self._unknown_type(name, context)
 
-    def is_known(self, key: str, module: tree.Module) -> bool:
+    def resolves(self, key: str, module: tree.Module) -> bool:
         """Whether a folded name refers to a declared or a predefined type in a module."""
         is_declared = (module, key) in self._nodes or (None, key) in self._nodes
         return is_declared or installed_type(key) is not None

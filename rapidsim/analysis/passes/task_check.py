@@ -61,7 +61,10 @@ class TaskCheck:
             cell, unread_text="\n".join(self.unread.values()), loads_modules=bool(self.loading)
         )
         self.declarations = self.analysis.unit
-        """Results of all text outside of routines."""
+        """Results of all text outside of routines but values."""
+        self.values: dict[tree.Data, UnitResults] = {}
+        """Results of the values of data outside of routines."""
+        self.circles = UnitResults()
         self.units: dict[tree.Routine, UnitResults] = {}
         """Results of each routine, in the order of the files."""
         self.conclusions = UnitResults()
@@ -76,20 +79,18 @@ class TaskCheck:
 
     def diagnostics(self) -> Iterator[Diagnostic]:
         """Yield the findings of all units; those reported once per name at its first use."""
-        for _, found in self.by_unit():
+        for found in self._by_unit():
             yield from found
         yield from self.conclusions.diagnostics
 
-    def by_unit(self) -> Iterator[tuple[tree.Routine | None, list[Diagnostic]]]:
-        """Yield each routine with its findings; first those of the declarations, with None."""
-        seen = set(self.declarations.unknown)
-        yield None, self.declarations.diagnostics
-        for routine, unit in self.units.items():
+    def _by_unit(self) -> Iterator[list[Diagnostic]]:
+        seen: set[str] = set()
+        for unit in (self.declarations, *self.values.values(), self.circles, *self.units.values()):
             if unit.unknown:
-                yield routine, [one for one in unit.diagnostics if _unit_name(one) not in seen]
+                yield [one for one in unit.diagnostics if _unit_name(one) not in seen]
                 seen.update(unit.unknown)
-            else:
-                yield routine, unit.diagnostics
+            elif unit.diagnostics:
+                yield unit.diagnostics
 
     def read_item(self, item: tree.Item, module: tree.Module) -> None:
         """Record whether an item has text that the parser skipped, and whether it adds modules."""
@@ -108,18 +109,32 @@ class TaskCheck:
         self._homes, self.types = declare_task(self.modules, self.analysis)
         if visitor is not None:
             show_local_names(visitor.modules, self._homes)
-        data = [
-            (symbol, home)
-            for home in self._homes
-            for item in home.module.items
-            if isinstance(symbol := self.analysis.symbol_of.get(item), DataSymbol)
-        ]
-        for symbol, home in data:
-            check_initial_value(symbol, home)
+        others = tree.RoutineNode | tree.Data
         for home in self._homes:
-            outside = [i for i in home.module.items if not isinstance(i, tree.RoutineNode)]
-            check_lenient_marks(outside, home)
-        check_circles(data)
+            check_lenient_marks([i for i in home.module.items if not isinstance(i, others)], home)
+            for item in home.module.items:
+                if isinstance(item, tree.Data):
+                    self.check_data(item, home.module)
+        self.check_circles()
+
+    def check_data(self, data: tree.Data, module: tree.Module) -> None:
+        """Check the value of one declaration outside of routines."""
+        home = self.analysis.home_of[module]
+        self.analysis.unit = self.values[data] = UnitResults()
+        symbol = self.analysis.symbol_of.get(data)
+        if isinstance(symbol, DataSymbol):
+            check_initial_value(symbol, home)
+        check_lenient_marks([data], home)
+
+    def check_circles(self) -> None:
+        """Check that no constant outside of routines is defined by itself."""
+        self.analysis.unit = self.circles = UnitResults()
+        symbols = [(self.analysis.symbol_of.get(data), data) for data in self.values]
+        check_circles(
+            (symbol, self.analysis.home_of[symbol.module])
+            for symbol, _ in symbols
+            if isinstance(symbol, DataSymbol) and symbol.module is not None
+        )
 
     def check_routine(self, routine: tree.Routine, module: tree.Module) -> None:
         """Check one routine; of two routines with one name only the notation of the second."""
@@ -148,7 +163,7 @@ class TaskCheck:
         for reference, decision in before.items():
             decision.withdraw(reference, analysis)
         analysis.signals, analysis.unknown, analysis.undeclared = {}, {}, []
-        for unit in (self.declarations, *self.units.values()):
+        for unit in (self.declarations, *self.values.values(), *self.units.values()):
             for name, of in unit.signals.items():
                 analysis.signals.setdefault(name, of)
             analysis.unknown |= unit.unknown
@@ -184,6 +199,16 @@ class TaskCheck:
             nodes: All nodes of its body.
         """
         analysis = self.analysis
+        self.forget_nodes(nodes)
+        analysis.graph_of.pop(routine, None)
+        own = analysis.symbol_of.get(routine)
+        scopes = (own, (own, "label"))
+        for key in [key for key in analysis.nearest if key[1] in scopes]:
+            del analysis.nearest[key]
+
+    def forget_nodes(self, nodes: Iterable[tree.Node]) -> None:
+        """Remove what is known of nodes."""
+        analysis = self.analysis
         for node in nodes:
             symbol = analysis.symbol_of.pop(node, None)
             if symbol is not None and isinstance(node, tree.Data | tree.For):
@@ -192,11 +217,6 @@ class TaskCheck:
             if isinstance(node, tree.DataReference):
                 analysis.wanted_of_undeclared.pop(node, None)
                 self._decided.pop(node, None)
-        analysis.graph_of.pop(routine, None)
-        own = analysis.symbol_of.get(routine)
-        scopes = (own, (own, "label"))
-        for key in [key for key in analysis.nearest if key[1] in scopes]:
-            del analysis.nearest[key]
 
 
 @value_class(frozen=True, slots=True)
@@ -215,9 +235,9 @@ class _Decision:
             analysis.type_of.pop(reference, None)
 
 
-def _unit_name(found: Diagnostic) -> str | None:
+def _unit_name(finding: Diagnostic) -> str | None:
     """Folded name of an unknown mechanical unit, which is reported once; None without one."""
-    violation = found.violation
+    violation = finding.violation
     return violation.unit.lower() if isinstance(violation, UnknownUnit) else None
 
 
