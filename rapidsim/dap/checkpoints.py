@@ -135,10 +135,14 @@ class Checkpoints:
         return message
 
 
-def observed_in_copy(observe: Callable[[], object]) -> Any:
+def observed_in_copy(observe: Callable[[], object], patience_s: float = _PATIENCE_S) -> Any:
     """Return the JSON value of a function that is called in a copy of this process.
 
     Whatever it does to the run is forgotten with the copy.
+
+    Args:
+        observe: The function.
+        patience_s: Real time [s] that it may take.
 
     Raises:
         ObservationError: If it raises, takes too long, or there are no copies.
@@ -158,10 +162,11 @@ def observed_in_copy(observe: Callable[[], object]) -> Any:
             data = data[os.write(writer, data) :]
         os._exit(0)
     os.close(writer)
-    data, until_s = b"", time.monotonic() + _PATIENCE_S
+    data, until_s = b"", time.monotonic() + patience_s
     try:
         while True:
-            ready, _, _ = select.select([reader], [], [], until_s - time.monotonic())
+            left_s = max(until_s - time.monotonic(), 0.0)
+            ready, _, _ = select.select([reader], [], [], left_s)
             if not ready:
                 os.kill(process, signal.SIGKILL)
                 raise ObservationError("it takes too long")

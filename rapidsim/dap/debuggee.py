@@ -42,6 +42,8 @@ _STEPS = MappingProxyType(
     }
 )
 _EXIT_OF_ERROR = 1
+_MOST_STEPS = 1000
+"""Steps that are remembered to be taken back."""
 
 
 class Refused(Exception):  # noqa: N818 - the client asked for what cannot be done
@@ -66,6 +68,8 @@ class Debuggee:
     """Numbers of the statements at which a survey would have stopped."""
     _search: TimeSearch | None = None
     """In a copy that looks for a statement by its time."""
+    _stepped_from: int = 0
+    """Number of the statement from which the present step began; 0 without one."""
     _surveyed_from: int = 1
     """Number of the statement before which a survey began."""
 
@@ -170,7 +174,7 @@ class Debuggee:
     def _restore(self) -> None:
         """Continue with the session's state in a new process."""
         state = self.state
-        self._stopped, self._goes_on, self._hits = None, False, []
+        self._stopped, self._goes_on, self._hits, self._stepped_from = None, False, [], 0
         self.breakpoints.restore(state.breakpoints)
         self._set_filters()
         if state.survey_until or state.target:
@@ -196,6 +200,9 @@ class Debuggee:
             return
         assert self.run is not None
         self._print_events()
+        if stop.reason is StopReason.STEP and self._stepped_from:
+            self.state.steps = [*self.state.steps[-_MOST_STEPS:], [stop.number, self._stepped_from]]
+        self._stepped_from = 0
         text = stop.text or self.state.text
         self.state.target, self.state.text = 0, ""
         stopped = self._stopped = StoppedRun(
@@ -354,14 +361,20 @@ class Debuggee:
         if frame is None:
             raise Refused("this task does not run")
         self.debugger.step(reach, frame, stopped.task(thread).controller.clock)
+        self._stepped_from = stopped.stop.number
         return Later({}, self._resume)
 
     def step_back(self, arguments: Message) -> Later:
-        """Go to the statement before."""
+        """Go to where the last step came from, else to the statement before in the task."""
         number = self.stopped().stop.number
-        if number <= 1:
-            raise Refused("this is the first statement")
-        return Later({}, lambda: self._go_to(number - 1, StopReason.STEP))
+        steps = self.state.steps
+        while steps and steps[-1][0] > number:
+            steps.pop()
+        came_from = steps.pop()[1] if steps and steps[-1][0] == number else 0
+        before = came_from or self.debugger.number_before(number)
+        if not before:
+            raise Refused("this is the first statement of the task")
+        return Later({}, lambda: self._go_to(before, StopReason.STEP))
 
     def reverse_continue(self, arguments: Message) -> Later:
         """Go to the last stop before this one."""
@@ -422,6 +435,7 @@ class Debuggee:
             # This is the copy that searches: it runs on, and tells the number it finds.
             self._search = search
             self.debugger.breakpoints, self.debugger.stops_at_error = {}, None
+            self.debugger.watch({})
             self.debugger.go_on()
             return Later(None, self._resume)
         number = search

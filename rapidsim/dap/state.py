@@ -45,6 +45,8 @@ class SessionState:
     survey_until: int = 0
     """Number of the statement up to which stops are only noted, to go to the last one; 0 for
     none."""
+    steps: list[list[int]] = field(default_factory=list)
+    """Pairs of numbers: a step led to the first statement from the second."""
     shown_error: int = 0
     """Number of the statement whose error, which ends the program, has been shown."""
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 import sys
 import time
+from array import array
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -34,6 +35,8 @@ T = TypeVar("T")
 
 _POLLS_S = 0.02
 """Real time [s] between two looks at requests while the program runs."""
+_MOST_TRAPS = 16
+"""Depths of traps that are told apart."""
 _HIT_CONDITION = re.compile(r"\s*(>=|>|==|=|%|)\s*(\d+)\s*$")
 
 
@@ -123,6 +126,9 @@ class Debugger:
     """Whether the program stops at an error when it occurs; None if it never does."""
     number: int = 0
     """Number of statements so far, the current one included."""
+    _marks: array[int] = field(default_factory=lambda: array("H"))
+    """Task and depth of traps of each statement so far; see `_mark`."""
+    _tasks: dict[object, int] = field(default_factory=dict)
     last_error: int = 0
     """Number of the statement that failed last."""
     _reach: StepGranularity | None = None
@@ -200,11 +206,31 @@ class Debugger:
         del event, argument
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        return _FrameTracer(self, self._positions.places(frame), self.number + 1).trace
+        mark = self._mark(frame)
+        return _FrameTracer(self, self._positions.places(frame), self.number + 1, mark).trace
 
-    def at(self, frame: FrameType, place: Place) -> None:
+    def _mark(self, frame: FrameType) -> int:
+        """Number of the running task and number of traps that it is in, as one number."""
+        task = self._tasks.setdefault(self.current_task(), len(self._tasks))
+        return task * _MOST_TRAPS + min(self._positions.traps(frame), _MOST_TRAPS - 1)
+
+    def number_before(self, number: int) -> int:
+        """Number of the statement before another in its task, not counting traps between them.
+
+        Returns:
+            0 if there is none.
+        """
+        task, traps = divmod(self._marks[number - 1], _MOST_TRAPS)
+        for before in range(number - 1, 0, -1):
+            task_before, traps_before = divmod(self._marks[before - 1], _MOST_TRAPS)
+            if task_before == task and traps_before <= traps:
+                return before
+        return 0
+
+    def at(self, frame: FrameType, place: Place, mark: int) -> None:
         """Count a statement that is about to run, and stop there if there is a reason."""
         self.number += 1
+        self._marks.append(mark)
         self.before(self.number, frame)
         if self._target is not None:
             if self.number < self._target:
@@ -287,10 +313,13 @@ class Debugger:
 class _FrameTracer:
     """The trace function of one frame: it recognises where statements begin."""
 
-    __slots__ = ("_debugger", "_instruction", "_line", "_places", "first")
+    __slots__ = ("_debugger", "_instruction", "_line", "_mark", "_places", "first")
 
-    def __init__(self, debugger: Debugger, places: Mapping[int, Place], first: int) -> None:
+    def __init__(
+        self, debugger: Debugger, places: Mapping[int, Place], first: int, mark: int
+    ) -> None:
         self._debugger = debugger
+        self._mark = mark
         self.first = first
         self._places = places
         self._line = self._instruction = 0
@@ -305,7 +334,7 @@ class _FrameTracer:
                 # the search for an ERROR clause; a retried one begins with an earlier one.
                 if line != self._line or frame.f_lasti <= before:
                     self._line = line
-                    self._debugger.at(frame, place)
+                    self._debugger.at(frame, place, self._mark)
         elif event == "exception":
             self._debugger.failed(frame, argument[1])
         return self.trace

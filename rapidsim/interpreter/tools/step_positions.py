@@ -81,9 +81,16 @@ class Positions:
         """Return the position of the routine of a frame."""
         called = list(rapid_frames(frame))
         routines = [one for one in called if one.f_code.co_name not in CLAUSES]
-        traps = sum(_is_trap(routine_of(one)) for one in routines)
+        traps = self.traps(frame)
         reached = {one: (self.line(one), one.f_lasti) for one in called}
         return StepPosition(frame, reached, len(routines), traps, called[-1])
+
+    def traps(self, frame: FrameType) -> int:
+        """Number of traps among a frame's routine and its callers."""
+        return sum(
+            one.f_code.co_name not in CLAUSES and _is_trap(routine_of(one))
+            for one in rapid_frames(frame)
+        )
 
     def line(self, frame: FrameType) -> int:
         """Line on which the running statement begins."""
