@@ -52,11 +52,11 @@ class Checkpoints:
     alive: int
     """Descriptor of a pipe that closes when the debugger has ended, with all copies."""
     _copies: list[_Copy] = field(default_factory=list)
-    _taken_s: float = -_INTERVAL_S
+    _last_copy_s: float = -_INTERVAL_S
 
     def is_due(self) -> bool:
         """Whether enough has happened since the last copy."""
-        return HAS_COPIES and time.process_time() - self._taken_s > _INTERVAL_S
+        return HAS_COPIES and time.process_time() - self._last_copy_s > _INTERVAL_S
 
     def take(self, number: int) -> Any:
         """Make a copy before a statement.
@@ -72,14 +72,14 @@ class Checkpoints:
         if os.fork() != 0:
             os.close(own)
             self._add(_Copy(number, wake))
-            self._taken_s = time.process_time()
+            self._last_copy_s = time.process_time()
             return None
         while True:
             message = self._awaited(own)
             if os.fork() == 0:
                 os.close(own)
                 self._add(_Copy(number, wake))
-                self._taken_s = time.process_time()
+                self._last_copy_s = time.process_time()
                 return message
 
     def before(self, number: int) -> int:

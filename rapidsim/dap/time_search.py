@@ -31,7 +31,7 @@ class TimeSearch:
         self._waiting: deque[tuple[int, Moment]] = deque()
 
     @classmethod
-    def begun(cls, time_s: float) -> TimeSearch | int | None:
+    def start(cls, time_s: float) -> TimeSearch | int | None:
         """Return the search in a copy, and its result in this process; None if there is none.
 
         Raises:

@@ -377,7 +377,9 @@ def test_restart_and_restart_of_a_routine(client: Client) -> None:
 
 
 def test_pause_stops_a_program_that_never_ends(tmp_path: Path) -> None:
-    text = "MODULE m\nPROC main()\nVAR num n;\nWHILE TRUE DO\nn:=n+1;\nENDWHILE\nENDPROC\nENDMODULE\n"
+    text = (
+        "MODULE m\nPROC main()\nVAR num n;\nWHILE TRUE DO\nn:=n+1;\nENDWHILE\nENDPROC\nENDMODULE\n"
+    )
     (tmp_path / "cell.mod").write_text(text)
     with Client(tmp_path) as client:
         client.launch("cell.mod")

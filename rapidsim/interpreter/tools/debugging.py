@@ -25,7 +25,7 @@ import greenlet
 
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, GENERATED
 from rapidsim.interpreter.tools.inspection import is_rapid
-from rapidsim.interpreter.tools.step_positions import Positions, StepGranularity, StepPosition
+from rapidsim.interpreter.tools.step_positions import FramePositions, StepGranularity, StepPosition
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
@@ -63,7 +63,7 @@ class Stop:
     number: int
     """Number of the statement, from 1."""
     text: str = ""
-    """Description: the error, or the change of watched data."""
+    """Description: the error, or the change at a watchpoint."""
     error: RapidError | None = None
 
 
@@ -120,7 +120,7 @@ class Debugger:
     """Returns an object that identifies the running task."""
     breakpoints: Mapping[tuple[str, int], Breakpoint] = field(default_factory=dict)
     """By file, as the user named it, and line."""
-    watched: Mapping[str, Callable[[], str]] = field(default_factory=dict)
+    watchpoints: Mapping[str, Callable[[], str]] = field(default_factory=dict)
     """Functions that return the value of data or signals as text, by name."""
     stops_at_error: Callable[[RapidError], bool] | None = None
     """Whether the program stops at an error when it occurs; None if it never does."""
@@ -132,7 +132,7 @@ class Debugger:
     last_error: int = 0
     """Number of the statement that failed last."""
     _reach: StepGranularity | None = None
-    _begun: StepPosition | None = None
+    _step_start: StepPosition | None = None
     _task: object = None
     """The greenlet that a step belongs to."""
     _target: int | None = None
@@ -140,7 +140,7 @@ class Debugger:
     _target_reason: StopReason = StopReason.GOTO
     _pauses: bool = False
     _values: dict[str, str] = field(default_factory=dict)
-    _positions: Positions = field(default_factory=Positions)
+    _positions: FramePositions = field(default_factory=FramePositions)
     _polled_s: float = 0.0
     _error: BaseException | None = None
     """The last error."""
@@ -176,17 +176,17 @@ class Debugger:
             task: The task of the frame; None for the running one.
         """
         self._target, self._reach = None, reach
-        self._begun = self._positions.of(frame)
+        self._step_start = self._positions.of(frame)
         self._task = self.current_task() if task is None else task
 
     def run_to(self, number: int, reason: StopReason = StopReason.GOTO) -> None:
         """Run to a statement by its number, and stop there and nowhere before."""
         self._reach, self._target, self._target_reason = None, number, reason
 
-    def watch(self, watched: Mapping[str, Callable[[], str]]) -> None:
+    def watch(self, watchpoints: Mapping[str, Callable[[], str]]) -> None:
         """Stop after each change of these data and signals."""
-        self.watched = watched
-        self._values = {name: read() for name, read in watched.items()}
+        self.watchpoints = watchpoints
+        self._values = {name: read() for name, read in watchpoints.items()}
 
     def place(self, frame: FrameType) -> Place:
         """The statement that a frame executes."""
@@ -235,7 +235,7 @@ class Debugger:
         if self._target is not None:
             if self.number < self._target:
                 return
-            self._values = {name: read() for name, read in self.watched.items()}
+            self._values = {name: read() for name, read in self.watchpoints.items()}
             self._stop(self._target_reason, frame, place)
             return
         now_s = time.monotonic()
@@ -281,10 +281,10 @@ class Debugger:
 
     def _ends_step(self, frame: FrameType) -> bool:
         # Other tasks run meanwhile, as far as the time of the step's task requires.
-        if self.current_task() is not self._task or self._begun is None:
+        if self.current_task() is not self._task or self._step_start is None:
             return False
         assert self._reach is not None
-        return self._positions.of(frame).ends_step(self._begun, self._reach)
+        return self._positions.of(frame).ends_step(self._step_start, self._reach)
 
     def _is_at_breakpoint(self, frame: FrameType) -> bool:
         if not self.breakpoints:
@@ -301,8 +301,8 @@ class Debugger:
         return True
 
     def _changed(self) -> str:
-        """Description of the first change of watched data since the last statement, or ""."""
-        for name, read in self.watched.items():
+        """Description of the first change of a watchpoint since the last statement, or ""."""
+        for name, read in self.watchpoints.items():
             value, before = read(), self._values.get(name)
             if value != before:
                 self._values[name] = value
