@@ -97,7 +97,7 @@ class WorldZoneTable:
         if not self.is_watching:
             return None
         if self._next is None or self._next[0] != self.unit.version:
-            preview = self.unit.queue.preview()
+            preview = self.unit.preview()
             zones = [zone for zone in self._zones.values() if zone.enabled]
             times = [self._crossing(zone, preview) for zone in zones]
             found = min((time_s for time_s in times if time_s is not None), default=None)
@@ -126,7 +126,7 @@ class WorldZoneTable:
     def _begin(self, zone: WatchedZone, now_s: float) -> None:
         self._next = None
         self._looked_to_s = max(now_s, self._looked_to_s)
-        samples = self.unit.queue.preview().at(np.array([now_s]))
+        samples = self.unit.preview().at(np.array([now_s]))
         zone.inside = bool(self._inside(zone, samples)[0])
         if zone.inside:
             zone.crossed(True, now_s)

@@ -58,6 +58,11 @@ class Path:
     """Lines with closed-form joints and derivatives; None if there are none."""
 
     @property
+    def parts(self) -> tuple[Path, ...]:
+        """Path of each robot, over the parameter of this one; of a robot alone, this one."""
+        return (self,)
+
+    @property
     def axis_count(self) -> int:
         """Number of joints of the arm and external axes."""
         return int(self.layout.curves.start_joints.shape[1])
@@ -111,7 +116,7 @@ class Path:
         may_pass = np.flatnonzero(
             (corners.limit[sharp] != Limit.STOP_POINT)
             & (corners.limit[sharp] != Limit.TURN_ONLY)
-            # Progress of a team is computed before it is known whether the arm could pass.
+            # A shared parameter is computed before it is known whether the arm could pass.
             & (self.layout.carrier_axes is None)
         )
         if len(may_pass):

@@ -1,4 +1,4 @@
-"""Progress of each robot of a team on its own path as a function of the common parameter.
+"""Progress of each robot on its own path as a function of a common parameter.
 
 Segment k of all paths begins and ends at the same time. In between, the robots' positions are
 functions of the common parameter s: proportional within a segment, with a smooth transition around
@@ -96,8 +96,8 @@ class MemberProgress:
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class TeamProgress:
-    """Segments of a team, and the progress of each robot."""
+class SharedProgress:
+    """Common segments, and the progress of each robot."""
 
     segments: tuple[Segment, ...]
     """Common segments, with the data for timing and the path queue."""
@@ -106,16 +106,16 @@ class TeamProgress:
     members: tuple[MemberProgress, ...]
 
 
-def team_progress(
+def shared_progress(
     rows: Sequence[Sequence[Segment]], own: Sequence[Array], stops: Mask
-) -> TeamProgress:
+) -> SharedProgress:
     """Return the progress of several robots in synchronised motion.
 
     Args:
         rows: The segments of each robot.
         own: Segment ends on the robot's own path, (segments + 1,) [m].
-        stops: Shape (segments - 1,): mask of the segment ends where a robot, and thus the team,
-            stops.
+        stops: Shape (segments - 1,): mask of the segment ends where a robot, and thus all of
+            them, stop.
     """
     lengths = np.array([np.diff(one) for one in own])
     longest: Array = lengths.max(axis=0)
@@ -130,7 +130,7 @@ def team_progress(
     members = (
         _progress(ends, places, slope, passages) for places, slope in zip(own, slopes, strict=True)
     )
-    return TeamProgress(segments, ends, tuple(members))
+    return SharedProgress(segments, ends, tuple(members))
 
 
 def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:

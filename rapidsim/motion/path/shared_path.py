@@ -1,6 +1,7 @@
 """Paths of several robots in synchronised motion, as one path with one parameter.
 
-`team_progress` defines the position of each robot at a value of the parameter.
+`shared_progress` defines the position of each robot at a value of the parameter. The path of a
+robot alone is its own: `shared_path` returns it unchanged.
 
 Timing sees one path with the axes of all robots: at every point the slowest is the bottleneck.
 """
@@ -19,7 +20,7 @@ from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.parameterisation import PathParameterisation
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
-from rapidsim.motion.path.team_progress import MemberProgress, TeamProgress, team_progress
+from rapidsim.motion.path.shared_progress import MemberProgress, SharedProgress, shared_progress
 from rapidsim.values import value_class
 
 _SLIVER = 1e-9
@@ -27,43 +28,8 @@ _SLIVER = 1e-9
 
 
 @value_class(frozen=True, eq=False)
-class MemberPath:
-    """Path of one robot, and its progress on it."""
-
-    path: Path
-    progress: MemberProgress
-
-    @cached_property
-    def piece(self) -> Index:
-        """Piece (p,) of the robot's own path on each common piece."""
-        return self.path.layout.piece_at(self.progress.middles)
-
-    def place(self, s: Array, piece: Index) -> Array:
-        """Return positions (k,) [m] on the robot's own path."""
-        return self.progress.place(s, piece)
-
-    def rate(self, s: Array, piece: Index) -> Array:
-        """Return the derivative (k,) [m/m] of the position on the robot's own path."""
-        return self.progress.rate(s, piece)
-
-    def rates(self, s: Array, piece: Index) -> PathRates:
-        """Return derivatives with respect to the common parameter."""
-        own = self.path.rates(self.place(s, piece), self.piece[piece])
-        rate, bend = self.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
-        axes = slice(self.path.own_axis_count)
-        first, second = own.first[:, axes], own.second[:, axes]
-        return PathRates(
-            first * rate,
-            second * rate**2 + first * bend,
-            own.tcp_rate * rate[:, 0],
-            own.turn_rate * rate[:, 0],
-            own.stance,
-        )
-
-
-@value_class(frozen=True, eq=False)
-class SharedPath(Path):
-    """Common parameter and its pieces, shared by the path of one robot and that of all."""
+class _CommonPath(Path):
+    """A path over the common parameter of several robots, in common pieces."""
 
     starts: Array
     """Shape (segments,): common parameter at the start of each segment."""
@@ -78,53 +44,59 @@ class SharedPath(Path):
         """Common parameter at the start of each segment, shape (segments,)."""
         return self.starts
 
+    @cached_property
+    def stops(self) -> Array:
+        """Common parameters at which a robot, and thus all of them, come to rest."""
+        stops = [corner.stops for corner in self.corners[:-1]]
+        places: Array = self.starts[1:][np.array(stops, dtype=bool)]
+        return places
+
     def _pieces(self, s: Array) -> tuple[Array, Index]:
         s = np.clip(np.asarray(s, dtype=np.float64), 0.0, self.length)
         return s, self.layout.piece_at(s)
 
 
 @value_class(frozen=True, eq=False)
-class PartPath(SharedPath):
-    """Path of one robot of a team, over the common parameter."""
+class PartPath(_CommonPath):
+    """Path of one of the robots, over the common parameter."""
 
-    course: MemberPath
+    own: Path
+    """Its path over its own parameter."""
+    progress: MemberProgress
 
     @property
     def axis_count(self) -> int:
         """Number of joints of the arm and its external axes."""
-        return self.course.path.own_axis_count
+        return self.own.own_axis_count
 
     @cached_property
-    def stops(self) -> Array:
-        """Common parameters at which the team comes to rest between the ends."""
-        own = [corner.stops for corner in self.course.path.corners[:-1]]
-        stops: Array = self.starts[1:][np.array(own, dtype=bool)]
-        return stops
+    def own_piece(self) -> Index:
+        """Piece (p,) of the robot's own path on each common piece."""
+        return self.own.layout.piece_at(self.progress.middles)
 
     @cached_property
     def lengths(self) -> Array:
         """TCP travel (segments,) [m] of the robot along its programmed curves."""
-        return self.course.path.lengths
+        return self.own.lengths
 
     @cached_property
     def corners(self) -> tuple[Corner, ...]:
         """Planned corner at the end of each segment of the robot."""
-        return self.course.path.corners
+        return self.own.corners
 
     def joints_at(self, s: Array) -> Array:
         """Return joints at values of the common parameter; see `Path.joints_at`."""
-        joints = self.course.path.joints_at(self.course.place(*self._pieces(s)))
-        return joints[:, : self.axis_count]
+        return self.own.joints_at(self.progress.place(*self._pieces(s)))[:, : self.axis_count]
 
     def evaluate(self, s: Array) -> PathPoints:
         """Return the arm at values s (k,) [m] of the common parameter."""
         s, piece = self._pieces(s)
-        points = self.course.path.evaluate(self.course.place(s, piece))
+        points = self.own.evaluate(self.progress.place(s, piece))
         return replace(
             points,
             external=points.external[:, : self.axis_count - self.kinematics.joint_count],
             segment=self.segment_of(piece),
-            tcp_rate=points.tcp_rate * self.course.rate(s, piece),
+            tcp_rate=points.tcp_rate * self.progress.rate(s, piece),
         )
 
     def nearby_state(
@@ -132,80 +104,68 @@ class PartPath(SharedPath):
     ) -> tuple[Transform, Index, Array]:
         """Return the arm with other joints; see `Path.nearby_state`."""
         s, piece = self._pieces(s)
-        path, place = self.course.path, self.course.place(s, piece)
-        own_speed = self.course.rate(s, piece) * speed
-        more = path.axis_count - self.axis_count
+        own, place = self.own, self.progress.place(s, piece)
+        own_speed = self.progress.rate(s, piece) * speed
+        more = own.axis_count - self.axis_count
         if more:
             # Carriers are at their commanded position, next to the actual one, as this robot is.
             led, first = np.zeros((2, len(s), more))
-            path.layout.fill_carrier_axes(place, self.course.piece[piece], led, first)
+            own.layout.fill_carrier_axes(place, self.own_piece[piece], led, first)
             joints = np.concatenate([joints, led], axis=1)
             rates = np.concatenate([rates, first * own_speed[:, None]], axis=1)
-        pose, _, tcp_speed = path.nearby_state(place, joints, rates, own_speed)
+        pose, _, tcp_speed = own.nearby_state(place, joints, rates, own_speed)
         return pose, self.segment_of(piece), tcp_speed
 
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Return derivatives with respect to the common parameter."""
-        return self.course.rates(s, piece)
+        own = self.own.rates(self.progress.place(s, piece), self.own_piece[piece])
+        rate, bend = self.progress.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
+        axes = slice(self.axis_count)
+        first, second = own.first[:, axes], own.second[:, axes]
+        return PathRates(
+            first * rate,
+            second * rate**2 + first * bend,
+            own.tcp_rate * rate[:, 0],
+            own.turn_rate * rate[:, 0],
+            own.stance,
+        )
 
     def tcp_derivatives(self, s: Array, piece: Index) -> tuple[Array, Array]:
         """Return both derivatives (k, 3) of the TCP's position."""
-        own = self.course
-        first, second = own.path.tcp_derivatives(own.place(s, piece), own.piece[piece])
-        rate, bend = own.rate(s, piece)[:, None], own.progress.bend[piece][:, None]
+        place = self.progress.place(s, piece)
+        first, second = self.own.tcp_derivatives(place, self.own_piece[piece])
+        rate, bend = self.progress.rate(s, piece)[:, None], self.progress.bend[piece][:, None]
         return first * rate, second * rate**2 + first * bend
 
     def travelled(self, s: Array) -> Array:
         """Return the TCP travel (k,) [m] of the robot, with corners cut."""
-        return self.course.path.travelled(self.course.place(*self._pieces(s)))
+        return self.own.travelled(self.progress.place(*self._pieces(s)))
 
 
 @value_class(frozen=True, eq=False)
-class TeamPath(SharedPath):
-    """Paths of all robots of a team as one, for timing."""
+class SharedPath(_CommonPath):
+    """Paths of several robots as one, for timing."""
 
-    courses: tuple[MemberPath, ...]
+    robots: tuple[PartPath, ...]
 
-    def part(self, number: int) -> PartPath:
-        """Return the path of one robot, counted from 0."""
-        course = self.courses[number]
-        own = course.path
-        row = self.layout.row
-        layout = _layout(own.layout, self.layout.bounds, row, self.layout.orientation_corner)
-        active = np.arange(len(own.segments))
-        return PartPath(
-            own.segments,
-            own.kinematics,
-            layout,
-            own.arms,
-            active,
-            own.nodes,
-            own.model,
-            None,
-            self.starts,
-            course,
-        )
+    @property
+    def parts(self) -> tuple[Path, ...]:
+        """Path of each robot, over the common parameter."""
+        return self.robots
 
     @property
     def axis_count(self) -> int:
-        """Joint count of the first robot: in a team, speeds of external axes are ignored."""
+        """Joint count of the first robot: programmed speeds of external axes are ignored."""
         return self.kinematics.joint_count
-
-    @cached_property
-    def stops(self) -> Array:
-        """Common parameters at which a robot, and thus the team, must come to rest."""
-        stops = [corner.stops for corner in self.corners[:-1]]
-        places: Array = self.starts[1:][np.array(stops, dtype=bool)]
-        return places
 
     @cached_property
     def zone_radius(self) -> Array:
         """Radius (p,) [m] of the smallest zone that any robot is in; 0 if all are outside zones."""
         radii = np.array(
             [
-                course.path.zone_radius[course.piece]
-                / np.maximum(course.progress.fastest_rate, 1e-12)
-                for course in self.courses
+                robot.own.zone_radius[robot.own_piece]
+                / np.maximum(robot.progress.fastest_rate, 1e-12)
+                for robot in self.robots
             ]
         )
         narrowest: Array = np.where(radii > 0.0, radii, np.inf).min(axis=0)
@@ -215,8 +175,8 @@ class TeamPath(SharedPath):
     def zone_speed(self) -> Array:
         """Maximum speed (p,) [m/s] of the command: the smallest of the robots' speeds."""
         speeds = [
-            course.path.zone_speed[course.piece] / np.maximum(course.progress.fastest_rate, 1e-12)
-            for course in self.courses
+            robot.own.zone_speed[robot.own_piece] / np.maximum(robot.progress.fastest_rate, 1e-12)
+            for robot in self.robots
         ]
         fastest: Array = np.min(speeds, axis=0)
         return fastest
@@ -231,7 +191,7 @@ class TeamPath(SharedPath):
         """Planned corner at the end of each segment: a robot that stops there decides."""
         return tuple(
             next((corner for corner in corners if corner.stops), corners[0])
-            for corners in zip(*(course.path.corners for course in self.courses), strict=True)
+            for corners in zip(*(robot.corners for robot in self.robots), strict=True)
         )
 
     def rates(self, s: Array, piece: Index) -> PathRates:
@@ -241,10 +201,10 @@ class TeamPath(SharedPath):
         relative to that of the common segment.
         """
         segment = self.segment_of(piece)
-        found = [course.rates(s, piece) for course in self.courses]
+        found = [robot.rates(s, piece) for robot in self.robots]
         tcp, turn = [], []
-        for course, rates in zip(self.courses, found, strict=True):
-            speeds = [one.speed for one in course.path.segments]
+        for robot, rates in zip(self.robots, found, strict=True):
+            speeds = [one.speed for one in robot.segments]
             tcp.append(rates.tcp_rate / np.array([one.tcp for one in speeds])[segment])
             turn.append(rates.turn_rate / np.array([one.reorientation for one in speeds])[segment])
         common = [one.speed for one in self.segments]
@@ -257,38 +217,39 @@ class TeamPath(SharedPath):
         )
 
 
-def team_path(paths: Sequence[Path]) -> TeamPath:
-    """Join the paths of several robots, which have equally many segments."""
+def shared_path(paths: Sequence[Path]) -> Path:
+    """Join the paths of robots, which have equally many segments; that of one is returned."""
+    if len(paths) == 1:
+        return paths[0]
     own = [path.segment_bounds for path in paths]
     stops = np.any([[corner.stops for corner in path.corners[:-1]] for path in paths], axis=0)
-    return joined(paths, team_progress([path.segments for path in paths], own, stops))
+    return joined(paths, shared_progress([path.segments for path in paths], own, stops))
 
 
-def joined(paths: Sequence[Path], team: TeamProgress) -> TeamPath:
+def joined(paths: Sequence[Path], progress: SharedProgress) -> SharedPath:
     """Return the paths of several robots with known progress as one."""
-    ends = team.ends
-    inner = [one.bounds for one in team.members]
-    inner += [_breakpoints(*pair) for pair in zip(paths, team.members, strict=True)]
+    ends = progress.ends
+    inner = [one.bounds for one in progress.members]
+    inner += [_breakpoints(*pair) for pair in zip(paths, progress.members, strict=True)]
     places = _merged(ends, np.concatenate(inner))
     middles = 0.5 * (places[1:] + places[:-1])
     row = np.clip(np.searchsorted(ends, middles, side="right") - 1, 0, len(ends) - 2)
-    courses = tuple(
-        MemberPath(path, one.refined(places)) for path, one in zip(paths, team.members, strict=True)
+    active, members = np.arange(len(progress.segments)), []
+    refined = [one.refined(places) for one in progress.members]
+    corner = np.max(
+        [
+            path.layout.in_corner[path.layout.piece_at(one.middles)]
+            for path, one in zip(paths, refined, strict=True)
+        ],
+        axis=0,
     )
-    corner = np.max([_corner(one) for one in courses], axis=0)
+    for path, one in zip(paths, refined, strict=True):
+        layout = _layout(path.layout, places, row, corner)
+        arm = path.kinematics, layout, path.arms, active, path.nodes, path.model, None
+        members.append(PartPath(path.segments, *arm, ends[:-1], path, one))
     lead = paths[0]
-    return TeamPath(
-        team.segments,
-        lead.kinematics,
-        _layout(lead.layout, places, row, corner),
-        lead.arms,
-        np.arange(len(team.segments)),
-        lead.nodes,
-        lead.model,
-        None,
-        ends[:-1],
-        courses,
-    )
+    arm = lead.kinematics, members[0].layout, lead.arms, active, lead.nodes, lead.model, None
+    return SharedPath(progress.segments, *arm, ends[:-1], tuple(members))
 
 
 def _breakpoints(path: Path, progress: MemberProgress) -> Array:
@@ -307,12 +268,6 @@ def _merged(ends: Array, inner: Array) -> Array:
     others = np.sort(inner[nearest > _SLIVER])
     apart = np.diff(others, prepend=-np.inf) > _SLIVER
     return np.sort(np.concatenate([ends, others[apart]]))
-
-
-def _corner(course: MemberPath) -> Index:
-    """Return the corner of a robot that contains each common piece, or -1."""
-    corner: Index = course.path.layout.in_corner[course.piece]
-    return corner
 
 
 def _layout(
