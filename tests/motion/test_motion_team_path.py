@@ -12,6 +12,7 @@ from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.shared_path import SharedPath, shared_path
+from rapidsim.motion.path.shared_progress import PACE
 from rapidsim.motion.timing.axis_limits import Limits, combined_limits, limits_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.time_scaling import TimeScaling
@@ -60,7 +61,9 @@ def test_a_team_of_two_equal_robots_takes_as_long_as_one() -> None:
 def test_each_robot_begins_and_ends_its_segments_with_the_others() -> None:
     long, short = lines(0.2, 0.1, 0.15, millimetres=1.0), lines(0.1, 0.2, 0.05, millimetres=1.0)
     team = together(long, short)
-    assert team.lengths == pytest.approx([0.2, 0.2, 0.15], abs=1e-3)
+    nominal = np.array([0.2, 0.2, 0.15]) / long.programmed.tcp
+    assert team.lengths == pytest.approx(PACE * nominal, abs=1e-9)
+    assert team.slowest.tolist() == [0, 1, 0]
     for part, own in zip(team.robots, (long, short), strict=True):
         at = part.progress.place(team.segment_starts, team.layout.piece_at(team.segment_starts))
         assert at == pytest.approx(own.segment_starts, abs=1e-3)
@@ -73,7 +76,8 @@ def test_a_robot_that_stands_takes_part() -> None:
     standing = path_of(Programmer().line((0.0, 0.0, 0.0), z=zone(10.0)).line((0.0, 0.0, 0.0)))
     moving = lines(0.2, 0.1)
     team = shared_path([standing, moving])
-    assert team.stops == pytest.approx(moving.segment_starts[1:])
+    speed = moving.programmed.tcp[0]
+    assert team.stops == pytest.approx(PACE * moving.segment_starts[1:] / speed)
     points = team.parts[0].evaluate(np.linspace(0.0, team.length, 9))
     assert np.ptp(points.joints, axis=0).max() == 0.0
     nobody = shared_path([standing, standing])
@@ -122,4 +126,4 @@ def test_places_never_go_back_and_reach_both_ends(a: Programmer, b: Programmer, 
         assert (place[0], place[-1]) == (0.0, pytest.approx(own.length, abs=1e-12))
         rate = course.rate(s, team.layout.piece_at(s))
         assert (rate >= -1e-9).all()
-        assert (rate <= 1.0 + 1e-9).all()
+        assert (rate <= (1.0 + 1e-9) * own.programmed.tcp.max() / PACE).all()

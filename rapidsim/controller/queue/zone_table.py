@@ -170,10 +170,12 @@ def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
         return np.zeros(0)
     cells = min(int((end_s - start_s) / _LOOK_S) + 1, _COARSE)
     times = np.linspace(start_s, end_s, cells + 1)
+    # Of robots that move together, the position is no length.
+    fastest = preview.fastest_rate(start_s)
     # If the arm hardly moves for long, no samples between are needed.
-    ways, widths = np.diff(preview.place_at(times)), np.diff(times)
+    ways, widths = fastest * np.diff(preview.place_at(times)), np.diff(times)
     times = _divided(times, np.where(ways > LOOK_M, np.ceil(widths / _LOOK_S), 1))
-    return _divided(times, np.ceil(np.diff(preview.place_at(times)) / LOOK_M))
+    return _divided(times, np.ceil(fastest * np.diff(preview.place_at(times)) / LOOK_M))
 
 
 def _divided(times: Array, counts: Array) -> Array:

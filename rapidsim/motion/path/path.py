@@ -31,6 +31,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, joints_at_corners
 from rapidsim.motion.path.line_derivatives import Lines
+from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import SegmentLimits, programmed_of, widths_of
 
@@ -101,6 +102,21 @@ class Path:
         travel = np.zeros(len(self.segments))
         travel[self.active] = self.layout.curves.travel
         return travel
+
+    @property
+    def nominal(self) -> NominalTimes:
+        """Times of the segments at the programmed speeds."""
+        return nominal_times(self.segments, self.layout.curves, self.active)
+
+    @property
+    def slowest(self) -> Index | None:
+        """Robot (segments,) that sets the nominal time of each segment; None for a robot alone."""
+        return None
+
+    @property
+    def fastest_rate(self) -> float:
+        """Upper bound of the TCP travel per unit of s, apart from turning and joint moves."""
+        return 1.0
 
     @property
     def breakpoints(self) -> Array:
@@ -188,6 +204,11 @@ class Path:
             within = np.flatnonzero(corner >= 0)
             radius[within] = radii[corner[within]]
         return radius
+
+    @property
+    def zone_extent(self) -> Array:
+        """Radius (p,) of the zone that contains each piece, in units of s."""
+        return self.zone_radius
 
     @cached_property
     def zone_speed(self) -> Array:

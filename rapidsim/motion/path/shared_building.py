@@ -115,6 +115,7 @@ def build_shared_path(
     progress = shared_progress(
         [one.segments for one in all_of_them],
         [one.segment_bounds for one in all_of_them],
+        [one.nominal for one in all_of_them],
         np.any(stops, axis=0),
     )
     for number in order:

@@ -18,11 +18,19 @@ from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.geometry.blends import Corner
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.parameterisation import PathParameterisation
+from rapidsim.motion.kinematics.arm import Mask
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates
-from rapidsim.motion.path.shared_progress import MemberProgress, SharedProgress, shared_progress
+from rapidsim.motion.path.shared_progress import (
+    PACE,
+    MemberProgress,
+    SharedProgress,
+    shared_progress,
+)
 from rapidsim.values import value_class
 
+_STANDING = 1e-9
+"""Rate [m/m] below which a robot does not move along its path."""
 _SLIVER = 1e-9
 """Distance [m] below which breakpoints count as one."""
 
@@ -68,6 +76,11 @@ class PartPath(_CommonPath):
     def axis_count(self) -> int:
         """Number of joints of the arm and its external axes."""
         return self.own.own_axis_count
+
+    @cached_property
+    def fastest_rate(self) -> float:
+        """Upper bound of the TCP travel per unit of the common parameter; see `Path`."""
+        return float(self.progress.fastest_rate.max())
 
     @cached_property
     def own_piece(self) -> Index:
@@ -147,6 +160,19 @@ class SharedPath(_CommonPath):
     """Paths of several robots as one, for timing."""
 
     robots: tuple[PartPath, ...]
+    pace_setters: Index
+    """Shape (segments,): see `slowest`."""
+    turns: Mask
+    """Shape (segments,): whether a reorientation determines the nominal time of a segment."""
+    neighbours: Index
+    """Shape (p, 2): segments before and after the end whose zone contains each common piece; twice
+    its own segment outside zones."""
+
+    @cached_property
+    def passing(self) -> Mask:
+        """Mask (p,) of the common pieces in zones."""
+        passing: Mask = self.neighbours[:, 0] != self.neighbours[:, 1]
+        return passing
 
     @property
     def parts(self) -> tuple[Path, ...]:
@@ -158,18 +184,31 @@ class SharedPath(_CommonPath):
         """Joint count of the first robot: programmed speeds of external axes are ignored."""
         return self.kinematics.joint_count
 
+    @property
+    def slowest(self) -> Index:
+        """Robot (segments,) that sets the nominal time of each segment; see `Path`."""
+        return self.pace_setters
+
     @cached_property
+    def _zones(self) -> tuple[Array, Array]:
+        """Radius (p,) [m] of the zone of the robot that passes its own first, and its extent."""
+        pieces = np.arange(len(self.layout.row))
+        radii = np.array([robot.own.zone_radius[robot.own_piece] for robot in self.robots])
+        rates = [np.maximum(robot.progress.fastest_rate, 1e-12) for robot in self.robots]
+        extents = np.where(radii > 0.0, radii / rates, np.inf)
+        narrowest = extents.argmin(axis=0)
+        radius, extent = radii[narrowest, pieces], extents[narrowest, pieces]
+        return radius, np.where(np.isfinite(extent), extent, 0.0)
+
+    @property
     def zone_radius(self) -> Array:
-        """Radius (p,) [m] of the smallest zone that any robot is in; 0 if all are outside zones."""
-        radii = np.array(
-            [
-                robot.own.zone_radius[robot.own_piece]
-                / np.maximum(robot.progress.fastest_rate, 1e-12)
-                for robot in self.robots
-            ]
-        )
-        narrowest: Array = np.where(radii > 0.0, radii, np.inf).min(axis=0)
-        return np.where(np.isfinite(narrowest), narrowest, 0.0)
+        """Radius (p,) [m] of the narrowest zone that any robot is in; 0 if all are outside."""
+        return self._zones[0]
+
+    @property
+    def zone_extent(self) -> Array:
+        """Radius (p,) of that zone in units of the common parameter."""
+        return self._zones[1]
 
     @cached_property
     def zone_speed(self) -> Array:
@@ -197,24 +236,42 @@ class SharedPath(_CommonPath):
     def rates(self, s: Array, piece: Index) -> PathRates:
         """Return derivatives of the axes of all robots, side by side.
 
-        TCP travel and reorientation are taken from the robot closest to its programmed speed,
-        relative to that of the common segment.
+        TCP travel and reorientation are shares of the programmed speeds; see `_shares`.
         """
-        segment = self.segment_of(piece)
-        found = [robot.rates(s, piece) for robot in self.robots]
-        tcp, turn = [], []
-        for robot, rates in zip(self.robots, found, strict=True):
-            speeds = [one.speed for one in robot.segments]
-            tcp.append(rates.tcp_rate / np.array([one.tcp for one in speeds])[segment])
-            turn.append(rates.turn_rate / np.array([one.reorientation for one in speeds])[segment])
-        common = [one.speed for one in self.segments]
+        each = [robot.rates(s, piece) for robot in self.robots]
+        tcp_rate, turn_rate = self._shares(s, piece, each)
         return PathRates(
-            np.concatenate([rates.first for rates in found], axis=1),
-            np.concatenate([rates.second for rates in found], axis=1),
-            np.max(tcp, axis=0) * np.array([one.tcp for one in common])[segment],
-            np.max(turn, axis=0) * np.array([one.reorientation for one in common])[segment],
-            np.concatenate([rates.stance for rates in found], axis=1),
+            np.concatenate([rates.first for rates in each], axis=1),
+            np.concatenate([rates.second for rates in each], axis=1),
+            tcp_rate,
+            turn_rate,
+            np.concatenate([rates.stance for rates in each], axis=1),
         )
+
+    def _shares(self, s: Array, piece: Index, each: Sequence[PathRates]) -> tuple[Array, Array]:
+        """Return shares (k,) of the programmed TCP and reorientation speeds that `PACE` uses.
+
+        Outside zones they are those of the robot that is closest to its own speed, and at least the
+        nominal pace. In a zone the pace alone counts: that of the robots that set it before and
+        after, which may cut their corners.
+        """
+        segment, passing = self.segment_of(piece), self.passing[piece]
+        setters = self.pace_setters[self.neighbours[piece]]
+        cut = np.zeros(len(s))
+        tcp, turn = cut.copy(), cut.copy()
+        for number, (robot, rates) in enumerate(zip(self.robots, each, strict=True)):
+            tcp = np.maximum(tcp, PACE * rates.tcp_rate / robot.programmed.tcp[segment])
+            turn = np.maximum(
+                turn, PACE * rates.turn_rate / robot.programmed.reorientation[segment]
+            )
+            rate = robot.progress.rate(s, piece)
+            own = np.divide(rates.tcp_rate, rate, out=np.ones(len(s)), where=rate > _STANDING)
+            cut = np.maximum(cut, np.where((setters == number).any(axis=1), own, 0.0))
+        turns = self.turns[segment]
+        cut = np.where(self.turns[self.neighbours[piece]].any(axis=1), 1.0, cut)
+        tcp = np.where(passing, cut, np.maximum(tcp, ~turns))
+        turn = np.where(passing, 0.0, np.maximum(turn, turns))
+        return tcp, turn
 
 
 def shared_path(paths: Sequence[Path]) -> Path:
@@ -223,7 +280,8 @@ def shared_path(paths: Sequence[Path]) -> Path:
         return paths[0]
     own = [path.segment_bounds for path in paths]
     stops = np.any([[corner.stops for corner in path.corners[:-1]] for path in paths], axis=0)
-    return joined(paths, shared_progress([path.segments for path in paths], own, stops))
+    nominal = [path.nominal for path in paths]
+    return joined(paths, shared_progress([path.segments for path in paths], own, nominal, stops))
 
 
 def joined(paths: Sequence[Path], progress: SharedProgress) -> SharedPath:
@@ -249,7 +307,11 @@ def joined(paths: Sequence[Path], progress: SharedProgress) -> SharedPath:
         members.append(PartPath(path.segments, *arm, ends[:-1], path, one))
     lead = paths[0]
     arm = lead.kinematics, members[0].layout, lead.arms, active, lead.nodes, lead.model, None
-    return SharedPath(progress.segments, *arm, ends[:-1], tuple(members))
+    zones = np.concatenate([[0.0], progress.zones, [0.0]])
+    before = row - (middles - ends[row] < zones[row])
+    after = row + (ends[row + 1] - middles < zones[row + 1])
+    pace = progress.slowest, progress.turns, np.stack([before, after], axis=1)
+    return SharedPath(progress.segments, *arm, ends[:-1], tuple(members), *pace)
 
 
 def _breakpoints(path: Path, progress: MemberProgress) -> Array:
