@@ -269,11 +269,6 @@ class TaskClock:
         self._time.settle(self.ticks_left)
         return self._time.moment()
 
-    def earliest_s(self) -> float:
-        """Time [s] of the current statement; minus infinity while the program runs ahead."""
-        moment = self.moment()
-        return moment.time_s if moment.instant.time is not None else -math.inf
-
     def grant(self) -> None:
         """Grant the program ticks until the next event is due."""
         self._cell.watchdog.check()

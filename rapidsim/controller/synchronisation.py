@@ -154,7 +154,7 @@ class TaskSynchronisation:
                 self.cell.scheduler.wake_at(0.0)
             self._await(team, lambda: pending.is_complete, move.sync_id)
             return queued
-        now_s = self.clock.earliest_s()
+        now_s = self.clock.moment().earliest_s
         queue.append(team.complete(pending), now_s)
         self.cell.event_count += 1
         self.cell.scheduler.wake_at(max(now_s, 0.0))

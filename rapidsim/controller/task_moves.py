@@ -116,7 +116,7 @@ class TaskMoves:
         if self.clock.is_compute_bound() or not self.unit.queue.is_open:
             self.clock.resolve_time()
         last = self.unit.moves[-1] if self.unit.queue.is_open else None
-        now_s = self.clock.earliest_s()
+        now_s = self.clock.moment().earliest_s
         self.unit.queue.append((queued,), now_s)
         if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
             self.table.error_logged(CORNER_PATH_FAILURE, now_s)

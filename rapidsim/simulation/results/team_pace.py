@@ -23,7 +23,7 @@ def pace_setters(simulation: Simulation, robot_run: RobotRun) -> tuple[str, ...]
         for k, limiter in enumerate(piece.timing.limited_by):
             if limiter.robot is None or not 0 <= piece.first + k < len(texts):
                 continue
-            team = team or list(_together(simulation, piece))
+            team = team or list(_team_of(simulation, piece))
             setter, its_piece = team[limiter.robot]
             move = setter.move(its_piece.first + k)
             if move is not None:
@@ -32,7 +32,7 @@ def pace_setters(simulation: Simulation, robot_run: RobotRun) -> tuple[str, ...]
     return tuple(texts)
 
 
-def _together(simulation: Simulation, piece: Piece) -> Iterator[tuple[RobotRun, Piece]]:
+def _team_of(simulation: Simulation, piece: Piece) -> Iterator[tuple[RobotRun, Piece]]:
     """Yield the robots of a team, in its order, with the same piece of their motion."""
     for one in simulation.robots:
         times = np.array([each.start_time for each in one.trajectory.pieces])
