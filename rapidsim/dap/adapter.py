@@ -135,7 +135,7 @@ class Adapter:
             while (message := read_message(process.messages)) is not None:
                 if "send" in message:
                     self._send(message["send"])
-                elif "ask" in message:
+                elif "poll" in message:
                     found = self._requests(wait=message["wait"])
                     write_message(process.requests, {"requests": found})
                 else:

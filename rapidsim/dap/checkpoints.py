@@ -52,11 +52,11 @@ class Checkpoints:
     alive: int
     """Descriptor of a pipe that closes when the debugger has ended, with all copies."""
     _copies: list[_Copy] = field(default_factory=list)
-    _taken_s: float = -_INTERVAL_S
+    _last_copy_s: float = -_INTERVAL_S
 
     def is_due(self) -> bool:
         """Whether enough has happened since the last copy."""
-        return HAS_COPIES and time.process_time() - self._taken_s > _INTERVAL_S
+        return HAS_COPIES and time.process_time() - self._last_copy_s > _INTERVAL_S
 
     def take(self, number: int) -> Any:
         """Make a copy before a statement.
@@ -72,14 +72,14 @@ class Checkpoints:
         if os.fork() != 0:
             os.close(own)
             self._add(_Copy(number, wake))
-            self._taken_s = time.process_time()
+            self._last_copy_s = time.process_time()
             return None
         while True:
             message = self._awaited(own)
             if os.fork() == 0:
                 os.close(own)
                 self._add(_Copy(number, wake))
-                self._taken_s = time.process_time()
+                self._last_copy_s = time.process_time()
                 return message
 
     def before(self, number: int) -> int:
@@ -135,10 +135,14 @@ class Checkpoints:
         return message
 
 
-def observed_in_copy(observe: Callable[[], object]) -> Any:
+def observed_in_copy(observe: Callable[[], object], patience_s: float = _PATIENCE_S) -> Any:
     """Return the JSON value of a function that is called in a copy of this process.
 
     Whatever it does to the run is forgotten with the copy.
+
+    Args:
+        observe: The function.
+        patience_s: Real time [s] that it may take.
 
     Raises:
         ObservationError: If it raises, takes too long, or there are no copies.
@@ -158,10 +162,11 @@ def observed_in_copy(observe: Callable[[], object]) -> Any:
             data = data[os.write(writer, data) :]
         os._exit(0)
     os.close(writer)
-    data, until_s = b"", time.monotonic() + _PATIENCE_S
+    data, until_s = b"", time.monotonic() + patience_s
     try:
         while True:
-            ready, _, _ = select.select([reader], [], [], until_s - time.monotonic())
+            left_s = max(until_s - time.monotonic(), 0.0)
+            ready, _, _ = select.select([reader], [], [], left_s)
             if not ready:
                 os.kill(process, signal.SIGKILL)
                 raise ObservationError("it takes too long")

@@ -18,7 +18,7 @@ class AdapterEnded(BaseException):
 
 
 @value_class(frozen=True, slots=True)
-class Link:
+class AdapterLink:
     """The two pipes of a debuggee."""
 
     incoming: IO[bytes]
@@ -31,7 +31,7 @@ class Link:
             AdapterEnded: If nobody will send any.
         """
         try:
-            write_message(self.outgoing, {"ask": "requests", "wait": wait})
+            write_message(self.outgoing, {"poll": True, "wait": wait})
             answer = read_message(self.incoming)
         except (OSError, WireError):
             answer = None

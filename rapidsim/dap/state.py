@@ -1,4 +1,4 @@
-"""What a debuggee hands over to the process that continues in its place."""
+"""State that a debuggee hands over to the process that continues in its place."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class SessionState:
     """Arguments of the client, by path of the source."""
     filters: dict[str, str] = field(default_factory=dict)
     """Enabled exception filters, each with its condition."""
-    watched: list[str] = field(default_factory=list)
+    watchpoints: list[str] = field(default_factory=list)
     """Names of data and signals with a data breakpoint."""
     changes: list[Change] = field(default_factory=list)
     printed: int = 0
@@ -45,7 +45,9 @@ class SessionState:
     survey_until: int = 0
     """Number of the statement up to which stops are only noted, to go to the last one; 0 for
     none."""
-    shown_error: int = 0
+    steps: list[list[int]] = field(default_factory=list)
+    """Pairs of numbers: a step led to the first statement from the second."""
+    unhandled_error: int = 0
     """Number of the statement whose error, which ends the program, has been shown."""
 
     def message(self) -> Message:

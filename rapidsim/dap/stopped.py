@@ -40,6 +40,10 @@ from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.robot_state import robot_state
 from rapidsim.simulation.task_run import TaskRun
 
+_AT_ONCE_S = 0.15
+"""Real time [s] for what is shown at each stop."""
+_PATIENT_S = 20.0
+"""Real time [s] for what the user asks for."""
 _SCOPES = ("Routine", "Module", "Persistents", "Signals", "Robot")
 
 
@@ -56,7 +60,7 @@ class StoppedRun:
     """Description of the stop."""
     handles: Handles = field(default_factory=Handles)
     _frames: list[FrameType] = field(default_factory=list)
-    _states: dict[str, Message | str] = field(default_factory=dict)
+    _states: dict[str, Message] = field(default_factory=dict)
 
     @property
     def thread(self) -> int:
@@ -121,20 +125,26 @@ class StoppedRun:
         }
 
     def _label(self, task: TaskRun) -> str:
-        state = self.state(task)
+        state = self.state(task, _AT_ONCE_S)
         if isinstance(state, str):
             return state
         move = state["move"]
         return f"t = {state['time_s']:.3f} s, " + (f"the robot is at {move}" if move else "at rest")
 
-    def state(self, task: TaskRun) -> Message | str:
-        """Time and robot of a task, as JSON values; or why they are not known."""
+    def state(self, task: TaskRun, patience_s: float = _PATIENT_S) -> Message | str:
+        """Time and robot of a task, as JSON values; or why they are not known.
+
+        Args:
+            task: The task.
+            patience_s: Real time [s] that the planning of the path up to here may take.
+        """
         name = task.setup.name
         if name not in self._states:
             try:
-                self._states[name] = observed_in_copy(lambda: _state_message(task))
+                found: Message = observed_in_copy(lambda: _state_message(task), patience_s)
             except ObservationError as error:
-                self._states[name] = f"time unknown: {error}"
+                return f"time unknown: {error}"
+            self._states[name] = found
         return self._states[name]
 
     def scopes(self, arguments: Message) -> Message:

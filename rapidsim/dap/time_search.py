@@ -8,6 +8,8 @@ the first one whose time turns out to be late enough.
 from __future__ import annotations
 
 import os
+import select
+import signal
 import sys
 from collections import deque
 from typing import NoReturn
@@ -16,6 +18,8 @@ from rapidsim.controller.journal.journal import Moment
 from rapidsim.dap.checkpoints import HAS_COPIES, ObservationError
 
 _NONE = b"none"
+_PATIENCE_S = 30.0
+"""Real time [s] for the search: a program may never get there."""
 
 
 class TimeSearch:
@@ -27,7 +31,7 @@ class TimeSearch:
         self._waiting: deque[tuple[int, Moment]] = deque()
 
     @classmethod
-    def begun(cls, time_s: float) -> TimeSearch | int | None:
+    def start(cls, time_s: float) -> TimeSearch | int | None:
         """Return the search in a copy, and its result in this process; None if there is none.
 
         Raises:
@@ -36,14 +40,17 @@ class TimeSearch:
         if not HAS_COPIES:
             raise ObservationError("this system has no copies of processes")
         reader, writer = os.pipe()
-        if os.fork() == 0:
+        process = os.fork()
+        if process == 0:
             os.close(reader)
             return cls(time_s, writer)
         os.close(writer)
-        data = b""
-        while piece := os.read(reader, 100):
-            data += piece
+        ready, _, _ = select.select([reader], [], [], _PATIENCE_S)
+        data = os.read(reader, 100) if ready else b""
         os.close(reader)
+        if not ready:
+            os.kill(process, signal.SIGKILL)
+            raise ObservationError("the program does not get there soon")
         return int(data) if data.isdigit() else None
 
     def note(self, number: int, moment: Moment) -> None:

@@ -101,6 +101,6 @@ def _parts(value: object, of: Type, path: str) -> Iterable[Variable]:
             yield variable(component.name, part, component.type, f"{path}.{component.name}")
     elif isinstance(known, ArrayOf) and isinstance(value, list):
         # Indices of several dimensions stand in one pair of braces.
-        begun = path.removesuffix("}") + "," if path.endswith("}") else f"{path}{{"
+        prefix = path.removesuffix("}") + "," if path.endswith("}") else f"{path}{{"
         for number, part in enumerate(value[:_MOST_CHILDREN], 1):
-            yield variable(f"[{number}]", part, element_type(known), f"{begun}{number}}}")
+            yield variable(f"[{number}]", part, element_type(known), f"{prefix}{number}}}")

@@ -39,14 +39,14 @@ class MoveCounter:
     def __call__(self) -> Progress:
         """Return the progress so far."""
         for number, run in enumerate(self._runs):
-            moves = run.queue.moves
+            moves = run.member.moves
             for _, move in moves.numbered(self._counted[number]):
                 if move.started.time is None:
                     break
                 self._places.add((move.place.span.file, move.place.span.start))
                 self._counted[number] += 1
         counted = sum(self._counted)
-        given = sum(len(run.queue.moves) for run in self._runs)
+        given = sum(len(run.member.moves) for run in self._runs)
         clock = self._runs[0].controller.clock
         return Progress(
             counted, len(self._places), given - counted, clock.pointer_s(), clock.place.span

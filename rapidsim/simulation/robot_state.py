@@ -44,12 +44,12 @@ def robot_state(run: TaskRun) -> RobotState:
     """
     controller = run.controller
     now_s = controller.clock.resolve_time()
-    queue = controller.execution.unit.queue
+    unit = controller.execution.unit
     times = np.array([now_s, now_s + _STEP_S])
     try:
-        samples = queue.seen(now_s, times)
+        samples = unit.seen(now_s, times)
     except MotionError:
-        samples = queue.at_past(now_s)
+        samples = unit.at_past(now_s)
     resolver, motion = controller.coordination.resolver, controller.motion
     tool, wobj = motion.active_tool(), motion.active_wobj()
     place = controller.clock.place
@@ -62,8 +62,8 @@ def robot_state(run: TaskRun) -> RobotState:
 
     here, there = target(0), target(len(samples.joints) - 1)
     way_mm = float(np.linalg.norm(np.subtract(there.trans, here.trans)))
-    move, moves = int(samples.move[0]), queue.moves
-    is_moving = now_s < queue.trajectory.duration and move < len(moves)
+    move, moves = int(samples.move[0]), unit.moves
+    is_moving = now_s < unit.trajectory.duration and move < len(moves)
     names = motion.active_names()
     return RobotState(
         now_s,

@@ -126,6 +126,7 @@ class Client:
                     body: Message = one["body"]
                     return body
                 seen += 1
+            assert not any(one["event"] == "terminated" for one in self.events), self.events
             self._sort(self.receive())
 
     def _sort(self, message: Message) -> None:
@@ -161,6 +162,15 @@ class Client:
     def stopped(self) -> Message:
         """Wait for a stop."""
         return self.event("stopped")
+
+    def stops(self) -> bool:
+        """Wait for a stop, or for the end of the program; whether it was a stop."""
+        while True:
+            for one in self.events:
+                if one["event"] in ("stopped", "terminated"):
+                    self.events.remove(one)
+                    return bool(one["event"] == "stopped")
+            self._sort(self.receive())
 
     def go(self, command: str, thread: int = 1) -> Message:
         """Continue or step, and wait for the stop."""

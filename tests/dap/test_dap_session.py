@@ -138,7 +138,7 @@ def test_steps_backwards_restore_data_and_go_forwards_again(client: Client) -> N
 def test_it_cannot_go_back_beyond_the_first_statement(client: Client) -> None:
     client.launch("cell.mod", stopOnEntry=True)
     client.stopped()
-    with pytest.raises(RefusedError, match="first statement"):
+    with pytest.raises(RefusedError, match="first statement of the task"):
         client.request("stepBack")
 
 

@@ -60,6 +60,11 @@ class Moment:
         assert self.instant.time is not None
         return self.instant.time + self.offset_s
 
+    @property
+    def earliest_s(self) -> float:
+        """Virtual time [s]; minus infinity if the instant is unknown."""
+        return self.time_s if self.is_known else -math.inf
+
 
 @value_class(frozen=True, slots=True)
 class ErrorMark:

@@ -1,4 +1,4 @@
-"""Values that a debugger sets: data of a running routine or of its module, whole or in part."""
+"""Values that a debugger sets: data of a running routine or of its module, root or in part."""
 
 from __future__ import annotations
 
@@ -45,32 +45,32 @@ def assign(path: str, text: str, frame: FrameType, symbols: Symbols) -> str:
     if new is None:
         raise NotShownError(f"`{text}` is no {of.name}")
     name, parts = parts_of(path, frame)
-    whole = _replaced(value_at(name, frame)[0], parts, new)
+    root = _replaced(value_at(name, frame)[0], parts, new)
     variable = local_variable(name, frame)
     if variable is not None:
-        _set_local(*variable, whole)
+        _set_local(*variable, root)
     else:
         symbol = global_data(name, frame)
         if symbol is None or symbol.module is None:
             raise NotShownError(f"`{name}` cannot be set")
         try:
             where = DataName(symbol.name, symbol.module.name.text)
-            symbols.write(symbol.name, symbol.type, where, whole)
+            symbols.write(symbol.name, symbol.type, where, root)
         except RapidError as error:
             raise NotShownError(error.message) from None
     return value_text(new, of)
 
 
-def _replaced(whole: Value, parts: Sequence[int], new: Value) -> Value:
+def _replaced(root: Value, parts: Sequence[int], new: Value) -> Value:
     """Return a value with one of its parts, at any depth, replaced."""
     if not parts:
         return new
     first, *rest = parts
-    if isinstance(whole, list):
-        copy = list(whole)
-        copy[first] = _replaced(whole[first], rest, new)
+    if isinstance(root, list):
+        copy = list(root)
+        copy[first] = _replaced(root[first], rest, new)
         return copy
-    return with_component(whole, (first,), _replaced(whole[first], rest, new))
+    return with_component(root, (first,), _replaced(root[first], rest, new))
 
 
 def _set_local(frame: FrameType, key: str, index: int | None, value: Value) -> None:
@@ -87,7 +87,7 @@ def _set_local(frame: FrameType, key: str, index: int | None, value: Value) -> N
         if isinstance(held, int) and not isinstance(held, bool):
             # Generated code relies on it.
             if value % 1.0:
-                raise NotShownError(f"`{key}` is always whole in this program")
+                raise NotShownError(f"`{key}` is always root in this program")
             value = int(value)
         frame.f_locals[key] = value
         if sys.version_info < (3, 13):

@@ -14,6 +14,7 @@ from __future__ import annotations
 import re
 import sys
 import time
+from array import array
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -24,7 +25,7 @@ import greenlet
 
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, GENERATED
 from rapidsim.interpreter.tools.inspection import is_rapid
-from rapidsim.interpreter.tools.step_positions import Positions, StepGranularity, StepPosition
+from rapidsim.interpreter.tools.step_positions import FramePositions, StepGranularity, StepPosition
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
@@ -34,6 +35,8 @@ T = TypeVar("T")
 
 _POLLS_S = 0.02
 """Real time [s] between two looks at requests while the program runs."""
+_MOST_TRAPS = 16
+"""Depths of traps that are told apart."""
 _HIT_CONDITION = re.compile(r"\s*(>=|>|==|=|%|)\s*(\d+)\s*$")
 
 
@@ -60,7 +63,7 @@ class Stop:
     number: int
     """Number of the statement, from 1."""
     text: str = ""
-    """Description: the error, or the change of watched data."""
+    """Description: the error, or the change at a watchpoint."""
     error: RapidError | None = None
 
 
@@ -117,16 +120,19 @@ class Debugger:
     """Returns an object that identifies the running task."""
     breakpoints: Mapping[tuple[str, int], Breakpoint] = field(default_factory=dict)
     """By file, as the user named it, and line."""
-    watched: Mapping[str, Callable[[], str]] = field(default_factory=dict)
+    watchpoints: Mapping[str, Callable[[], str]] = field(default_factory=dict)
     """Functions that return the value of data or signals as text, by name."""
     stops_at_error: Callable[[RapidError], bool] | None = None
     """Whether the program stops at an error when it occurs; None if it never does."""
     number: int = 0
     """Number of statements so far, the current one included."""
+    _marks: array[int] = field(default_factory=lambda: array("H"))
+    """Task and depth of traps of each statement so far; see `_mark`."""
+    _tasks: dict[object, int] = field(default_factory=dict)
     last_error: int = 0
     """Number of the statement that failed last."""
     _reach: StepGranularity | None = None
-    _begun: StepPosition | None = None
+    _step_start: StepPosition | None = None
     _task: object = None
     """The greenlet that a step belongs to."""
     _target: int | None = None
@@ -134,7 +140,7 @@ class Debugger:
     _target_reason: StopReason = StopReason.GOTO
     _pauses: bool = False
     _values: dict[str, str] = field(default_factory=dict)
-    _positions: Positions = field(default_factory=Positions)
+    _positions: FramePositions = field(default_factory=FramePositions)
     _polled_s: float = 0.0
     _error: BaseException | None = None
     """The last error."""
@@ -170,17 +176,17 @@ class Debugger:
             task: The task of the frame; None for the running one.
         """
         self._target, self._reach = None, reach
-        self._begun = self._positions.of(frame)
+        self._step_start = self._positions.of(frame)
         self._task = self.current_task() if task is None else task
 
     def run_to(self, number: int, reason: StopReason = StopReason.GOTO) -> None:
         """Run to a statement by its number, and stop there and nowhere before."""
         self._reach, self._target, self._target_reason = None, number, reason
 
-    def watch(self, watched: Mapping[str, Callable[[], str]]) -> None:
+    def watch(self, watchpoints: Mapping[str, Callable[[], str]]) -> None:
         """Stop after each change of these data and signals."""
-        self.watched = watched
-        self._values = {name: read() for name, read in watched.items()}
+        self.watchpoints = watchpoints
+        self._values = {name: read() for name, read in watchpoints.items()}
 
     def place(self, frame: FrameType) -> Place:
         """The statement that a frame executes."""
@@ -200,16 +206,36 @@ class Debugger:
         del event, argument
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        return _FrameTracer(self, self._positions.places(frame), self.number + 1).trace
+        mark = self._mark(frame)
+        return _FrameTracer(self, self._positions.places(frame), self.number + 1, mark).trace
 
-    def at(self, frame: FrameType, place: Place) -> None:
+    def _mark(self, frame: FrameType) -> int:
+        """Number of the running task and number of traps that it is in, as one number."""
+        task = self._tasks.setdefault(self.current_task(), len(self._tasks))
+        return task * _MOST_TRAPS + min(self._positions.traps(frame), _MOST_TRAPS - 1)
+
+    def number_before(self, number: int) -> int:
+        """Number of the statement before another in its task, not counting traps between them.
+
+        Returns:
+            0 if there is none.
+        """
+        task, traps = divmod(self._marks[number - 1], _MOST_TRAPS)
+        for before in range(number - 1, 0, -1):
+            task_before, traps_before = divmod(self._marks[before - 1], _MOST_TRAPS)
+            if task_before == task and traps_before <= traps:
+                return before
+        return 0
+
+    def at(self, frame: FrameType, place: Place, mark: int) -> None:
         """Count a statement that is about to run, and stop there if there is a reason."""
         self.number += 1
+        self._marks.append(mark)
         self.before(self.number, frame)
         if self._target is not None:
             if self.number < self._target:
                 return
-            self._values = {name: read() for name, read in self.watched.items()}
+            self._values = {name: read() for name, read in self.watchpoints.items()}
             self._stop(self._target_reason, frame, place)
             return
         now_s = time.monotonic()
@@ -255,10 +281,10 @@ class Debugger:
 
     def _ends_step(self, frame: FrameType) -> bool:
         # Other tasks run meanwhile, as far as the time of the step's task requires.
-        if self.current_task() is not self._task or self._begun is None:
+        if self.current_task() is not self._task or self._step_start is None:
             return False
         assert self._reach is not None
-        return self._positions.of(frame).ends_step(self._begun, self._reach)
+        return self._positions.of(frame).ends_step(self._step_start, self._reach)
 
     def _is_at_breakpoint(self, frame: FrameType) -> bool:
         if not self.breakpoints:
@@ -275,8 +301,8 @@ class Debugger:
         return True
 
     def _changed(self) -> str:
-        """Description of the first change of watched data since the last statement, or ""."""
-        for name, read in self.watched.items():
+        """Description of the first change of a watchpoint since the last statement, or ""."""
+        for name, read in self.watchpoints.items():
             value, before = read(), self._values.get(name)
             if value != before:
                 self._values[name] = value
@@ -287,10 +313,13 @@ class Debugger:
 class _FrameTracer:
     """The trace function of one frame: it recognises where statements begin."""
 
-    __slots__ = ("_debugger", "_instruction", "_line", "_places", "first")
+    __slots__ = ("_debugger", "_instruction", "_line", "_mark", "_places", "first")
 
-    def __init__(self, debugger: Debugger, places: Mapping[int, Place], first: int) -> None:
+    def __init__(
+        self, debugger: Debugger, places: Mapping[int, Place], first: int, mark: int
+    ) -> None:
         self._debugger = debugger
+        self._mark = mark
         self.first = first
         self._places = places
         self._line = self._instruction = 0
@@ -305,7 +334,7 @@ class _FrameTracer:
                 # the search for an ERROR clause; a retried one begins with an earlier one.
                 if line != self._line or frame.f_lasti <= before:
                     self._line = line
-                    self._debugger.at(frame, place)
+                    self._debugger.at(frame, place, self._mark)
         elif event == "exception":
             self._debugger.failed(frame, argument[1])
         return self.trace
