@@ -32,7 +32,7 @@ _MOST_TIME_S = 3600.0
 
 @value_class(frozen=True, slots=True)
 class RunAnswer:
-    """What the second process returns of a run."""
+    """A run as the second process returns it."""
 
     summary: RunSummary
     moves: dict[str, tuple[RunMove, ...]]

@@ -1,4 +1,4 @@
-"""What is shown of the name under the pointer."""
+"""The text that an editor shows for the name under the pointer."""
 
 from __future__ import annotations
 

@@ -103,8 +103,8 @@ def _is_one_task(folder: Path) -> bool:
     return mains < 2
 
 
-def _is_same(one: Path, other: Path) -> bool:
+def _is_same(path: Path, file: Path) -> bool:
     try:
-        return one == other or one.samefile(other)
+        return path == file or path.samefile(file)
     except OSError:
         return False

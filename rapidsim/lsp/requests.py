@@ -25,7 +25,7 @@ from rapidsim.lsp import (
     semantic_tokens,
     signature_help,
 )
-from rapidsim.lsp.session import OpenDocument
+from rapidsim.lsp.editor_session import OpenDocument
 from rapidsim.values import value_class
 
 
@@ -43,7 +43,7 @@ class RawTokens:
 
 
 @value_class(frozen=True, slots=True)
-class Request:
+class DocumentRequest:
     """A request: its function, and what the server declares about it."""
 
     answer: Callable[[OpenDocument, Any], Any]
@@ -154,45 +154,47 @@ def _tokens_in_range(of: OpenDocument, params: lsp.SemanticTokensRangeParams) ->
     return RawTokens(None, of.program.encoder.range(document, start, end))
 
 
-REQUESTS: Mapping[str, Request] = MappingProxyType(
+REQUESTS: Mapping[str, DocumentRequest] = MappingProxyType(
     {
-        lsp.TEXT_DOCUMENT_DEFINITION: Request(_definition),
-        lsp.TEXT_DOCUMENT_TYPE_DEFINITION: Request(_type_definition),
-        lsp.TEXT_DOCUMENT_REFERENCES: Request(_references, is_long=True),
-        lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT: Request(_highlights),
-        lsp.TEXT_DOCUMENT_HOVER: Request(_hover),
-        lsp.TEXT_DOCUMENT_PREPARE_RENAME: Request(_prepare_rename),
-        lsp.TEXT_DOCUMENT_RENAME: Request(_rename, is_long=True),
-        lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL: Request(_symbols),
-        lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY: Request(_calls),
-        lsp.TEXT_DOCUMENT_SIGNATURE_HELP: Request(
+        lsp.TEXT_DOCUMENT_DEFINITION: DocumentRequest(_definition),
+        lsp.TEXT_DOCUMENT_TYPE_DEFINITION: DocumentRequest(_type_definition),
+        lsp.TEXT_DOCUMENT_REFERENCES: DocumentRequest(_references, is_long=True),
+        lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT: DocumentRequest(_highlights),
+        lsp.TEXT_DOCUMENT_HOVER: DocumentRequest(_hover),
+        lsp.TEXT_DOCUMENT_PREPARE_RENAME: DocumentRequest(_prepare_rename),
+        lsp.TEXT_DOCUMENT_RENAME: DocumentRequest(_rename, is_long=True),
+        lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL: DocumentRequest(_symbols),
+        lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY: DocumentRequest(_calls),
+        lsp.TEXT_DOCUMENT_SIGNATURE_HELP: DocumentRequest(
             _signature,
             lsp.SignatureHelpOptions(trigger_characters=["(", ",", " ", "\\"]),
         ),
-        lsp.TEXT_DOCUMENT_FOLDING_RANGE: Request(_folding),
-        lsp.TEXT_DOCUMENT_SELECTION_RANGE: Request(_selection),
-        lsp.TEXT_DOCUMENT_CODE_ACTION: Request(
+        lsp.TEXT_DOCUMENT_FOLDING_RANGE: DocumentRequest(_folding),
+        lsp.TEXT_DOCUMENT_SELECTION_RANGE: DocumentRequest(_selection),
+        lsp.TEXT_DOCUMENT_CODE_ACTION: DocumentRequest(
             _code_actions,
             lsp.CodeActionOptions(code_action_kinds=code_actions.KINDS, resolve_provider=True),
         ),
-        lsp.TEXT_DOCUMENT_CODE_LENS: Request(_code_lenses),
-        lsp.TEXT_DOCUMENT_INLAY_HINT: Request(_inlay_hints),
-        lsp.TEXT_DOCUMENT_FORMATTING: Request(_formatting),
-        lsp.TEXT_DOCUMENT_RANGE_FORMATTING: Request(_range_formatting),
-        lsp.TEXT_DOCUMENT_ON_TYPE_FORMATTING: Request(
+        lsp.TEXT_DOCUMENT_CODE_LENS: DocumentRequest(_code_lenses),
+        lsp.TEXT_DOCUMENT_INLAY_HINT: DocumentRequest(_inlay_hints),
+        lsp.TEXT_DOCUMENT_FORMATTING: DocumentRequest(_formatting),
+        lsp.TEXT_DOCUMENT_RANGE_FORMATTING: DocumentRequest(_range_formatting),
+        lsp.TEXT_DOCUMENT_ON_TYPE_FORMATTING: DocumentRequest(
             _on_type,
             lsp.DocumentOnTypeFormattingOptions(
                 first_trigger_character=formatting.TRIGGERS[0],
                 more_trigger_character=formatting.TRIGGERS[1:],
             ),
         ),
-        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL: Request(
+        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL: DocumentRequest(
             _tokens, semantic_tokens.LEGEND, is_long=True
         ),
-        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA: Request(
+        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA: DocumentRequest(
             _token_delta, semantic_tokens.LEGEND, is_long=True
         ),
-        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE: Request(_tokens_in_range, semantic_tokens.LEGEND),
+        lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE: DocumentRequest(
+            _tokens_in_range, semantic_tokens.LEGEND
+        ),
     }
 )
 """Requests by method; completion has a file of its own, for the client decides its form."""

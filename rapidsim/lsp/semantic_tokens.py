@@ -71,7 +71,7 @@ _BIT_OF = {name: 1 << index for index, name in enumerate(MODIFIERS)}
 
 
 @value_class(frozen=True, slots=True)
-class Piece:
+class TokenPiece:
     """The code of a part of a text, relative to its first character."""
 
     text: str
@@ -87,7 +87,7 @@ class SemanticTokenEncoder:
 
     def __init__(self) -> None:
         """Know none."""
-        self._pieces: dict[str, dict[tuple[tree.Node | None, str], Piece]] = {}
+        self._pieces: dict[str, dict[tuple[tree.Node | None, str], TokenPiece]] = {}
         self._answers: dict[str, tuple[str, list[int]]] = {}
         self._count = 0
 
@@ -125,7 +125,7 @@ class SemanticTokenEncoder:
     def _encoded(self, document: Document, start: int, end: int) -> list[int]:
         names, text = document.names, document.text
         before = self._pieces.get(document.path, {})
-        kept: dict[tuple[tree.Node | None, str], Piece] = {}
+        kept: dict[tuple[tree.Node | None, str], TokenPiece] = {}
         data: list[int] = []
         line, column = 0, 0
         lines = document.lines
@@ -210,7 +210,7 @@ def _piece(
     item: tree.Node | None,
     names: NamesOfNodes,
     lines: LineTable,
-) -> Piece:
+) -> TokenPiece:
     """Encode a part of a text that begins at an offset."""
     kinds: dict[int, tuple[str, int]] = {}
     if module is not None:
@@ -236,7 +236,9 @@ def _piece(
             modifiers,
         )
         line, column = place.line, place.character
-    return Piece(text, tuple(data), len(table.starts) - 1, (line, column) if data else (-1, -1))
+    return TokenPiece(
+        text, tuple(data), len(table.starts) - 1, (line, column) if data else (-1, -1)
+    )
 
 
 def _tokens(text: str) -> Iterator[tuple[int, int, str]]:

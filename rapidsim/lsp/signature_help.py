@@ -42,7 +42,7 @@ def signature_help(document: Document, position: lsp.Position) -> lsp.SignatureH
 
 
 def _parameter_spans(label: str, names: list[str], symbol: Symbol) -> list[tuple[int, int]]:
-    """Where each parameter stands in the label: the whole of it for a routine of the user."""
+    """Spans of the parameters in the label; with mode and type in a routine of the user."""
     spans: list[tuple[int, int]] = []
     start = label.find("(" if isinstance(symbol, RoutineSymbol) else " ") + 1
     for name in names:

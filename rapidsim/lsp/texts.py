@@ -1,4 +1,4 @@
-"""What is shown of a symbol: its declaration in RAPID, and words about it."""
+"""Texts about a symbol: its declaration in RAPID, its kind, its documentation."""
 
 from __future__ import annotations
 

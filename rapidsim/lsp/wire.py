@@ -30,10 +30,10 @@ from rapidsim.files import InputError
 from rapidsim.lsp import call_hierarchy, code_actions, code_lenses, completion, outline
 from rapidsim.lsp.background import Background
 from rapidsim.lsp.diagnostics import diagnostics_of
+from rapidsim.lsp.editor_session import EditorSession, OpenDocument, OpenProgram
 from rapidsim.lsp.positions import Encoding
-from rapidsim.lsp.requests import REQUESTS, Request
+from rapidsim.lsp.requests import REQUESTS, DocumentRequest
 from rapidsim.lsp.run_results import RunSummary
-from rapidsim.lsp.session import OpenDocument, OpenProgram, Session
 from rapidsim.lsp.uris import path_of
 from rapidsim.syntax.garbage_collection import gc_rarely
 
@@ -54,7 +54,7 @@ class RapidServer(LanguageServer):
     def __init__(self, version: str) -> None:
         """Begin without a client."""
         super().__init__("rapidsim", version)
-        self.session = Session(on_problem=self.warn)
+        self.session = EditorSession(on_problem=self.warn)
         self.background = Background()
         self.checks_moves = True
         self._dirty: set[str] = set()
@@ -221,7 +221,7 @@ def serve(version: str) -> None:
 def make_server(version: str) -> RapidServer:
     """Return a server with all its features."""
     server = RapidServer(version)
-    _add_life(server)
+    _add_lifecycle(server)
     _add_documents(server)
     for method, request in REQUESTS.items():
         server.feature(method, request.options)(_handler(server, request))
@@ -232,7 +232,7 @@ def make_server(version: str) -> RapidServer:
     return server
 
 
-def _handler(server: RapidServer, request: Request) -> Callable[[Any], Any]:
+def _handler(server: RapidServer, request: DocumentRequest) -> Callable[[Any], Any]:
     def now(params: Any) -> Any:
         found = server.session.find(params.text_document.uri)
         return None if found is None else _answer(request, found, params)
@@ -251,14 +251,14 @@ def _handler(server: RapidServer, request: Request) -> Callable[[Any], Any]:
     return later if request.is_long else now
 
 
-def _answer(request: Request, of: OpenDocument, params: Any) -> Any:
+def _answer(request: DocumentRequest, of: OpenDocument, params: Any) -> Any:
     try:
         return request.answer(of, params)
     except RenameRefusedError as refused:
         raise JsonRpcInvalidParams(str(refused)) from None
 
 
-def _add_life(server: RapidServer) -> None:
+def _add_lifecycle(server: RapidServer) -> None:
     @server.feature(lsp.INITIALIZE)
     def initialize(params: lsp.InitializeParams) -> None:
         server.begin(params)
@@ -317,7 +317,7 @@ def _add_documents(server: RapidServer) -> None:
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def did_change_files(params: lsp.DidChangeWatchedFilesParams) -> None:
-        if all(_is_known(session, change) for change in params.changes):
+        if all(_is_save_of_open_text(session, change) for change in params.changes):
             return
         before = {path for program in session.programs for path in program.paths}
         session.reload()
@@ -325,7 +325,7 @@ def _add_documents(server: RapidServer) -> None:
             server.changed(program, {*program.paths, *before})
 
 
-def _is_known(session: Session, change: lsp.FileEvent) -> bool:
+def _is_save_of_open_text(session: EditorSession, change: lsp.FileEvent) -> bool:
     """Whether a change on the disk is only that an open text was saved."""
     if change.type is lsp.FileChangeType.Deleted or not session.is_open(change.uri):
         return False

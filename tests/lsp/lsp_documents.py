@@ -6,9 +6,9 @@ from typing import Any
 
 from lsprotocol import types as lsp
 
+from rapidsim.lsp.editor_session import EditorSession, OpenDocument
 from rapidsim.lsp.positions import Encoding, LineTable
 from rapidsim.lsp.requests import REQUESTS
-from rapidsim.lsp.session import OpenDocument, Session
 
 URI = "untitled:m.mod"
 HERE = lsp.TextDocumentIdentifier(URI)
@@ -19,7 +19,7 @@ def opened(marked: str, encoding: Encoding = Encoding.UTF16) -> tuple[OpenDocume
     """An open document, and the position of the mark; the end of the text without one."""
     before, _, after = marked.partition(MARK)
     text = before + after
-    session = Session(encoding)
+    session = EditorSession(encoding)
     session.open(URI, text)
     found = session.find(URI)
     assert found is not None

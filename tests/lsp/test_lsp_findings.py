@@ -14,10 +14,10 @@ from rapidsim.diagnostics import all_rules
 from rapidsim.lsp.background import RunAnswer
 from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
+from rapidsim.lsp.editor_session import OpenDocument, text_changes
 from rapidsim.lsp.positions import Encoding
 from rapidsim.lsp.run_results import RunMove, RunResults, RunSummary
 from rapidsim.lsp.semantic_tokens import MODIFIERS, TYPES, SemanticTokenEncoder, difference
-from rapidsim.lsp.session import OpenDocument, text_changes
 from rapidsim.report.pages.rules import programs
 from rapidsim.workspace.changes import changed_text
 

@@ -12,9 +12,9 @@ from lsprotocol import types as lsp
 
 from rapidsim.analysis.occurrences.rename import RenameRefusedError
 from rapidsim.lsp.completion import completions
+from rapidsim.lsp.editor_session import EditorSession, OpenDocument
 from rapidsim.lsp.positions import Encoding, LineTable
 from rapidsim.lsp.requests import REQUESTS
-from rapidsim.lsp.session import OpenDocument, Session
 from rapidsim.lsp.uris import uri_of
 
 MAIN = "MODULE m\n  PROC main()\n    helper;\n  ENDPROC\nENDMODULE\n"
@@ -22,7 +22,7 @@ HELPER = "MODULE h\n  PROC helper()\n  ENDPROC\nENDMODULE\n"
 PROGRAMS = sorted((Path(__file__).parents[2] / "programs").rglob("*.mod"))
 
 
-def codes(session: Session, uri: str) -> list[str]:
+def codes(session: EditorSession, uri: str) -> list[str]:
     found = session.find(uri)
     assert found is not None
     return [one.code for one in found.findings]
@@ -37,7 +37,7 @@ def write(folder: Path, **texts: str) -> dict[str, str]:
 
 def test_modules_of_a_folder_are_one_task(tmp_path: Path) -> None:
     uris = write(tmp_path, main=MAIN, helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open(uris["main"], MAIN)
     assert codes(session, uris["main"]) == []
     changed = session.open(uris["helper"], HELPER.replace("helper", "other"))
@@ -49,7 +49,7 @@ def test_modules_of_a_folder_are_one_task(tmp_path: Path) -> None:
 
 def test_two_mains_are_two_programs(tmp_path: Path) -> None:
     uris = write(tmp_path, one=MAIN, two=MAIN.replace("MODULE m", "MODULE n"), helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open(uris["one"], MAIN)
     assert codes(session, uris["one"]) == ["N209"]
     session.open(uris["two"], MAIN)
@@ -64,7 +64,7 @@ def test_a_station_file_says_what_belongs_together(tmp_path: Path) -> None:
     (tmp_path / "sub").mkdir()
     text = MAIN.replace("helper;", "helper;\n    SetDO doGo,1;\n    missing;")
     uris = write(tmp_path / "sub", main=text, helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open(uris["main"], text)
     assert codes(session, uris["main"]) == []
     assert session.programs[0].job is not None
@@ -74,7 +74,7 @@ def test_a_broken_station_file_is_told_once_and_stops_nothing(tmp_path: Path) ->
     (tmp_path / "rapidsim.toml").write_text("[robot\n")
     uris = write(tmp_path, main=MAIN)
     told: list[str] = []
-    session = Session(on_problem=told.append)
+    session = EditorSession(on_problem=told.append)
     session.open(uris["main"], MAIN)
     assert codes(session, uris["main"]) == ["N209"]
     assert len(told) == 1
@@ -83,7 +83,7 @@ def test_a_broken_station_file_is_told_once_and_stops_nothing(tmp_path: Path) ->
 
 def test_a_folder_is_opened_as_a_program(tmp_path: Path) -> None:
     write(tmp_path, main=MAIN, helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open_folder(str(tmp_path))
     assert sorted(Path(of.path).name for of in session.documents()) == ["helper.mod", "main.mod"]
     session.open_folder(str(tmp_path / "absent"))
@@ -92,7 +92,7 @@ def test_a_folder_is_opened_as_a_program(tmp_path: Path) -> None:
 
 def test_a_link_is_the_file_it_leads_to(tmp_path: Path) -> None:
     uris = write(tmp_path, main=MAIN, helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open(uris["main"], MAIN)
     (tmp_path / "links").mkdir()
     link = tmp_path / "links" / "helper.mod"
@@ -106,7 +106,7 @@ def test_a_link_is_the_file_it_leads_to(tmp_path: Path) -> None:
 
 def test_reloading_keeps_open_texts(tmp_path: Path) -> None:
     uris = write(tmp_path, main=MAIN, helper=HELPER)
-    session = Session()
+    session = EditorSession()
     session.open(uris["main"], MAIN.replace("helper", "later"))
     write(tmp_path, helper=HELPER.replace("helper", "later"))
     session.reload()
@@ -114,7 +114,7 @@ def test_reloading_keeps_open_texts(tmp_path: Path) -> None:
 
 
 def test_a_document_that_is_closed_and_not_on_the_disk_is_forgotten() -> None:
-    session = Session()
+    session = EditorSession()
     session.open(URI, MAIN)
     session.close(URI)
     assert session.find(URI) is None
@@ -127,7 +127,7 @@ def test_any_edits_leave_the_text_of_the_client() -> None:
     """Texts follow edits as a client counts them, however it splits characters and lines."""
     chance = random.Random(1)
     for encoding in Encoding:
-        session = Session(encoding)
+        session = EditorSession(encoding)
         text = "MODULE m\r\r\n  ! é💡\n  PROC main()\r    a:=1;\r\n  ENDPROC\nENDMODULE\n"
         session.open(URI, text)
         for _ in range(cases(100)):
@@ -143,7 +143,7 @@ def test_any_edits_leave_the_text_of_the_client() -> None:
 
 
 def test_the_whole_text_may_be_sent() -> None:
-    session = Session()
+    session = EditorSession()
     session.open(URI, MAIN)
     session.change(URI, [lsp.TextDocumentContentChangeWholeDocument(HELPER)])
     assert session.text(URI) == HELPER
@@ -211,7 +211,7 @@ def test_no_request_raises_while_a_program_is_typed() -> None:
     """One session that types at random places, asked after each change."""
     chance = random.Random(3)
     document, _ = opened(PROGRAMS[0].read_text(encoding="latin-1").replace("^", ""))
-    session = Session()
+    session = EditorSession()
     session.open(URI, document.document.text)
     for _ in range(cases(100)):
         found = session.find(URI)

@@ -220,11 +220,11 @@ def _require_unused(new: str, names: NamesOfNodes, uses: Iterator[Occurrence]) -
             raise RenameRefusedError(f"`{new}` is the name of a module")
 
 
-def _is_inside(found: Occurrence, facts: Facts) -> bool:
+def _is_inside(occurrence: Occurrence, facts: Facts) -> bool:
     """Whether the name of a parameter is in its own routine, not in a call."""
-    assert found.symbol is not None
-    routine = _home_routine(found.symbol, facts)
-    return routine is not None and routine.start <= found.name.start < routine.end
+    assert occurrence.symbol is not None
+    routine = _home_routine(occurrence.symbol, facts)
+    return routine is not None and routine.start <= occurrence.name.start < routine.end
 
 
 def _is_local(symbol: NamedSymbol) -> bool:

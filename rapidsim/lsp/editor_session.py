@@ -72,14 +72,14 @@ class OpenProgram:
         """Return the job with the present texts; None without one."""
         return None if self.job is None else frozen(self.job, self.workspace)
 
-    def take_findings(self, found: Sequence[Diagnostic]) -> None:
+    def take_findings(self, findings: Sequence[Diagnostic]) -> None:
         """Take the findings of the second process on the present texts."""
         by_path: dict[str, tuple[Diagnostic, ...]] = {}
         for path in self.paths:
             known = {(one.code, one.order) for one in self.workspace.findings(path)}
             by_path[path] = tuple(
                 one
-                for one in found
+                for one in findings
                 if one.span is not None
                 and one.span.file == path
                 and (one.code, one.order) not in known
@@ -111,7 +111,7 @@ class OpenDocument:
         return self.program.findings(self.path)
 
 
-class Session:
+class EditorSession:
     """The programs that a client works on."""
 
     def __init__(
@@ -267,11 +267,11 @@ def text_changes(
     return edits
 
 
-def _is_same(one: str, other: str) -> bool:
+def _is_same(name: str, path: str) -> bool:
     """Whether two paths name one file, such as by a link or in another case."""
-    if Path(one).name.lower() != Path(other).name.lower():
+    if Path(name).name.lower() != Path(path).name.lower():
         return False
     try:
-        return Path(one).samefile(other)
+        return Path(name).samefile(path)
     except OSError:
         return False
