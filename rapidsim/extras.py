@@ -19,6 +19,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "numba": "fast",
         "aiohttp": "serve",
         "cryptography": "serve",
+        "pygls": "edit",
     }
 )
 """Extra that installs a package."""

@@ -55,6 +55,21 @@ class SymbolTable:
 
 
 @value_class(slots=True)
+class UnitResults:
+    """The results of one unit of a task: a routine, or all that is outside of routines."""
+
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+    undeclared: list[tuple[tree.DataReference, Context]] = field(default_factory=list)
+    """Uses of undeclared names that are or may be signals, in source order."""
+    signals: dict[str, Type] = field(default_factory=dict)
+    """Undeclared names that an instruction uses as a signal, with the first kind of signal."""
+    unknown: dict[str, UnknownSymbol] = field(default_factory=dict)
+    """Undeclared names, by folded name."""
+    unread: dict[str, bool] = field(default_factory=dict)
+    """Folded names, each with whether it occurs in unread text: the results depend on it."""
+
+
+@value_class(slots=True)
 class Analysis:
     """The results of one check so far."""
 
@@ -62,11 +77,14 @@ class Analysis:
     """Names that the configuration of the cell declares."""
     symbol_of: dict[tree.Node, Symbol] = field(default_factory=dict)
     type_of: dict[tree.Node, Type] = field(default_factory=dict)
-    diagnostics: list[Diagnostic] = field(default_factory=list)
+    unit: UnitResults = field(default_factory=UnitResults)
+    """Receives the results of the unit that is being checked."""
+    unknown_symbols: dict[str, UnknownSymbol] = field(default_factory=dict)
+    """Symbols of undeclared names, one each."""
     unknown: dict[str, UnknownSymbol] = field(default_factory=dict)
-    """Undeclared names, one symbol each."""
+    """Undeclared names of all units."""
     signals: dict[str, Type] = field(default_factory=dict)
-    """Undeclared names that an instruction uses as a signal, with the first kind of signal."""
+    """Undeclared names of all units that are signals, with the first kind of signal."""
     unread_text: str = ""
     """Folded text that the parser could not read; names that it may declare are not reported."""
     loads_modules: bool = False
@@ -84,7 +102,7 @@ class Analysis:
     callees: dict[Symbol, Callee] = field(default_factory=dict)
     """The user's routines as callees, created on the first call."""
     undeclared: list[tuple[tree.DataReference, Context]] = field(default_factory=list)
-    """Uses of undeclared names that are or may be signals, in source order."""
+    """Uses in all units of undeclared names that are or may be signals, in source order."""
     wanted_of_undeclared: dict[tree.DataReference, ExpectedType] = field(default_factory=dict)
     """Expected type of such a use, if known: not all signals have a typical name."""
 
@@ -128,13 +146,20 @@ class Analysis:
 
     def may_be_unread(self, key: str) -> bool:
         """Whether a folded name occurs in text that the parser could not read."""
+        is_unread = self.unit.unread[key] = self.is_unread(key)
+        return is_unread
+
+    def is_unread(self, key: str) -> bool:
+        """Answer `may_be_unread` without recording the question for the current unit."""
         return bool(self.unread_text) and bool(
             re.search(rf"\b{re.escape(key)}\b", self.unread_text)
         )
 
     def unknown_symbol(self, name: str) -> UnknownSymbol:
         """Return the symbol of an undeclared name."""
-        return self.unknown.setdefault(name.lower(), UnknownSymbol(name))
+        symbol = self.unknown_symbols.setdefault(name.lower(), UnknownSymbol(name))
+        self.unit.unknown[name.lower()] = symbol
+        return symbol
 
 
 @value_class(frozen=True, slots=True)
@@ -161,7 +186,7 @@ class Context:
     ) -> None:
         """Report a finding at a source span."""
         routine = self.routine.name if self.routine else None
-        self.analysis.diagnostics.append(
+        self.analysis.unit.diagnostics.append(
             Diagnostic(violation, span, related=related, fix=fix, routine=routine)
         )
 

@@ -7,15 +7,15 @@ once, so that thirty rules do not traverse the tree thirty times.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, reduce
 from operator import or_
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from rapidsim.analysis.context import Analysis
 from rapidsim.analysis.flow.graph import EXIT, NORMAL, ControlFlowGraph
-from rapidsim.analysis.flow.summaries import summarise
+from rapidsim.analysis.flow.summaries import components, summarise
 from rapidsim.analysis.program import LibrarySymbol, RoutineSymbol, Symbol, does
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Fix, Related, Span, Violation
@@ -24,6 +24,7 @@ from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 
 N = TypeVar("N", bound=tree.Node)
+V = TypeVar("V")
 ENTRY = "main"
 
 
@@ -34,6 +35,15 @@ class ProgramPart:
     module: tree.Module
     routine: tree.Routine | None
     nodes: Mapping[type[tree.Node], Sequence[tree.Node]]
+    memo: dict[object, Any] = field(default_factory=dict)
+    """Results of functions of this part alone, by function: see `Facts.of_part`."""
+
+    def renew(self) -> None:
+        """Read the part again after the body of the routine changed, or the value of data."""
+        vars(self).pop("names", None)
+        roots = _declarations(self.module) if self.routine is None else [self.routine]
+        vars(self)["nodes"] = _by_kind(roots)
+        self.memo.clear()
 
     def all(self, kind: type[N]) -> Sequence[N]:
         """The nodes of one class, in source order."""
@@ -86,6 +96,50 @@ class Facts:
 
     files: tuple[tree.File, ...]
     analysis: Analysis
+    memo: dict[tree.Node, Any] = field(default_factory=dict)
+    """The interpretation of calls, by call: see `rules/facts/instruction_questions.py`."""
+
+    def of_part(self, function: Callable[[ProgramPart, Facts], V], part: ProgramPart) -> V:
+        """Return the result of a function of one part, computed once as long as the part stays.
+
+        Args:
+            function: Examines one part, its symbols and types, and the declarations outside of
+                routines; no other routine and no other fact of the task.
+            part: The part.
+        """
+        try:
+            result: V = part.memo[function]
+        except KeyError:
+            result = part.memo[function] = function(part, self)
+        return result
+
+    def only(self, part: ProgramPart) -> Facts:
+        """Return the facts as if the task had only one part."""
+        facts = Facts((), self.analysis, self.memo)
+        vars(facts)["parts"] = (part,)
+        return facts
+
+    def renewed(self, files: tuple[tree.File, ...], changed: Iterable[ProgramPart]) -> Facts:
+        """Return the facts of the same task after the bodies of some routines changed.
+
+        Args:
+            files: The files.
+            changed: The parts of these routines, which are read again.
+        """
+        facts = Facts(files, self.analysis, self.memo)
+        stays = True
+        for part in changed:
+            if part.routine is None:
+                part.renew()
+                continue
+            before = tuple(part.memo.get(function) for function in (_callees, _may_return))
+            part.renew()
+            after = tuple(facts.of_part(function, part) for function in (_callees, _may_return))
+            stays = stays and before == after
+        # If the calls stay, so does what follows from them.
+        kept = _OF_PARTS + _OF_CALLS if stays else _OF_PARTS
+        vars(facts).update((name, vars(self)[name]) for name in kept if name in vars(self))
+        return facts
 
     @cached_property
     def parts(self) -> tuple[ProgramPart, ...]:
@@ -98,8 +152,7 @@ class Facts:
         )
 
     def _parts_of(self, module: tree.Module) -> Iterator[ProgramPart]:
-        outside = [item for item in module.items if not isinstance(item, tree.RoutineNode)]
-        yield ProgramPart(module, None, _by_kind(outside))
+        yield ProgramPart(module, None, _by_kind(_declarations(module)))
         for routine in module.routines:
             yield ProgramPart(module, routine, _by_kind([routine]))
 
@@ -116,16 +169,21 @@ class Facts:
     @cached_property
     def call_graph(self) -> Mapping[ProgramPart, tuple[ProgramPart, ...]]:
         """The routines that each routine calls, each once."""
-        found: dict[ProgramPart, tuple[ProgramPart, ...]] = {}
-        for part in self.routine_parts:
-            callees = filter(None, map(self.callee_of, part.calls))
-            found[part] = tuple(dict.fromkeys(callees))
-        return found
+        part_of = self.part_of
+        return {
+            part: tuple(part_of[one] for one in self.of_part(_callees, part) if one in part_of)
+            for part in self.routine_parts
+        }
 
     @cached_property
     def bit_of(self) -> Mapping[ProgramPart, int]:
         """A bit for each routine: sets of routines are integers, which are quick to join."""
         return {part: 1 << number for number, part in enumerate(self.routine_parts)}
+
+    @cached_property
+    def components(self) -> Sequence[tuple[ProgramPart, ...]]:
+        """The routines, callees first; those that call each other are in one component."""
+        return components(self.routine_parts, self.call_graph.__getitem__)
 
     @cached_property
     def reached_from(self) -> Mapping[ProgramPart, int]:
@@ -134,7 +192,8 @@ class Facts:
         def summary_of(part: ProgramPart, known: Mapping[ProgramPart, int]) -> int:
             return reduce(or_, (known[one] for one in self.call_graph[part]), self.bit_of[part])
 
-        return summarise(self.routine_parts, self.call_graph.__getitem__, 0, summary_of)
+        callees = self.call_graph.__getitem__
+        return summarise(self.routine_parts, callees, 0, summary_of, self.components)
 
     @cached_property
     def returning(self) -> Mapping[tree.Routine, bool]:
@@ -145,11 +204,16 @@ class Facts:
                 callee = self.callee_of(node)
                 return callee is not None and not known[callee]
 
-            graph = self.flow(part)
+            if not self.of_part(_may_return, part):
+                return False
+            if all(known[callee] for callee in self.call_graph[part]):
+                return True
             is_unread = tree.InvalidStatement in part.nodes
+            graph = self.flow(part)
             return is_unread or EXIT in graph.reached(NORMAL, graph.entries, never_returns)
 
-        found = summarise(self.routine_parts, self.call_graph.__getitem__, False, summary_of)
+        callees = self.call_graph.__getitem__
+        found = summarise(self.routine_parts, callees, False, summary_of, self.components)
         return {part.routine: can for part, can in found.items() if part.routine is not None}
 
     def can_return(self, call: tree.Call | tree.FunctionCall) -> bool:
@@ -231,6 +295,31 @@ class Facts:
         """The user routine that a call invokes."""
         symbol = self.symbol(node)
         return symbol.node if isinstance(symbol, RoutineSymbol) else None
+
+
+_OF_PARTS = ("parts", "routine_parts", "part_of", "bit_of")
+"""Facts that stay as long as the routines are the same."""
+_OF_CALLS = ("call_graph", "components", "reached_from", "returning")
+"""Facts that stay as long as the routines have the same callees and can return as before."""
+
+
+def _callees(part: ProgramPart, facts: Facts) -> tuple[tree.Routine, ...]:
+    """The routines of the user that a part calls, each once."""
+    called = (facts.routine_called(call) for call in part.calls)
+    return tuple(dict.fromkeys(routine for routine in called if routine is not None))
+
+
+def _may_return(part: ProgramPart, facts: Facts) -> bool:
+    """Whether a routine can return if all its callees do."""
+    if tree.InvalidStatement in part.nodes:
+        return True
+    graph = facts.flow(part)
+    return EXIT in graph.reached(NORMAL, graph.entries)
+
+
+def _declarations(module: tree.Module) -> list[tree.Node]:
+    """The items of a module that are no routines."""
+    return [item for item in module.items if not isinstance(item, tree.RoutineNode)]
 
 
 def _by_kind(roots: Sequence[tree.Node]) -> Mapping[type[tree.Node], Sequence[tree.Node]]:

@@ -44,6 +44,11 @@ class Suppression:
         return not self.codes or any(diagnostic.violation.rule.matches(code) for code in self.codes)
 
 
+def is_suppressing(comment: tree.Comment) -> bool:
+    """Whether a comment suppresses findings."""
+    return _COMMENT.match(comment.text) is not None
+
+
 def suppressions(files: Iterable[tree.File]) -> Iterator[Suppression]:
     """Yield the suppressing comments of files."""
     for file in files:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from rapidsim.analysis.context import Context
 from rapidsim.analysis.syntax_violations import (
     ArrayComponent,
@@ -31,10 +33,10 @@ _MARKED = frozenset(
 """The kinds of nodes with marks."""
 
 
-def check_lenient_marks(context: Context) -> None:
-    """Report every lenient mark and placeholder of a module."""
+def check_lenient_marks(items: Iterable[tree.Item], context: Context) -> None:
+    """Report every lenient mark and placeholder of some items of a module."""
     text = context.module.source.text
-    for node in descendants(*context.module.items):
+    for node in descendants(*items):
         if type(node) not in _MARKED:
             continue
         match node:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from datetime import datetime
 from os import PathLike, fspath
@@ -33,6 +33,7 @@ def load(
     home: PathLike_ | None = None,
     assume_missing: bool = False,
     strict: bool = False,
+    texts: Mapping[PathLike_, str] | None = None,
 ) -> Cell:
     """Load a program, a folder, a program file or a controller backup.
 
@@ -46,6 +47,8 @@ def load(
         home: The folder for HOME: of runs that name none; None is `<program>.home`.
         assume_missing: Whether what no module declares is assumed to exist: calls are skipped.
         strict: Whether what is unknown, not simulated or not checked fails: `ok` is false.
+        texts: Texts of files of the program, by path, in place of those on the disk, such as those
+            that an editor has not saved. The files themselves must exist.
 
     Raises:
         InputError: If something is missing, unreadable, or not RAPID.
@@ -59,6 +62,7 @@ def load(
         home=None if home is None else fspath(home),
         assume_missing=assume_missing,
         strict=strict,
+        texts={fspath(path): text for path, text in (texts or {}).items()},
     )
     return Cell(asked)
 

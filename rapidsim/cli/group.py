@@ -24,6 +24,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "check": "Check a program for mistakes.",
         "fmt": "Lay out RAPID: indentation, reserved words, white space.",
         "diff": "Show what changed between two programs or runs.",
+        "lsp": "Serve an editor, on standard input and output.",
         "dap": "Debug from an editor, on standard input and output.",
         "explain": "Explain a rule, with an example and a fix.",
         "init": "Write a first station file for a program, a folder or a backup.",

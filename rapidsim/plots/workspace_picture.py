@@ -13,7 +13,7 @@ from matplotlib.patches import Wedge
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.language.moves import Interpolation
-from rapidsim.motion.waypoints.workspace import Workspace
+from rapidsim.motion.waypoints.workspace import ArmWorkspace
 from rapidsim.plots.stick_arm import MM, draw_stick, stick
 from rapidsim.plots.theme import Theme, new_figure
 from rapidsim.plots.write import write_pictures
@@ -22,7 +22,7 @@ _FILLED = 0.35
 """Opacity of filled areas."""
 
 
-def write_workspace_plots(workspace: Workspace, folder: Path) -> tuple[Path, ...]:
+def write_workspace_plots(workspace: ArmWorkspace, folder: Path) -> tuple[Path, ...]:
     """Write the picture, light and dark.
 
     Raises:
@@ -31,7 +31,7 @@ def write_workspace_plots(workspace: Workspace, folder: Path) -> tuple[Path, ...
     return write_pictures({"workspace": partial(workspace_picture, workspace)}, folder)
 
 
-def workspace_picture(workspace: Workspace, theme: Theme) -> Figure:
+def workspace_picture(workspace: ArmWorkspace, theme: Theme) -> Figure:
     """Draw both views, with the arm at its position before a run."""
     title = f"Workspace of the flange: {workspace.robot.title}, {workspace.volume:.2f} m³"
     figure = new_figure(title, width=11.0, height=5.6)
@@ -42,7 +42,7 @@ def workspace_picture(workspace: Workspace, theme: Theme) -> Figure:
     return figure
 
 
-def _draw_section(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
+def _draw_section(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Theme) -> None:
     """Draw the half plane through axis 1 with the reached cells."""
     near, far, low, high = (MM * value for value in workspace.extent)
     rows, columns = workspace.section.shape
@@ -72,7 +72,7 @@ def _draw_section(axes: Axes, workspace: Workspace, corners: Array, theme: Theme
     axes.set_aspect("equal", adjustable="datalim")
 
 
-def _draw_from_above(axes: Axes, workspace: Workspace, corners: Array, theme: Theme) -> None:
+def _draw_from_above(axes: Axes, workspace: ArmWorkspace, corners: Array, theme: Theme) -> None:
     """Draw the ring that the section sweeps about axis 1."""
     near, far = (MM * value for value in workspace.extent[:2])
     first, last = (float(np.degrees(value)) for value in workspace.turn)

@@ -63,6 +63,7 @@ _BEFORE_EXPRESSION = frozenset({"BECOMES", "COMMA", "IF", "ELSEIF", "WHILE", "TE
 # separately, because each pattern alone is many times as fast as all together.
 _LARGE_EXPONENT = re.compile(r"[eE]\+?[0-9]{3}")
 _LONG_PREFIXED = re.compile(r"0[xXoObB]\w{200}")
+_FEW_TOKENS = 2_000
 _EVERY = 10
 _MANY_DIGITS = re.compile(f"[0-9]{{{300 // _EVERY}}}")
 """Stride of a quick test: 300 consecutive digits are visible at this stride, little else is."""
@@ -169,7 +170,8 @@ def token_limits(tokens: Tokens, source: Source) -> tuple[Diagnostic, ...]:
     found: list[Diagnostic] = []
     if any(len(word) > LONGEST_NAME for word in tokens.words):
         found += _long_names(tokens, source)
-    huge_numbers = _may_hold_huge_numbers(source.text)
+    # Few tokens are examined more quickly than the text.
+    huge_numbers = len(tokens.kinds) < _FEW_TOKENS or _may_hold_huge_numbers(source.text)
     strings = '"' in source.text
     if not (huge_numbers or strings):
         return tuple(found)

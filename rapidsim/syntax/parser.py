@@ -140,7 +140,13 @@ def _run(
 
 
 def _parsed(source: Source, left_out: Sequence[tuple[int, int]]) -> Parsed:
-    tokens, diagnostics = bounded(lex(source.text, left_out), source)
+    return parse_tokens(lex(source.text, left_out), source)
+
+
+@gc_paused()
+def parse_tokens(tokens: Tokens, source: Source) -> Parsed:
+    """Build the tree of the tokens of a source; see `parse`."""
+    tokens, diagnostics = bounded(tokens, source)
     builder = Builder(source)
     modules = build_tree(tokens, builder)
     if modules is None:

@@ -222,3 +222,15 @@ def test_nothing_is_shown_in_more_than_a_line(run: Run, geometry: rapidsim.Cell)
     ]
     too_long = [text for text in map(repr, shown) if len(text) > LONGEST or "\n" in text]
     assert not too_long
+
+
+def test_texts_replace_those_on_the_disk(tmp_path: Path) -> None:
+    file = tmp_path / "m.mod"
+    file.write_text("MODULE m\n  PROC main()\n    b;\n  ENDPROC\nENDMODULE\n", encoding="utf-8")
+    unsaved = file.read_text(encoding="utf-8").replace("    b;\n", "")
+    assert [one.code for one in rapidsim.load(file).check().diagnostics] == ["N209"]
+    cell = rapidsim.load(file, texts={file: unsaved})
+    assert not cell.check().diagnostics
+    assert cell.run().end == "ended"
+    with pytest.raises(rapidsim.InputError, match="no file of the program"):
+        rapidsim.load(file, texts={tmp_path / "other.mod": ""})

@@ -7,7 +7,7 @@ from rapidsim.frames.transform import Transform, matrix_from_quaternion
 from rapidsim.motion.configurations.reachability import unreachable_reason
 from rapidsim.motion.robot.robot import load_robot
 from rapidsim.motion.waypoints.random_points import posture_points, reached_points
-from rapidsim.motion.waypoints.workspace import Workspace, workspace_of
+from rapidsim.motion.waypoints.workspace import ArmWorkspace, workspace_of
 
 TOOL = Transform(np.eye(3), np.array([0.0, 0.0, 0.16]))
 
@@ -16,7 +16,7 @@ def test_the_kr_10_has_the_volume_of_its_data_sheet() -> None:
     """Its maker gives 5.14 m3 and 1101 mm for the wrist centre, 80 mm behind the flange."""
     wrist = Transform(np.eye(3), np.array([0.0, 0.0, -0.08]))
     found = workspace_of(load_robot("kr10"), wrist)
-    assert isinstance(found, Workspace)
+    assert isinstance(found, ArmWorkspace)
     assert found.volume == pytest.approx(5.14, rel=0.02)
     assert found.extent[1] == pytest.approx(1.1012, abs=found.cell)
     assert np.degrees(found.swept) == pytest.approx(340.0)
@@ -25,7 +25,7 @@ def test_the_kr_10_has_the_volume_of_its_data_sheet() -> None:
 def test_what_is_in_the_section_is_reached() -> None:
     """The furthest row of the RV-M1 is what its stretched arm gives."""
     found = workspace_of(load_robot("rvm1"))
-    assert isinstance(found, Workspace)
+    assert isinstance(found, ArmWorkspace)
     assert found.extent[1] == pytest.approx(0.250 + 0.160 + 0.072, abs=2.0 * found.cell)
     assert found.heights[0] < 0.0 < found.heights[-1]
 

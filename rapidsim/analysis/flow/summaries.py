@@ -59,6 +59,7 @@ def summarise(
     callees: Callable[[R], Iterable[R]],
     nothing: S,
     summary_of: Callable[[R, Mapping[R, S]], S],
+    order: Iterable[tuple[R, ...]] | None = None,
 ) -> dict[R, S]:
     """Return a summary of each routine.
 
@@ -67,9 +68,10 @@ def summarise(
         callees: Returns the routines that a routine calls.
         nothing: The initial summary of mutually recursive routines.
         summary_of: Returns the summary of a routine from the summaries of its callees.
+        order: The components of the call graph, callees first, if they are known already.
     """
     summaries: dict[R, S] = {}
-    for component in components(routines, callees):
+    for component in components(routines, callees) if order is None else order:
         summaries |= dict.fromkeys(component, nothing)
         is_recursive = len(component) > 1 or component[0] in callees(component[0])
         while True:

@@ -70,7 +70,7 @@ def data_named(reference: tree.DataReference, context: Context) -> DataLike | No
     """
     symbol = find(reference.name.key, context)
     if symbol is None or _may_be_older(symbol, context):
-        context.analysis.undeclared.append((reference, context))
+        context.analysis.unit.undeclared.append((reference, context))
         return None
     return as_data(symbol, reference, context)
 
@@ -156,8 +156,8 @@ def report_undefined(
 def take_for_signal(reference: tree.DataReference, of: Type, context: Context) -> None:
     """Treat an undeclared name as a signal of that name."""
     analysis = context.analysis
-    analysis.signals.setdefault(reference.name.key, of)
-    analysis.undeclared.append((reference, context))
+    analysis.unit.signals.setdefault(reference.name.key, of)
+    analysis.unit.undeclared.append((reference, context))
     analysis.symbol_of[reference] = analysis.unknown_symbol(reference.name.text)
     analysis.type_of[reference] = of
 

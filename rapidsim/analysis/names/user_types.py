@@ -67,6 +67,11 @@ class UserTypes:
             return self._type_of(node)
         return installed_type(name.key) or self._unknown_type(name, context)
 
+    def resolves(self, key: str, module: tree.Module) -> bool:
+        """Whether a folded name refers to a declared or a predefined type in a module."""
+        is_declared = (module, key) in self._nodes or (None, key) in self._nodes
+        return is_declared or installed_type(key) is not None
+
     def _type_of(self, node: TypeNode) -> Type:
         built = self._built.get(node)
         if built is not None:

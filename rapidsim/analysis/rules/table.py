@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from enum import Enum
 
 from rapidsim.analysis.program_parts import Facts
 from rapidsim.analysis.rules.control_flow import (
@@ -48,23 +49,40 @@ from rapidsim.language.target_violations import QuaternionNotUnit
 from rapidsim.values import value_class
 
 
+class RuleScope(Enum):
+    """The text on which the findings of a detector depend."""
+
+    TEXT = "text"
+    """The characters of one file."""
+    FILE = "file"
+    """The characters of one file and its tree."""
+    ROUTINE = "routine"
+    """One routine, or the declarations of one module, with the symbols and types in it.
+
+    Declarations outside of routines may be looked up; no other routine is.
+    """
+    TASK = "task"
+    """All files of the task; results for single routines come from `Facts.of_part`."""
+
+
 @value_class(frozen=True, slots=True)
 class Detector:
     """A function that detects some rules."""
 
     find: Callable[[Facts], Iterable[Diagnostic]]
     rules: tuple[type[Violation], ...]
+    scope: RuleScope = RuleScope.ROUTINE
 
 
 DETECTORS = (
     Detector(unsimulated.find_unsupported, (unsimulated.UnsupportedConstruct,)),
-    Detector(text_rules.find_bad_line_endings, (text_rules.BadLineEndings,)),
-    Detector(text_rules.find_bad_encoding, (text_rules.BadEncoding,)),
-    Detector(shadowing.find_shadowed, (shadowing.ShadowedName,)),
+    Detector(text_rules.find_bad_line_endings, (text_rules.BadLineEndings,), RuleScope.TEXT),
+    Detector(text_rules.find_bad_encoding, (text_rules.BadEncoding,), RuleScope.TEXT),
+    Detector(shadowing.find_shadowed, (shadowing.ShadowedName,), RuleScope.TASK),
     Detector(shadowing.find_redefined, (shadowing.RedefinedBuiltin,)),
-    Detector(unused.find_unused_data, (unused.UnusedData,)),
-    Detector(unused.find_unused_routines, (unused.UnusedRoutine,)),
-    Detector(late_names.find_late_names, (late_names.AmbiguousLateBinding,)),
+    Detector(unused.find_unused_data, (unused.UnusedData,), RuleScope.TASK),
+    Detector(unused.find_unused_routines, (unused.UnusedRoutine,), RuleScope.TASK),
+    Detector(late_names.find_late_names, (late_names.AmbiguousLateBinding,), RuleScope.TASK),
     Detector(numbers.find_float_equality, (numbers.FloatEquality,)),
     Detector(numbers.find_long_integers, (numbers.NumIntegerPrecision,)),
     Detector(numbers.find_zero_divisors, (numbers.DivisionByConstantZero,)),
@@ -72,13 +90,19 @@ DETECTORS = (
     Detector(digital_values.find_digital_values, (digital_values.DigitalValue,)),
     Detector(strings.find_long_texts, (strings.TextTooLong,)),
     Detector(world_zones.find_world_zones, (world_zones.WorldZoneOfRoutine,)),
-    Detector(optional_parameters.find_absent_optionals, (optional_parameters.AbsentOptionalUsed,)),
+    Detector(
+        optional_parameters.find_absent_optionals,
+        (optional_parameters.AbsentOptionalUsed,),
+        RuleScope.TASK,
+    ),
     Detector(conditions.find_constant_conditions, (conditions.ConstantCondition,)),
     Detector(conditions.find_endless_loops, (conditions.EndlessLoop,)),
     Detector(
-        invariant_conditions.find_unchanging_conditions, (invariant_conditions.UnchangingCondition,)
+        invariant_conditions.find_unchanging_conditions,
+        (invariant_conditions.UnchangingCondition,),
+        RuleScope.TASK,
     ),
-    Detector(open_files.find_opened_in_loops, (open_files.OpenedInLoop,)),
+    Detector(open_files.find_opened_in_loops, (open_files.OpenedInLoop,), RuleScope.TASK),
     Detector(conditions.find_not_before_and, (conditions.NotBeforeAnd,)),
     Detector(conditions.find_duplicate_cases, (conditions.DuplicateCase,)),
     Detector(conditions.find_tests_without_default, (conditions.TestWithoutDefault,)),
@@ -88,41 +112,49 @@ DETECTORS = (
     Detector(
         handlers.find_errors_that_fall_through,
         (handlers.ErrorFallsThrough, handlers.RaisedErrorFallsThrough),
+        RuleScope.TASK,
     ),
-    Detector(recursion.find_recursion, (recursion.Recursion,)),
-    Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,)),
-    Detector(unreleased.find_interrupts_left_off, (unreleased.InterruptsLeftOff,)),
-    Detector(unreleased.find_robot_left_stopped, (unreleased.RobotLeftStopped,)),
-    Detector(never_set.find_never_set, (never_set.ReadBeforeSet,)),
+    Detector(recursion.find_recursion, (recursion.Recursion,), RuleScope.TASK),
+    Detector(mode_leak.find_mode_leaks, (mode_leak.ModeLeak,), RuleScope.TASK),
+    Detector(unreleased.find_interrupts_left_off, (unreleased.InterruptsLeftOff,), RuleScope.TASK),
+    Detector(unreleased.find_robot_left_stopped, (unreleased.RobotLeftStopped,), RuleScope.TASK),
+    Detector(never_set.find_never_set, (never_set.ReadBeforeSet,), RuleScope.TASK),
     Detector(traps.find_trap_hazards, (traps.TrapHazard,)),
-    Detector(traps.find_never_connected, (traps.NeverConnected,)),
+    Detector(traps.find_never_connected, (traps.NeverConnected,), RuleScope.TASK),
     Detector(orientations.find_bad_orientations, (QuaternionNotUnit,)),
-    Detector(zones.find_behind_zones, (zones.ZoneBeforeWait, zones.OutputInZone)),
-    Detector(tools.find_mixed_frames, (tools.ToolOrWobjMissing,)),
+    Detector(zones.find_behind_zones, (zones.ZoneBeforeWait, zones.OutputInZone), RuleScope.TASK),
+    Detector(tools.find_mixed_frames, (tools.ToolOrWobjMissing,), RuleScope.TASK),
     Detector(tools.find_bad_loads, (tools.BadLoadData,)),
     Detector(tools.find_holding_mismatch, (tools.StationaryToolMismatch,)),
-    Detector(target_data.find_external_axes, (target_data.ExternalAxisValue,)),
+    Detector(target_data.find_external_axes, (target_data.ExternalAxisValue,), RuleScope.TASK),
     Detector(target_data.find_bad_confdata, (target_data.BadConfdata,)),
-    Detector(target_data.find_duplicates, (target_data.DuplicateTargets,)),
-    Detector(units.find_metres, (units.MetresOrRadians,)),
-    Detector(units.find_slow_speeds, (units.MetresOrRadians,)),
+    Detector(target_data.find_duplicates, (target_data.DuplicateTargets,), RuleScope.TASK),
+    Detector(units.find_metres, (units.MetresOrRadians,), RuleScope.TASK),
+    Detector(units.find_slow_speeds, (units.MetresOrRadians,), RuleScope.TASK),
     Detector(units.find_radians, (units.MetresOrRadians,)),
     Detector(
-        cumulative_displacement.find_drifting_targets, (cumulative_displacement.DriftingTarget,)
+        cumulative_displacement.find_drifting_targets,
+        (cumulative_displacement.DriftingTarget,),
+        RuleScope.TASK,
     ),
-    Detector(first_move.find_first_move, (first_move.FirstMoveLinear,)),
+    Detector(first_move.find_first_move, (first_move.FirstMoveLinear,), RuleScope.TASK),
     Detector(first_move.find_moves_without_speed, (first_move.MoveWithoutSpeed,)),
     Detector(waits.find_waits_without_timeout, (waits.WaitWithoutTimeout,)),
-    Detector(style.find_keyword_case, (style.KeywordCase,)),
-    Detector(style_layout.find_indentation, (style_layout.Indentation,)),
-    Detector(style_layout.find_trailing_space, (style_layout.TrailingSpace,)),
-    Detector(style_layout.find_blank_lines, (style_layout.BlankLines,)),
-    Detector(style_layout.find_final_newline, (style_layout.FinalNewline,)),
-    Detector(style_layout.find_long_lines, (style_layout.LineTooLong,)),
+    Detector(style.find_keyword_case, (style.KeywordCase,), RuleScope.TEXT),
+    Detector(style_layout.find_indentation, (style_layout.Indentation,), RuleScope.FILE),
+    Detector(style_layout.find_trailing_space, (style_layout.TrailingSpace,), RuleScope.TEXT),
+    Detector(style_layout.find_blank_lines, (style_layout.BlankLines,), RuleScope.TEXT),
+    Detector(style_layout.find_final_newline, (style_layout.FinalNewline,), RuleScope.TEXT),
+    Detector(style_layout.find_long_lines, (style_layout.LineTooLong,), RuleScope.FILE),
     Detector(style.find_long_routines, (style.LongRoutine,)),
-    Detector(style.find_commented_out, (style.CommentedOutCode,)),
+    Detector(style.find_commented_out, (style.CommentedOutCode,), RuleScope.FILE),
     Detector(style.find_inline_targets, (style.InlineTarget,)),
 )
+
+
+def scope_of(find: Callable[[Facts], Iterable[Diagnostic]]) -> RuleScope:
+    """Return the scope of a detector; that of a function outside of the table is the task."""
+    return next((one.scope for one in DETECTORS if one.find is find), RuleScope.TASK)
 
 
 def detectors_of(

@@ -55,7 +55,7 @@ def _report(
     ]
     problem = f"{shown[0]} and {shown[1]} of `{callee.name}` are in each other's place"
     edits = (Edit(spans[0], spans[1].text), Edit(spans[1], spans[0].text))
-    context.analysis.diagnostics.append(
+    context.analysis.unit.diagnostics.append(
         Diagnostic(
             BadArguments(problem, "swapped", callee.order),
             spans[0],

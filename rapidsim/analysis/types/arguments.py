@@ -182,7 +182,7 @@ def _is_configured(of: Type) -> bool:
 def _take_for_unit(reference: tree.DataReference, of: Type, context: Context) -> None:
     analysis = context.analysis
     name = reference.name
-    if name.key not in analysis.unknown:
+    if name.key not in analysis.unit.unknown:
         context.report(UnknownUnit(name.text, of.name), name)
     analysis.symbol_of[reference] = analysis.unknown_symbol(name.text)
     analysis.type_of[reference] = of

@@ -12,7 +12,7 @@ from dataclasses import replace
 from types import FrameType
 
 from rapidsim.analysis.cell_names import ConfiguredSymbol
-from rapidsim.analysis.context import Analysis, Context
+from rapidsim.analysis.context import Analysis, Context, UnitResults
 from rapidsim.analysis.evaluation import NOT_STATIC, Evaluator, Known, NotStatic
 from rapidsim.analysis.literals import is_signal
 from rapidsim.analysis.names.user_types import UserTypes
@@ -119,7 +119,9 @@ class FrameExpressions:
         node, parsed = _parsed(text)
         context = self._context(frame, parsed)
         of = type_of_expression(node, context, None)
-        errors = [one for one in context.analysis.diagnostics if one.severity is Severity.ERROR]
+        errors = [
+            one for one in context.analysis.unit.diagnostics if one.severity is Severity.ERROR
+        ]
         unknown = _undeclared(node, context.analysis)
         if errors:
             raise NotShownError(errors[0].violation.message)
@@ -148,7 +150,7 @@ class FrameExpressions:
             self._declared[program] = analysis, user_types, by_module
         analysis, user_types, homes_of = self._declared[program]
         home = homes_of[module_of(frame)]
-        own = replace(analysis, diagnostics=[], undeclared=[], unknown={}, signals={})
+        own = replace(analysis, unit=UnitResults(), undeclared=[], unknown={}, signals={})
         home = replace(home, analysis=own, module=file.modules[0])
         routine = routine_of(frame)
         if routine is None:
@@ -160,7 +162,7 @@ class FrameExpressions:
             if isinstance(node, tree.For):
                 counter = program.symbol_of[node]
                 inside.scope.names.setdefault(node.counter.key, counter)
-        own.diagnostics.clear()
+        own.unit.diagnostics.clear()
         return replace(inside, module=file.modules[0])
 
 

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from rapidsim.analysis.cell_names import NO_CELL, CellNames
 from rapidsim.analysis.passes.checker import Find, check
-from rapidsim.analysis.passes.flow_violations import UnreachableCode
 from rapidsim.analysis.program import Program
-from rapidsim.diagnostics import Diagnostic, Severity, Source, Span
+from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.files import SourceFile
 from rapidsim.jobs.checking.stubbed_program import stubbed_program
 from rapidsim.module_files import TaskFiles
 from rapidsim.syntax import tree
 from rapidsim.syntax.parser import parse
-from rapidsim.syntax.violations import UnclosedBlock
 from rapidsim.values import value_class
+from rapidsim.workspace.guesses import without_guesses
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -57,7 +55,7 @@ def load(
     names = replace(cell, unseen=tuple(unseen), refers_late=refers_late)
     checked = check(trees, rules, cell=names)
     of_syntax = [found for one in parsed for found in one.diagnostics]
-    of_names = _without_guesses(checked.diagnostics, of_syntax, trees)
+    of_names = without_guesses(checked.diagnostics, of_syntax, trees)
     diagnostics = (*of_syntax, *of_names)
     program = checked.program
     if any(d.severity is Severity.ERROR for d in diagnostics):
@@ -85,30 +83,3 @@ def load_task(
         runs_of=runs_of,
         keeps_data=keeps_data,
     )
-
-
-def _without_guesses(
-    findings: Sequence[Diagnostic], of_syntax: Sequence[Diagnostic], files: Sequence[tree.File]
-) -> Iterator[Diagnostic]:
-    """Yield the findings, without unreachable code in routines with an unclosed block.
-
-    The repair inserts the end at the last possible position, so the statements after a RETURN seem
-    to be in the block.
-    """
-    unclosed = [one.span for one in of_syntax if isinstance(one.violation, UnclosedBlock)]
-    if not unclosed:
-        yield from findings
-        return
-    starts = {
-        file.source.file: [routine.start for module in file.modules for routine in module.routines]
-        for file in files
-    }
-
-    def routine_around(span: Span | None) -> tuple[str, int] | None:
-        """Return file and number of the last routine that begins before a position."""
-        return None if span is None else (span.file, bisect_right(starts[span.file], span.start))
-
-    broken = {routine_around(span) for span in unclosed}
-    for one in findings:
-        if not isinstance(one.violation, UnreachableCode) or routine_around(one.span) not in broken:
-            yield one

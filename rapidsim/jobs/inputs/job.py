@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rapidsim.analysis.cell_names import CellNames
-from rapidsim.files import InputError, SourceFile
+from rapidsim.files import InputError, SourceFile, did_you_mean
 from rapidsim.jobs.inputs.api_options import with_api_options
 from rapidsim.jobs.inputs.input_resolution import choose_robot, choose_station
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
@@ -168,7 +168,7 @@ def job(request: RunRequest, *, open_robot: OpenRobot | None = None) -> Job:
     if request.fail_on is not None:
         settings = replace(settings, fail_on=request.fail_on)
     station = replace(station, check=settings)
-    tasks = chosen_tasks(request.paths, station, request.task)
+    tasks = _read_tasks(request, station)
     open_robot = open_robot or _of_the_catalogue
     remarks = (
         *station.remarks,
@@ -224,7 +224,31 @@ def _is_arm_of(robot: StationRobot, arm: Robot, open_robot: OpenRobot) -> bool:
 
 def read_again(job: Job) -> Job:
     """Return the job with its files read again."""
-    return replace(job, tasks=chosen_tasks(job.request.paths, job.station, job.request.task))
+    return replace(job, tasks=_read_tasks(job.request, job.station))
+
+
+def _read_tasks(request: RunRequest, station: Station) -> tuple[TaskFiles, ...]:
+    """Read the files of the tasks, but for those whose texts the request contains.
+
+    Raises:
+        InputError: See `job`; also if the request contains the text of a file of no task.
+    """
+    tasks = chosen_tasks(request.paths, station, request.task)
+    if not request.texts:
+        return tasks
+    names = {os.path.realpath(file.name): file.name for task in tasks for file in task.files}
+    for path in request.texts:
+        if os.path.realpath(path) not in names:
+            help = did_you_mean(path, names.values()) or "texts= names files of the program"
+            raise InputError(f"{path} is no file of the program", help)
+    texts = {names[os.path.realpath(path)]: text for path, text in request.texts.items()}
+    return tuple(
+        replace(
+            task,
+            files=tuple(replace(file, text=texts.get(file.name, file.text)) for file in task.files),
+        )
+        for task in tasks
+    )
 
 
 def _of_the_catalogue(name: str, scale: float | None) -> Robot:

@@ -25,7 +25,7 @@ _UPRIGHT = 1e-6
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class Workspace:
+class ArmWorkspace:
     """Positions that the flange of an arm reaches."""
 
     robot: Robot
@@ -73,7 +73,7 @@ class Workspace:
         )
 
 
-def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Workspace | str:
+def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> ArmWorkspace | str:
     """Sample postures evenly over the joints except axis 1, which only rotates the result.
 
     Args:
@@ -109,7 +109,7 @@ def workspace_of(robot: Robot, flange_from_point: Transform | None = None) -> Wo
     row = np.floor((found[:, 1] - lowest) / cell).astype(np.int64)
     section = np.zeros((row.max() + 1, column.max() + 1), dtype=np.bool_)
     section[row, column] = True
-    return Workspace(
+    return ArmWorkspace(
         robot, cell, lowest, _closed(section), (float(robot.lower[0]), float(robot.upper[0]))
     )
 

@@ -13,7 +13,7 @@ from rich.text import Text
 
 from rapidsim.motion.robot.external_axes import with_unit
 from rapidsim.motion.robot.robot import Joint, Robot
-from rapidsim.motion.waypoints.workspace import Workspace
+from rapidsim.motion.waypoints.workspace import ArmWorkspace
 from rapidsim.report.untruncated_table import UntruncatedTable
 
 _UNKNOWN = "?"
@@ -73,7 +73,7 @@ def _lenders(robots: Sequence[Robot]) -> Iterator[str]:
         yield f"those of {lender}: {', '.join(names)}"
 
 
-def workspace_page(workspace: Workspace | str) -> RenderableType:
+def workspace_page(workspace: ArmWorkspace | str) -> RenderableType:
     """Volume and extents of what the flange reaches."""
     if isinstance(workspace, str):
         return Text(f"no workspace: {workspace}", "dim")
@@ -89,7 +89,7 @@ def workspace_page(workspace: Workspace | str) -> RenderableType:
     return facts
 
 
-def workspace_json(workspace: Workspace | str) -> dict[str, object] | None:
+def workspace_json(workspace: ArmWorkspace | str) -> dict[str, object] | None:
     """The workspace as JSON values; None if it could not be computed."""
     if isinstance(workspace, str):
         return None

@@ -88,6 +88,15 @@ class RoutineNode(Node):
     parentheses_missing: bool
     """Lenient: `PROC name` without `()`."""
 
+    def take_body(self, edited: RoutineNode) -> None:
+        """Take the body and the clauses of a routine that has the same header.
+
+        The only change of a tree: everything that refers to a routine whose text is edited, such
+        as its symbol, stays valid.
+        """
+        for name in ("end", "body", "backward", "error", "undo"):
+            object.__setattr__(self, name, getattr(edited, name))
+
 
 @node
 class Proc(RoutineNode):

@@ -184,6 +184,11 @@ class Data(Node):
     equals_sign: bool = False
     """Lenient: `=` instead of `:=`."""
 
+    def take_value(self, edited: Data) -> None:
+        """Take the value of an equal declaration, as a routine takes a body."""
+        for name in ("end", "value"):
+            object.__setattr__(self, name, getattr(edited, name))
+
 
 Statement: TypeAlias = (
     Assignment

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -60,20 +60,32 @@ def find_unchanging_conditions(facts: Facts) -> Iterator[Diagnostic]:
         if part.routine is None or part.routine.error is not None:
             # The ERROR clause may be the exit of the loop.
             continue
-        for loop in part.all(tree.While):
-            inside = list(descendants(*loop.body))
-            if any(_leaves(node, facts) for node in inside) or _is_halt(loop, facts):
-                continue
+        for loop, inside in facts.of_part(_lasting_loops, part):
             works = may_move(loop.body, facts)
             data = task.unchanging(loop.condition, [loop.condition, *inside], works=works)
             if data is not None:
                 keyword = tree.Node(loop.start, loop.condition.end)
                 yield part.finding(UnchangingCondition("this loop", data), keyword)
-        for call in part.all(tree.Call):
-            condition = _awaited(call, facts)
-            data = task.unchanging(condition, [condition]) if condition else None
-            if condition is not None and data is not None:
+        for call, condition in facts.of_part(_lasting_waits, part):
+            data = task.unchanging(condition, [condition])
+            if data is not None:
                 yield part.finding(UnchangingCondition(call.name.text, data), condition)
+
+
+def _lasting_loops(part: ProgramPart, facts: Facts) -> list[tuple[tree.While, Sequence[tree.Node]]]:
+    """Loops that only their condition can end, with the nodes of their bodies."""
+    bodies = [(loop, list(descendants(*loop.body))) for loop in part.all(tree.While)]
+    return [
+        (loop, inside)
+        for loop, inside in bodies
+        if not (any(_leaves(node, facts) for node in inside) or _is_halt(loop, facts))
+    ]
+
+
+def _lasting_waits(part: ProgramPart, facts: Facts) -> list[tuple[tree.Call, tree.Expression]]:
+    """Waits without a time limit, with their conditions."""
+    waits = [(call, _awaited(call, facts)) for call in part.all(tree.Call)]
+    return [(call, condition) for call, condition in waits if condition is not None]
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,23 +109,21 @@ class _Task:
         found: dict[Symbol, int] = {}
         for part, bit in self.facts.bit_of.items():
             for symbol in changed_in(part, self.facts):
-                if symbol is not None:
-                    found[symbol] = found.get(symbol, 0) | bit
+                found[symbol] = found.get(symbol, 0) | bit
         return found
 
     @cached_property
     def _leading_away(self) -> int:
         """Bits of the routines that call unknown code."""
         facts = self.facts
-        return mask_of(lambda part: any(_leads_away(c, facts) for c in _calls(part)), facts)
+        return mask_of(lambda part: facts.of_part(_has_unknown_calls, part), facts)
 
     @cached_property
     def _is_open(self) -> bool:
         """Whether data may be changed by name, or by modules that are not available."""
         if not self.facts.is_read or self.facts.analysis.loads_modules:
             return True
-        calls = (call for part in self.facts.parts for call in part.calls)
-        return any(Trait.WRITE_BY_NAME in may_do(call, self.facts) for call in calls)
+        return any(self.facts.of_part(_writes_by_name, part) for part in self.facts.parts)
 
     def unchanging(
         self, condition: tree.Expression, meanwhile: Iterable[tree.Node], *, works: bool = False
@@ -193,9 +203,13 @@ class _Task:
         return row is not None and row.simulated and not row.signature.takes_controller
 
 
-def _calls(part: ProgramPart) -> Iterator[tree.Node]:
-    yield from part.calls
-    yield from part.all(tree.LateCall)
+def _has_unknown_calls(part: ProgramPart, facts: Facts) -> bool:
+    calls = (*part.calls, *part.all(tree.LateCall))
+    return any(_leads_away(call, facts) for call in calls)
+
+
+def _writes_by_name(part: ProgramPart, facts: Facts) -> bool:
+    return any(Trait.WRITE_BY_NAME in may_do(call, facts) for call in part.calls)
 
 
 def _leads_away(node: tree.Node, facts: Facts) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import as_move
 from rapidsim.analysis.rules.facts.modes_in_force import routines_with, unrestored_modes
 from rapidsim.analysis.rules.facts.reached_routines import may_move, reached
@@ -49,13 +49,16 @@ class ModeLeak(Violation, code="F411"):
 
 def find_mode_leaks(facts: Facts) -> Iterator[Diagnostic]:
     """Report, for each routine and mode, the first exit at which the mode may still be set."""
-    beginning = _beginning(facts)
+    beginning: set[tree.Routine] | None = None
     kept: dict[str, bool] = {}
     for part in facts.routine_parts:
         routine = part.routine
-        if not isinstance(routine, tree.Proc | tree.Func) or routine in beginning:
+        if not isinstance(routine, tree.Proc | tree.Func):
             continue
         for left in unrestored_modes(part, facts, _sets_motion):
+            beginning = _beginning(facts) if beginning is None else beginning
+            if routine in beginning:
+                break
             later = (call for call in part.all(tree.Call) if call.start > left.call.start)
             if may_move(later, facts):
                 shown = " ".join(part.module.span(left.call).text.split())
@@ -77,6 +80,11 @@ def _sets_motion(row: LibraryRoutine) -> bool:
     return not _HELD & row.traits
 
 
+def _called(part: ProgramPart, facts: Facts) -> list[tree.Routine]:
+    """The routines of the user that the calls of a part invoke, one for each call."""
+    return list(filter(None, map(facts.routine_called, part.calls)))
+
+
 def _beginning(facts: Facts) -> set[tree.Routine]:
     """Return the routines whose settings apply to the program: main, and its initialisation.
 
@@ -86,12 +94,9 @@ def _beginning(facts: Facts) -> set[tree.Routine]:
     if entry is None or entry.routine is None:
         return set()
     found: set[tree.Routine] = {entry.routine}
-    callers = Counter(
-        routine
-        for part in facts.routine_parts
-        for call in part.calls
-        if (routine := facts.routine_called(call)) is not None
-    )
+    callers = Counter[tree.Routine]()
+    for part in facts.routine_parts:
+        callers.update(facts.of_part(_called, part))
     first: list[tree.Node] = []
     for statement in entry.routine.body:
         if isinstance(statement, tree.While | tree.For) or as_move(statement, facts) is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rapidsim.analysis.program import DataSymbol, Scope
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.reached_routines import mask_of, reached
 from rapidsim.analysis.tree_walk import descendants
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -21,7 +21,7 @@ class OpenedInLoop(Violation, code="F421"):
 
 def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
     """Report files that each iteration of a loop opens, if nothing in the loop may close them."""
-    closing = mask_of(lambda part: _closes(part.all(tree.Call), facts), facts)
+    closing = mask_of(lambda part: facts.of_part(_has_closing, part), facts)
     for part in facts.routine_parts:
         bodies = [loop.body for loop in part.all(tree.For)]
         bodies += [loop.body for loop in part.all(tree.While)]
@@ -32,6 +32,10 @@ def find_opened_in_loops(facts: Facts) -> Iterator[Diagnostic]:
             if closing & reached(body, facts) or _closes(descendants(*body), facts):
                 continue
             yield part.finding(OpenedInLoop(opened.name.text), opened)
+
+
+def _has_closing(part: ProgramPart, facts: Facts) -> bool:
+    return _closes(part.all(tree.Call), facts)
 
 
 def _closes(nodes: Iterable[tree.Node], facts: Facts) -> bool:

@@ -15,6 +15,7 @@ from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.library.predefined import TYPES
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
+from rapidsim.values import value_class
 
 _INTERRUPT = TYPES["intnum"]
 
@@ -40,32 +41,45 @@ def find_never_connected(facts: Facts) -> Iterator[Diagnostic]:
     """Report interrupts that are ordered but never connected to a trap in the task."""
     if facts.analysis.loads_modules or not facts.is_read:
         return
-    orders: list[tuple[ProgramPart, tree.Call, tree.Expression, Symbol]] = []
-    connected: set[Symbol | None] = set()
-    for part in facts.routine_parts:
-        connected.update(changed_by(part.all(tree.Connect), facts))
-        connected.update(changed_by(part.all(tree.Assignment), facts))
-        connected.update(changed_by(part.all(tree.LateCall), facts))
-        for call in part.calls:
-            row = facts.installed(call)
-            if row is None:
-                # A routine may connect an argument that is passed by reference.
-                connected.update(changed_by([call], facts))
+    uses = [(part, facts.of_part(_interrupts_of, part)) for part in facts.routine_parts]
+    connected = {symbol: None for _, one in uses for symbol in one.connected}
+    for part, one in uses:
+        for call, value, symbol in one.orders:
+            if symbol not in connected:
+                names = {known.name.lower(): known.name for known in connected}
+                nearest = closest(symbol.name.lower(), tuple(names))
+                meant = names.get(nearest or "", "")
+                yield part.finding(NeverConnected(call.name.text, symbol.name, meant), value)
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class _InterruptUses:
+    """Data that a routine may connect to a trap, and the interrupts that it orders."""
+
+    connected: tuple[Symbol, ...]
+    orders: tuple[tuple[tree.Call, tree.Expression, Symbol], ...]
+
+
+def _interrupts_of(part: ProgramPart, facts: Facts) -> _InterruptUses:
+    kinds = (tree.Connect, tree.Assignment, tree.LateCall)
+    connecting: list[tree.Node] = [node for kind in kinds for node in part.all(kind)]
+    orders: list[tuple[tree.Call, tree.Expression, Symbol]] = []
+    for call in part.calls:
+        row = facts.installed(call)
+        if row is None:
+            # A routine may connect an argument that is passed by reference.
+            connecting.append(call)
+            continue
+        if Trait.DISCONNECT in row.traits or not isinstance(call, tree.Call):
+            continue
+        for formal, value in arguments_of(call, facts):
+            if formal is None or value is None or formal.types[0] != _INTERRUPT:
                 continue
-            if Trait.DISCONNECT in row.traits or not isinstance(call, tree.Call):
-                continue
-            for formal, value in arguments_of(call, facts):
-                if formal is None or value is None or formal.types[0] != _INTERRUPT:
-                    continue
-                symbol = facts.symbol(root_of(value)) if isinstance(value, tree.DataPath) else None
-                if isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR:
-                    orders.append((part, call, value, symbol))
-    names = {symbol.name.lower(): symbol.name for symbol in connected if symbol is not None}
-    for part, call, value, symbol in orders:
-        if symbol not in connected:
-            nearest = closest(symbol.name.lower(), tuple(names))
-            violation = NeverConnected(call.name.text, symbol.name, names.get(nearest or "", ""))
-            yield part.finding(violation, value)
+            symbol = facts.symbol(root_of(value)) if isinstance(value, tree.DataPath) else None
+            if isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR:
+                orders.append((call, value, symbol))
+    connected = (symbol for symbol in changed_by(connecting, facts) if symbol is not None)
+    return _InterruptUses(tuple(dict.fromkeys(connected)), tuple(orders))
 
 
 def find_trap_hazards(facts: Facts) -> Iterator[Diagnostic]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from rapidsim.analysis.parameters import Formal
 from rapidsim.analysis.program import Symbol
@@ -18,12 +18,15 @@ _TRIGGER = TYPES["triggdata"]
 _PATHS = (tree.DataReference, tree.Index, tree.ComponentAccess)
 
 
-def changed_in(part: ProgramPart, facts: Facts) -> Iterator[Symbol | None]:
-    """Data that a routine changes itself, or passes to calls that may change them."""
+def changed_in(part: ProgramPart, facts: Facts) -> Sequence[Symbol]:
+    """Data that a routine changes itself, or passes to calls that may change them, each once."""
+    return facts.of_part(_changed_in, part)
+
+
+def _changed_in(part: ProgramPart, facts: Facts) -> tuple[Symbol, ...]:
     kinds = (tree.Assignment, tree.Connect, tree.LateCall)
-    yield from changed_by(
-        [*(node for kind in kinds for node in part.all(kind)), *part.calls], facts
-    )
+    nodes = [*(node for kind in kinds for node in part.all(kind)), *part.calls]
+    return tuple(dict.fromkeys(one for one in changed_by(nodes, facts) if one is not None))
 
 
 def changed_by(nodes: Iterable[tree.Node], facts: Facts) -> Iterator[Symbol | None]:

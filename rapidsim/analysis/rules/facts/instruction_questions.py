@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from weakref import WeakKeyDictionary
+from collections.abc import Mapping, Sequence
 
 from rapidsim.analysis.installed import installed_symbol
 from rapidsim.analysis.parameters import Formal
@@ -23,10 +22,6 @@ class MoveCall:
     arguments: Mapping[str, tree.Expression | None]
     """Argument by folded parameter name; None for a switch."""
     does: Trait
-
-
-_MOVES: WeakKeyDictionary[Facts, dict[tree.Node, MoveCall]] = WeakKeyDictionary()
-"""Cache of moves for the lifetime of the facts, because most rules request all of them."""
 
 
 def arguments_of(
@@ -64,21 +59,24 @@ def may_do(call: tree.Call | tree.FunctionCall, facts: Facts) -> Trait:
     return does(facts.symbol(call) or installed_symbol(call.name.key))
 
 
-def moves(part: ProgramPart, facts: Facts) -> Iterator[MoveCall]:
-    """Yield the calls of installed move instructions."""
-    for call in part.all(tree.Call):
-        if (move := as_move(call, facts)) is not None:
-            yield move
+def moves(part: ProgramPart, facts: Facts) -> Sequence[MoveCall]:
+    """Return the calls of installed move instructions, in source order."""
+    return facts.of_part(_moves, part)
+
+
+def _moves(part: ProgramPart, facts: Facts) -> tuple[MoveCall, ...]:
+    found = (as_move(call, facts) for call in part.all(tree.Call))
+    return tuple(move for move in found if move is not None)
 
 
 def as_move(statement: tree.Node, facts: Facts) -> MoveCall | None:
     """Interpret a statement as a move; None if it is not one."""
     if not isinstance(statement, tree.Call) or Trait.MOVE not in (what := facts.does(statement)):
         return None
-    known = _MOVES.setdefault(facts, {})
-    move = known.get(statement)
+    # Most rules request all moves.
+    move: MoveCall | None = facts.memo.get(statement)
     if move is None:
         named = arguments_of(statement, facts)
         arguments = {formal.key: value for formal, value in named if formal is not None}
-        move = known[statement] = MoveCall(statement, arguments, what)
+        move = facts.memo[statement] = MoveCall(statement, arguments, what)
     return move

@@ -56,11 +56,7 @@ def unrestored_modes(
         facts: The task.
         matters: Selects instructions; calls that restore their modes are included.
     """
-    settings = {
-        call: setting
-        for call in part.all(tree.Call)
-        if (setting := _setting(call, facts)) is not None
-    }
+    settings = facts.of_part(_settings, part)
     modes = {
         setting.mode
         for call, setting in settings.items()
@@ -132,9 +128,13 @@ def _exit_at(part: ProgramPart, by: tree.Node | None, open_modes: _Open) -> _Rou
 def routines_with(mode: str, facts: Facts, *, back: bool) -> int:
     """Bits of the routines with a call that sets a mode, or restores it."""
     setting = _Setting(mode, back)
-    return mask_of(
-        lambda part: any(_setting(call, facts) == setting for call in part.all(tree.Call)), facts
-    )
+    return mask_of(lambda part: setting in facts.of_part(_settings, part).values(), facts)
+
+
+def _settings(part: ProgramPart, facts: Facts) -> Mapping[tree.Call, _Setting]:
+    """Calls of a part that set or restore a mode."""
+    found = ((call, _setting(call, facts)) for call in part.all(tree.Call))
+    return {call: setting for call, setting in found if setting is not None}
 
 
 def _setting(call: tree.Call, facts: Facts) -> _Setting | None:

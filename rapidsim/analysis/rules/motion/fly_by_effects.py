@@ -23,6 +23,7 @@ from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, as_move
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.analysis.rules.facts.reached_routines import mask_of
+from rapidsim.diagnostics import Diagnostic
 from rapidsim.library.traits import Trait
 from rapidsim.syntax import tree
 from rapidsim.values import value_class
@@ -89,26 +90,58 @@ class _Summary:
     """Moves of the routine and its callees that may be active at the end."""
 
 
-def effects_behind_moves(facts: Facts) -> Iterator[EffectAfterMove]:
-    """Yield the effects that certainly follow a fly-by move, and every output set after one."""
-    found: dict[ProgramPart, list[EffectAfterMove]] = {}
+@value_class(frozen=True, slots=True, eq=False)
+class _Outcome:
+    """The analysis of one routine, which holds as long as its callees have the same summaries."""
+
+    callees: tuple[tuple[_Summary, bool], ...]
+    """Summaries of the callees, each with whether it can return."""
+    summary: _Summary
+    effects: Sequence[EffectAfterMove]
+    findings: dict[EffectAfterMove, Diagnostic] = field(default_factory=dict)
+    """The findings of these effects, as far as they were composed."""
+
+
+def effects_behind_moves(
+    facts: Facts,
+) -> Iterator[tuple[EffectAfterMove, ProgramPart, dict[EffectAfterMove, Diagnostic]]]:
+    """Yield the effects that certainly follow a fly-by move, and every output set after one.
+
+    Each comes with the routine of the move, and with the cache of its findings.
+    """
+    found: dict[ProgramPart, _Outcome] = {}
 
     def summary_of(part: ProgramPart, known: Mapping[ProgramPart, _Summary]) -> _Summary:
-        analysis = _RoutineAnalysis(part, facts, known)
-        found[part] = analysis.effects_after_moves()
-        return analysis.summary()
+        callees = tuple(
+            (known[one], facts.returning[one.routine])
+            for one in facts.call_graph[part]
+            if one.routine is not None
+        )
+        outcome: _Outcome | None = part.memo.get(_Outcome)
+        if outcome is None or outcome.callees != callees:
+            analysis = _RoutineAnalysis(part, facts, known)
+            effects = analysis.effects_after_moves()
+            outcome = part.memo[_Outcome] = _Outcome(callees, analysis.summary(), effects)
+        found[part] = outcome
+        return outcome.summary
 
     parts = _relevant_parts(facts)
-    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of)
+    relevant = set(parts)
+    order = [one for one in facts.components if one[0] in relevant]
+    summarise(parts, facts.call_graph.__getitem__, _Summary(), summary_of, order)
+    home_of = {move: part for part in parts for move in facts.of_part(_fly_by_moves, part)}
     for part in parts:
-        yield from found[part]
+        for effect in found[part].effects:
+            yield effect, home_of[effect.move], found[part].findings
+
+
+def _fly_by_moves(part: ProgramPart, facts: Facts) -> list[tree.Call]:
+    return [call for call in part.all(tree.Call) if _is_fly_by(call, facts)]
 
 
 def _relevant_parts(facts: Facts) -> list[ProgramPart]:
     """The routines with fly-by moves, their callers, and all callees of those."""
-    flying = mask_of(
-        lambda part: any(_is_fly_by(call, facts) for call in part.all(tree.Call)), facts
-    )
+    flying = mask_of(lambda part: bool(facts.of_part(_fly_by_moves, part)), facts)
     relevant = 0
     for reached in facts.reached_from.values():
         relevant |= reached if reached & flying else 0

@@ -123,14 +123,20 @@ def find_duplicates(facts: Facts) -> Iterator[Diagnostic]:
 
 def _targets(facts: Facts) -> Iterator[_Target]:
     for part in facts.parts:
-        for node in part.all(tree.Data):
-            if node.type.key != "robtarget" or node.dimensions:
-                continue
-            if not isinstance(node.value, tree.LiteralAggregate | tree.Aggregate):
-                continue
-            value = known_value(node.value, facts)
-            if isinstance(value, tuple) and len(value) == 4:
-                yield _Target(part, node, value)
+        yield from facts.of_part(_targets_of, part)
+
+
+def _targets_of(part: ProgramPart, facts: Facts) -> list[_Target]:
+    found: list[_Target] = []
+    for node in part.all(tree.Data):
+        if node.type.key != "robtarget" or node.dimensions:
+            continue
+        if not isinstance(node.value, tree.LiteralAggregate | tree.Aggregate):
+            continue
+        value = known_value(node.value, facts)
+        if isinstance(value, tuple) and len(value) == 4:
+            found.append(_Target(part, node, value))
+    return found
 
 
 def _value(node: tree.Data) -> tree.Node:

@@ -49,15 +49,8 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
     """Report moves to a target whose tool or work object differs from its first move."""
     uses: dict[Symbol, list[_Use]] = {}
     for part in facts.routine_parts:
-        for move in moves(part, facts):
-            target = move.arguments.get("topoint")
-            if target is None or "tool" not in move.arguments:
-                # A call without a tool is reported as another error.
-                continue
-            symbol = facts.symbol(taught_target(target, facts))
-            if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
-                use = _Use(part, move, _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0"))
-                uses.setdefault(symbol, []).append(use)
+        for symbol, use in facts.of_part(_uses_of_targets, part):
+            uses.setdefault(symbol, []).append(use)
     for symbol, moved in uses.items():
         usual = next((use for use in moved if use.tool != "tool0"), moved[0])
         for use in moved:
@@ -73,6 +66,20 @@ def find_mixed_frames(facts: Facts) -> Iterator[Diagnostic]:
             elsewhere = Related(usual.part.module.span(usual.move.call), "the other move")
             violation = ToolOrWobjMissing(symbol.name, pair[0], pair[1])
             yield use.part.finding(violation, place, elsewhere)
+
+
+def _uses_of_targets(part: ProgramPart, facts: Facts) -> list[tuple[Symbol, _Use]]:
+    found: list[tuple[Symbol, _Use]] = []
+    for move in moves(part, facts):
+        target = move.arguments.get("topoint")
+        if target is None or "tool" not in move.arguments:
+            # A call without a tool is reported as another error.
+            continue
+        symbol = facts.symbol(taught_target(target, facts))
+        if isinstance(symbol, DataSymbol) and symbol.storage is not Storage.VAR:
+            use = _Use(part, move, _name(move, "tool", "tool0"), _name(move, "wobj", "wobj0"))
+            found.append((symbol, use))
+    return found
 
 
 def find_bad_loads(facts: Facts) -> Iterator[Diagnostic]:

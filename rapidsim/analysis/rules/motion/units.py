@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator
 from itertools import pairwise
 
-from rapidsim.analysis.program import DataSymbol, Scope, Storage
+from rapidsim.analysis.program import DataSymbol, Scope, Storage, Symbol
 from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import MoveCall, arguments_of, moves
 from rapidsim.analysis.rules.facts.known_values import Value, known_value, numbers
@@ -62,25 +62,36 @@ def find_metres(facts: Facts) -> Iterator[Diagnostic]:
     """Report targets at the base of the arm, and tools shorter than a millimetre."""
     reported: set[object] = set()
     for part in facts.routine_parts:
-        whole = _of_whole_routine(part, facts)
+        whole = facts.of_part(_of_whole_routine, part)
         if whole is not None:
             yield whole
             continue
-        yield from _at_foot(part, facts, reported)
+        for symbol, finding in facts.of_part(_at_foot, part):
+            if symbol not in reported:
+                yield finding
+            if symbol is not None:
+                reported.add(symbol)
     for part in facts.parts:
-        for node in part.all(tree.Data):
-            if node.type.key != "tooldata" or node.dimensions or node.value is None:
-                continue
-            value = known_value(node.value, facts)
-            frame = value[1] if isinstance(value, tuple) and len(value) == 3 else None
-            length = _length(frame, 0)
-            if length is not None and 0.0 < length < _SHORTEST_TOOL_MM:
-                what = f"the TCP of `{node.name.text}` is {length:.3g} mm from the flange"
-                yield part.finding(_metres(what), node.name)
+        yield from facts.of_part(_short_tools, part)
 
 
-def _at_foot(part: ProgramPart, facts: Facts, reported: set[object]) -> Iterator[Diagnostic]:
-    """Findings of targets at the foot of the arm; adds their data to those reported."""
+def _short_tools(part: ProgramPart, facts: Facts) -> list[Diagnostic]:
+    found: list[Diagnostic] = []
+    for node in part.all(tree.Data):
+        if node.type.key != "tooldata" or node.dimensions or node.value is None:
+            continue
+        value = known_value(node.value, facts)
+        frame = value[1] if isinstance(value, tuple) and len(value) == 3 else None
+        length = _length(frame, 0)
+        if length is not None and 0.0 < length < _SHORTEST_TOOL_MM:
+            what = f"the TCP of `{node.name.text}` is {length:.3g} mm from the flange"
+            found.append(part.finding(_metres(what), node.name))
+    return found
+
+
+def _at_foot(part: ProgramPart, facts: Facts) -> list[tuple[Symbol | None, Diagnostic]]:
+    """Findings of targets at the foot of the arm, with their data."""
+    found: list[tuple[Symbol | None, Diagnostic]] = []
     for move in moves(part, facts):
         target = move.arguments.get("topoint")
         if target is None or not _is_from_base(move, facts):
@@ -88,50 +99,53 @@ def _at_foot(part: ProgramPart, facts: Facts, reported: set[object]) -> Iterator
         taught = taught_target(target, facts)
         symbol = facts.symbol(taught)
         is_variable = isinstance(symbol, DataSymbol) and symbol.storage is Storage.VAR
-        if is_variable or symbol in reported:
+        if is_variable:
             continue
         distance = _length(known_value(taught, facts), 0)
         if distance is None or not 0.0 < distance < _NEAREST_TARGET_MM:
             continue
-        if symbol is not None:
-            reported.add(symbol)
         shown = " ".join(part.module.span(taught).text.split())
         named = f"`{shown}`" if len(shown) < 40 else "this target"
         what = f"{named} is {distance:.3g} mm from the robot's base"
-        yield part.finding(_metres(what), taught, *_declared(symbol, part))
+        found.append((symbol, part.finding(_metres(what), taught, *_declared(symbol, part))))
+    return found
 
 
 def find_slow_speeds(facts: Facts) -> Iterator[Diagnostic]:
     """Report speeds of the TCP below 1 mm/s, except for searches, where they are intended."""
-    searching = _speeds_of_searches(facts)
+    searching = {node for part in facts.parts for node in facts.of_part(_speeds_of_searches, part)}
     for part in facts.parts:
-        for node in part.all(tree.Data):
-            if node.type.key == "speeddata" and not node.dimensions and node.value is not None:
-                if node in searching:
-                    continue
-                speed = _slow_speed(known_value(node.value, facts))
-                if speed is not None:
-                    what = f"the speed of the TCP in `{node.name.text}`"
-                    yield part.finding(_metres_per_second(what, speed), node.name)
-        for move in moves(part, facts):
-            if Trait.SEARCH in move.does:
+        for node, finding in facts.of_part(_slow_speeds, part):
+            if node not in searching:
+                yield finding
+
+
+def _slow_speeds(part: ProgramPart, facts: Facts) -> list[tuple[tree.Node, Diagnostic]]:
+    """Slow speeds that are declared or given to moves, with their nodes."""
+    found: list[tuple[tree.Node, Diagnostic]] = []
+    for node in part.all(tree.Data):
+        if node.type.key == "speeddata" and not node.dimensions and node.value is not None:
+            speed = _slow_speed(known_value(node.value, facts))
+            if speed is not None:
+                what = f"the speed of the TCP in `{node.name.text}`"
+                found.append((node, part.finding(_metres_per_second(what, speed), node.name)))
+    for move in moves(part, facts):
+        if Trait.SEARCH in move.does:
+            continue
+        for key in _SPEEDS & move.arguments.keys():
+            value = move.arguments[key]
+            if value is None or isinstance(value, tree.DataReference):
                 continue
-            for key in _SPEEDS & move.arguments.keys():
-                value = move.arguments[key]
-                speed = _slow_speed(known_value(value, facts))
-                if (
-                    speed is not None
-                    and value is not None
-                    and not isinstance(value, tree.DataReference)
-                ):
-                    yield part.finding(_metres_per_second("this speed", speed), value)
+            speed = _slow_speed(known_value(value, facts))
+            if speed is not None:
+                violation = _metres_per_second("this speed", speed)
+                found.append((value, part.finding(violation, value)))
+    return found
 
 
-def _speeds_of_searches(facts: Facts) -> frozenset[tree.Node]:
+def _speeds_of_searches(part: ProgramPart, facts: Facts) -> frozenset[tree.Node]:
     """Declarations of the speeds of searches."""
-    searches = (
-        move for part in facts.parts for move in moves(part, facts) if Trait.SEARCH in move.does
-    )
+    searches = (move for move in moves(part, facts) if Trait.SEARCH in move.does)
     symbols = (facts.symbol(move.arguments.get("speed")) for move in searches)
     return frozenset(
         symbol.node

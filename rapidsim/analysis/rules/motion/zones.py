@@ -25,17 +25,19 @@ class OutputInZone(Violation, code="M503"):
 
 def find_behind_zones(facts: Facts) -> Iterator[Diagnostic]:
     """Report waits and outputs after fly-by moves: each move and each output once."""
-    part_of = {call: part for part in facts.routine_parts for call in part.all(tree.Call)}
     reported: set[tree.Node] = set()
-    for one in effects_behind_moves(facts):
-        home = part_of[one.move]
+    for one, home, known in effects_behind_moves(facts):
         mistake = one.move if one.effect.waits and home is one.part else one.place
         if mistake in reported:
             continue
         reported.add(mistake)
-        move = as_move(one.move, facts)
-        assert move is not None
-        yield (_waits if one.effect.waits else _acts)(one, move, home)
+        finding = known.get(one)
+        if finding is None:
+            move = as_move(one.move, facts)
+            assert move is not None
+            finding = (_waits if one.effect.waits else _acts)(one, move, home)
+            known[one] = finding
+        yield finding
 
 
 def _waits(effect: EffectAfterMove, move: MoveCall, home: ProgramPart) -> Diagnostic:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 
 from rapidsim.analysis.installed import installed_symbol
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.instruction_questions import may_do
 from rapidsim.analysis.rules.facts.known_values import known_value
 from rapidsim.diagnostics import Diagnostic, Violation
@@ -41,18 +41,17 @@ def find_late_names(facts: Facts) -> Iterator[Diagnostic]:
 
 def late_patterns(facts: Facts) -> list[re.Pattern[str]]:
     """Patterns of the possible names in calls by name, one per call."""
-    found = [
-        _pattern(_pieces(call.routine, facts))
-        for part in facts.parts
-        for call in part.all(tree.LateCall)
-    ]
-    # A number is appended to the name.
-    for part in facts.parts:
-        for call in part.all(tree.Call):
-            if Trait.CALL_BY_NAME in may_do(call, facts) and call.arguments:
-                first = call.arguments[0]
-                value = first.value if isinstance(first, tree.RequiredArgument) else None
-                found.append(_pattern([*_pieces(value, facts), None]))
+    return [pattern for part in facts.parts for pattern in facts.of_part(_patterns, part)]
+
+
+def _patterns(part: ProgramPart, facts: Facts) -> list[re.Pattern[str]]:
+    found = [_pattern(_pieces(call.routine, facts)) for call in part.all(tree.LateCall)]
+    for call in part.all(tree.Call):
+        if Trait.CALL_BY_NAME in may_do(call, facts) and call.arguments:
+            first = call.arguments[0]
+            value = first.value if isinstance(first, tree.RequiredArgument) else None
+            # A number is appended to the name.
+            found.append(_pattern([*_pieces(value, facts), None]))
     return found
 
 

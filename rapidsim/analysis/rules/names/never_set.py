@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rapidsim.analysis.program import DataSymbol, Storage
-from rapidsim.analysis.program_parts import Facts
+from rapidsim.analysis.program import DataSymbol, Storage, Symbol
+from rapidsim.analysis.program_parts import Facts, ProgramPart
 from rapidsim.analysis.rules.facts.changed_data import changed_in
 from rapidsim.diagnostics import Diagnostic, Violation
 from rapidsim.language import types
@@ -25,26 +25,35 @@ def find_never_set(facts: Facts) -> Iterator[Diagnostic]:
     """Report the first use of each number, string or record variable that nothing sets."""
     if not facts.is_read:
         return
-    set_somewhere = {symbol for part in facts.parts for symbol in changed_in(part, facts)}
-    reported: set[DataSymbol] = set()
+    done = set[Symbol]().union(*(changed_in(part, facts) for part in facts.parts))
     for part in facts.parts:
-        copied = {one.value for one in part.all(tree.Assignment)}
-        for node in part.all(tree.DataReference):
-            symbol = facts.symbol(node)
-            if not isinstance(symbol, DataSymbol) or symbol in reported or symbol in set_somewhere:
-                continue
-            declared = symbol.node
-            if declared is None or declared.value is not None or not _has_value(symbol):
+        for symbol, finding in facts.of_part(_first_uses, part):
+            if symbol in done:
                 continue
             if symbol.name.lower() in facts.strings or not _all_is_seen(symbol, facts):
                 continue
-            if node in copied and _clears(symbol):
-                continue
-            reported.add(symbol)
-            place = facts.part_of.get(part.routine, part) if part.routine else part
-            related = place.place(declared.name, "declared without a value here")
-            same = symbol.module is None or symbol.module is part.module
-            yield part.finding(ReadBeforeSet(symbol.name), node, *((related,) if same else ()))
+            done.add(symbol)
+            yield finding
+
+
+def _first_uses(part: ProgramPart, facts: Facts) -> list[tuple[DataSymbol, Diagnostic]]:
+    """Variables without an initial value, with the finding at their first use in a part."""
+    copied = {one.value for one in part.all(tree.Assignment)}
+    found: dict[DataSymbol, Diagnostic] = {}
+    for node in part.all(tree.DataReference):
+        symbol = facts.symbol(node)
+        if not isinstance(symbol, DataSymbol) or symbol in found:
+            continue
+        declared = symbol.node
+        if declared is None or declared.value is not None or not _has_value(symbol):
+            continue
+        if node in copied and _clears(symbol):
+            continue
+        related = part.place(declared.name, "declared without a value here")
+        is_same_module = symbol.module is None or symbol.module is part.module
+        places = (related,) if is_same_module else ()
+        found[symbol] = part.finding(ReadBeforeSet(symbol.name), node, *places)
+    return list(found.items())
 
 
 def _has_value(symbol: DataSymbol) -> bool:

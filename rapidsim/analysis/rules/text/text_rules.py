@@ -28,6 +28,8 @@ def find_bad_line_endings(facts: Facts) -> Iterator[Diagnostic]:
     """Report line endings once per file, with the edits that leave CR LF."""
     for file in facts.files:
         source = file.source
+        if "\r\r" not in source.text:
+            continue
         doubled = list(_DOUBLED.finditer(source.text))
         if not doubled:
             continue

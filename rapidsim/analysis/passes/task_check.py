@@ -1,0 +1,267 @@
+"""Check of a task by units: the declarations outside of routines, each routine, undeclared names.
+
+The results of a routine depend on its own text, on the declarations outside of routines, and on a
+few facts of the task that the results record. So a routine whose text changed is checked again by
+itself, as long as those facts stay.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+
+from rapidsim.analysis.cell_names import NO_CELL, CellNames
+from rapidsim.analysis.context import Analysis, Context, UnitResults
+from rapidsim.analysis.installed import installed_symbol
+from rapidsim.analysis.names.name_violations import UnknownUnit
+from rapidsim.analysis.passes.control_flow import check_flow
+from rapidsim.analysis.passes.declarations import declare_locals, declare_task, show_local_names
+from rapidsim.analysis.passes.initial_values import check_circles, check_initial_value
+from rapidsim.analysis.passes.statements import check_routine_body
+from rapidsim.analysis.passes.undeclared import decide_undeclared
+from rapidsim.analysis.program import DataSymbol, RoutineSymbol, does
+from rapidsim.analysis.tolerated_syntax import check_lenient_marks
+from rapidsim.analysis.tree_walk import clauses, statements
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.language.types import Type
+from rapidsim.library.traits import Trait
+from rapidsim.syntax import tree
+from rapidsim.values import value_class
+
+_DEEPEST = 20_000
+"""Maximum depth of Python calls while checking; the parser limits the nesting of programs."""
+
+
+class TaskCheck:
+    """The check of one task, with the results of each unit."""
+
+    def __init__(
+        self,
+        files: Sequence[tree.File],
+        cell: CellNames = NO_CELL,
+        visitor: tree.File | None = None,
+    ) -> None:
+        """Check all units.
+
+        Args:
+            files: The files of the task, including the visitor.
+            cell: Names that the configuration declares in addition to the modules.
+            visitor: One of the files that can also access the LOCAL names of the others.
+        """
+        self.modules = tuple(module for file in files for module in file.modules)
+        self.unread: dict[tree.Item, str] = {}
+        """Folded text that the parser skipped, by routine or other item."""
+        self.loading: set[tree.Item] = set()
+        """Routines that add modules to the program."""
+        for module in self.modules:
+            for item in module.items:
+                self.read_item(item, module)
+        self.analysis = Analysis(
+            cell, unread_text="\n".join(self.unread.values()), loads_modules=bool(self.loading)
+        )
+        self.declarations = self.analysis.unit
+        """Results of all text outside of routines but values."""
+        self.values: dict[tree.Data, UnitResults] = {}
+        """Results of the values of data outside of routines."""
+        self.circles = UnitResults()
+        self.units: dict[tree.Routine, UnitResults] = {}
+        """Results of each routine, in the order of the files."""
+        self.conclusions = UnitResults()
+        """Results for undeclared names, which depend on all units."""
+        self._decided: dict[tree.DataReference, _Decision] = {}
+        with deep_recursion():
+            self._check_declarations(visitor)
+            for module in self.modules:
+                for routine in module.routines:
+                    self.check_routine(routine, module)
+            self.decide()
+
+    def diagnostics(self) -> Iterator[Diagnostic]:
+        """Yield the findings of all units; those reported once per name at its first use."""
+        for found in self._by_unit():
+            yield from found
+        yield from self.conclusions.diagnostics
+
+    def _by_unit(self) -> Iterator[list[Diagnostic]]:
+        seen: set[str] = set()
+        for unit in (self.declarations, *self.values.values(), self.circles, *self.units.values()):
+            if unit.unknown:
+                yield [one for one in unit.diagnostics if _unit_name(one) not in seen]
+                seen.update(unit.unknown)
+            elif unit.diagnostics:
+                yield unit.diagnostics
+
+    def read_item(self, item: tree.Item, module: tree.Module) -> None:
+        """Record whether an item has text that the parser skipped, and whether it adds modules."""
+        unread: list[str] = []
+        self.loading.discard(item)
+        for part in statements(*clauses(item)) if isinstance(item, tree.RoutineNode) else (item,):
+            if isinstance(part, tree.InvalidStatement):
+                unread.append(module.span(part).text.lower())
+            elif isinstance(part, tree.Call) and _loads(part):
+                self.loading.add(item)
+        self.unread.pop(item, None)
+        if unread:
+            self.unread[item] = "\n".join(unread)
+
+    def _check_declarations(self, visitor: tree.File | None) -> None:
+        self._homes, self.types = declare_task(self.modules, self.analysis)
+        if visitor is not None:
+            show_local_names(visitor.modules, self._homes)
+        others = tree.RoutineNode | tree.Data
+        for home in self._homes:
+            check_lenient_marks([i for i in home.module.items if not isinstance(i, others)], home)
+            for item in home.module.items:
+                if isinstance(item, tree.Data):
+                    self.check_data(item, home.module)
+        self.check_circles()
+
+    def check_data(self, data: tree.Data, module: tree.Module) -> None:
+        """Check the value of one declaration outside of routines."""
+        home = self.analysis.home_of[module]
+        self.analysis.unit = self.values[data] = UnitResults()
+        symbol = self.analysis.symbol_of.get(data)
+        if isinstance(symbol, DataSymbol):
+            check_initial_value(symbol, home)
+        check_lenient_marks([data], home)
+
+    def check_circles(self) -> None:
+        """Check that no constant outside of routines is defined by itself."""
+        self.analysis.unit = self.circles = UnitResults()
+        symbols = [(self.analysis.symbol_of.get(data), data) for data in self.values]
+        check_circles(
+            (symbol, self.analysis.home_of[symbol.module])
+            for symbol, _ in symbols
+            if isinstance(symbol, DataSymbol) and symbol.module is not None
+        )
+
+    def check_routine(self, routine: tree.Routine, module: tree.Module) -> None:
+        """Check one routine; of two routines with one name only the notation of the second."""
+        home = self.analysis.home_of[module]
+        self.analysis.unit = self.units[routine] = UnitResults()
+        check_lenient_marks([routine], home)
+        symbol = self.analysis.symbol_of.get(routine)
+        if not isinstance(symbol, RoutineSymbol):
+            return
+        context = declare_locals(symbol, home, self.types)
+        data = list(_local_data(routine, context))
+        for local, _ in data:
+            check_initial_value(local, context)
+        check_routine_body(routine, context)
+        check_flow(routine, context)
+        check_circles(data)
+
+    def decide(self) -> set[tree.Routine | None]:
+        """Decide what undeclared names are, from their uses in all units.
+
+        Returns:
+            The routines with a use that was decided differently before; None for declarations.
+        """
+        analysis = self.analysis
+        before = self._decided
+        for reference, decision in before.items():
+            decision.withdraw(reference, analysis)
+        analysis.signals, analysis.unknown, analysis.undeclared = {}, {}, []
+        for unit in (self.declarations, *self.values.values(), *self.units.values()):
+            for name, of in unit.signals.items():
+                analysis.signals.setdefault(name, of)
+            analysis.unknown |= unit.unknown
+            analysis.undeclared += unit.undeclared
+        analysis.unit = self.conclusions = UnitResults()
+        open_uses = [
+            (reference, context.routine, reference in analysis.type_of)
+            for reference, context in analysis.undeclared
+            if reference not in analysis.symbol_of
+        ]
+        decide_undeclared(analysis)
+        analysis.unknown |= self.conclusions.unknown
+        self._decided = {
+            reference: _Decision(
+                analysis.type_of[reference], None if routine is None else routine.node, has_type
+            )
+            for reference, routine, has_type in open_uses
+            if reference in analysis.symbol_of
+        }
+        now = self._decided
+        return {
+            decision.routine
+            for some, others in ((before, now), (now, before))
+            for reference, decision in some.items()
+            if others.get(reference) != decision
+        }
+
+    def forget(self, routine: tree.Routine, nodes: Iterable[tree.Node]) -> None:
+        """Remove what is known of the body of a routine.
+
+        Args:
+            routine: The routine, which keeps its header.
+            nodes: All nodes of its body.
+        """
+        analysis = self.analysis
+        self.forget_nodes(nodes)
+        analysis.graph_of.pop(routine, None)
+        own = analysis.symbol_of.get(routine)
+        scopes = (own, (own, "label"))
+        for key in [key for key in analysis.nearest if key[1] in scopes]:
+            del analysis.nearest[key]
+
+    def forget_nodes(self, nodes: Iterable[tree.Node]) -> None:
+        """Remove what is known of nodes."""
+        analysis = self.analysis
+        for node in nodes:
+            symbol = analysis.symbol_of.pop(node, None)
+            if symbol is not None and isinstance(node, tree.Data | tree.For):
+                analysis.module_of.pop(symbol, None)
+            analysis.type_of.pop(node, None)
+            if isinstance(node, tree.DataReference):
+                analysis.wanted_of_undeclared.pop(node, None)
+                self._decided.pop(node, None)
+
+
+@value_class(frozen=True, slots=True)
+class _Decision:
+    """A use of an undeclared name that was decided to be a signal."""
+
+    type: Type
+    routine: tree.Routine | None
+    has_own_type: bool
+    """Whether the type was known before."""
+
+    def withdraw(self, reference: tree.DataReference, analysis: Analysis) -> None:
+        """Remove the decision from the tables."""
+        analysis.symbol_of.pop(reference, None)
+        if not self.has_own_type:
+            analysis.type_of.pop(reference, None)
+
+
+def _unit_name(finding: Diagnostic) -> str | None:
+    """Folded name of an unknown mechanical unit, which is reported once; None without one."""
+    violation = finding.violation
+    return violation.unit.lower() if isinstance(violation, UnknownUnit) else None
+
+
+def _local_data(routine: tree.Routine, context: Context) -> Iterator[tuple[DataSymbol, Context]]:
+    for node in statements(*clauses(routine)):
+        if isinstance(node, tree.Data):
+            symbol = context.analysis.symbol_of.get(node)
+            if isinstance(symbol, DataSymbol):
+                yield symbol, context
+
+
+def _loads(call: tree.Call) -> bool:
+    """Whether an instruction adds modules to the program; names have no symbols yet."""
+    # Few instructions have such a name, so most are not looked up.
+    key = call.name.key
+    return key.endswith("load") and Trait.LOAD in does(installed_symbol(key))
+
+
+@contextmanager
+def deep_recursion() -> Iterator[None]:
+    """Allow deep recursion, for trees are traversed recursively."""
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(max(limit, _DEEPEST))
+    try:
+        yield
+    finally:
+        sys.setrecursionlimit(limit)

@@ -1,0 +1,1 @@
+"""The texts of a cell, also unsaved ones, and the findings in them after each change."""

@@ -1,0 +1,162 @@
+"""One file of a workspace: its tree in a spaced text, of which one routine can be parsed again."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from dataclasses import replace
+
+from rapidsim.analysis.suppressions import is_suppressing
+from rapidsim.diagnostics import Diagnostic
+from rapidsim.syntax import tree
+from rapidsim.syntax.lexer import Tokens, lex
+from rapidsim.syntax.parser import parse_tokens
+from rapidsim.syntax.routine_text import item_ranges, parse_data, parse_routine
+from rapidsim.values import value_class
+from rapidsim.workspace.changes import TextChange
+from rapidsim.workspace.spaced_source import SpacedSource
+
+_MOST_ERRORS = 100
+"""Number of errors in a file beyond which it is parsed as a whole; the repair stops at some."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class EditedRoutine:
+    """A routine whose text changed."""
+
+    routine: tree.Routine
+    """The routine with its old body."""
+    module: tree.Module
+    replacement: tree.Routine
+    """A routine with the same header and the new body."""
+
+
+@value_class(frozen=True, slots=True, eq=False)
+class EditedData:
+    """Data of a module whose value changed."""
+
+    data: tree.Data
+    """The declaration with its old value."""
+    module: tree.Module
+    replacement: tree.Data
+
+
+class FileUnits:
+    """The tree of a file, with comments and findings of the text by routine."""
+
+    def __init__(self, path: str, text: str) -> None:
+        """Parse a file."""
+        tokens = lex(text)
+        self.source = SpacedSource(path, text, list(item_ranges(tokens, text)))
+        parsed = parse_tokens(_spaced(tokens, self.source), self.source)
+        self.modules = parsed.file.modules
+        self._homes = {
+            self.source.piece_of(routine.start): (routine, module)
+            for module in self.modules
+            for routine in module.routines
+            if self.source.is_piece(routine.start, routine.end)
+        }
+        """Routines that can be parsed alone, with their modules, by number of their piece."""
+        self._data = {
+            self.source.piece_of(item.start): (item, module)
+            for module in self.modules
+            for item in module.items
+            if isinstance(item, tree.Data)
+            and item.value is not None
+            and self.source.text[item.end : item.end + 1] == ";"
+            and self.source.is_piece(item.start, item.end + 1)
+        }
+        """Data with values that can be parsed alone."""
+        self._comments: dict[int, list[tree.Comment]] = {}
+        self._inside: dict[int, list[Diagnostic]] = {}
+        self._outside: list[Diagnostic] = []
+        """Findings about the text that belong to no single routine."""
+        for comment in parsed.file.comments:
+            self._comments.setdefault(self.source.piece_of(comment.start), []).append(comment)
+        for found in parsed.diagnostics:
+            piece = -1 if found.span is None else self.source.piece_of(found.span.start)
+            routine = self._homes[piece][0] if piece in self._homes else None
+            place = -1 if found.span is None else found.span.start
+            if routine and routine.header_end <= place < routine.end:
+                self._inside.setdefault(piece, []).append(found)
+            else:
+                self._outside.append(found)
+
+    @property
+    def file(self) -> tree.File:
+        """The tree of the file, with its comments."""
+        comments = (one for piece in sorted(self._comments) for one in self._comments[piece])
+        return tree.File(self.source, self.modules, tuple(comments))
+
+    @property
+    def suppressing(self) -> tuple[tree.Comment, ...]:
+        """The comments that suppress findings, at their offsets in the file as written."""
+        return tuple(
+            tree.Comment(self.source.offset(one.start), one.text)
+            for comments in self._comments.values()
+            for one in comments
+            if is_suppressing(one)
+        )
+
+    @property
+    def diagnostics(self) -> list[Diagnostic]:
+        """Findings about the text."""
+        return [*self._outside, *(one for found in self._inside.values() for one in found)]
+
+    def edit(self, change: TextChange) -> EditedRoutine | EditedData | None:
+        """Change the body of a routine or the value of a declaration, and parse it.
+
+        Returns:
+            The routine or the data, whose tree is still the old one; None if the file must be
+            parsed as a whole. The text may have changed then.
+        """
+        place = self.source.piece_at(change.start, change.end)
+        if place is None or self._outside or len(self.diagnostics) > _MOST_ERRORS:
+            # Corrections outside of routines may depend on all text before them.
+            return None
+        piece, start, stop = place
+        end = stop + len(change.text) - (change.end - change.start)
+        if piece in self._data:
+            return self._edit_data(change, piece, start, end)
+        if piece not in self._homes:
+            return None
+        routine, module = self._homes[piece]
+        if self.source.address(change.start) < routine.header_end:
+            return None
+        if not self.source.replace(change.start, change.end, change.text):
+            return None
+        parsed = parse_routine(self.source, start, end, routine, module)
+        if parsed is None:
+            return None
+        if (parsed.diagnostics or self._inside.get(piece)) and self._inside.get(piece + 2):
+            # A correction at the end of a routine looks a few tokens further.
+            return None
+        self._comments[piece] = list(parsed.comments)
+        self._inside[piece] = list(parsed.diagnostics)
+        return EditedRoutine(routine, module, parsed.routine)
+
+    def _edit_data(self, change: TextChange, piece: int, start: int, end: int) -> EditedData | None:
+        data, module = self._data[piece]
+        assert data.value is not None
+        if self.source.address(change.start) < data.value.start or piece in self._comments:
+            return None
+        if not self.source.replace(change.start, change.end, change.text):
+            return None
+        parsed = parse_data(self.source, start, end, data, module)
+        return None if parsed is None else EditedData(data, module, parsed)
+
+
+def _spaced(tokens: Tokens, source: SpacedSource) -> Tokens:
+    """Tokens at their addresses."""
+    starts: list[int] = []
+    ends: list[int] = []
+    first = 0
+    for stop, shift in source.shifts():
+        # The last token is at the end of the file.
+        last = len(tokens.starts) if stop == len(source.written.text) else 0
+        last = last or bisect_left(tokens.starts, stop, first)
+        starts += [place + shift for place in tokens.starts[first:last]]
+        ends += [place + shift for place in tokens.ends[first:last]]
+        first = last
+    comments = tuple(tree.Comment(source.address(one.start), one.text) for one in tokens.comments)
+    unterminated = tuple(map(source.address, tokens.unterminated))
+    return replace(tokens, starts=starts, ends=ends, comments=comments, unterminated=unterminated)

@@ -1,0 +1,182 @@
+"""The law of a workspace: its findings are those of a new check, whatever was edited before."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Iterator
+
+import pytest
+from fresh_check import (
+    contents,
+    fresh_findings,
+    modules,
+    opened,
+    text_of,
+)
+
+from rapidsim.workspace.changes import TextChange, changed_text
+
+_WORD = re.compile(r"[A-Za-z_]\w*")
+_EDITS = 12
+_FILES = [
+    one
+    for one in modules("programs", "tests/analysis", "tests/rapid", "tests/check")
+    if 300 < one.stat().st_size < 8000
+]
+
+
+def random_edit(rng: random.Random, text: str) -> TextChange:
+    """A character typed or removed, a line doubled or removed, a word replaced by a neighbour."""
+    at = rng.randrange(len(text))
+    line = text.rfind("\n", 0, at) + 1
+    behind = text.find("\n", at) + 1 or len(text)
+    words = list(_WORD.finditer(text, max(0, at - 200), at + 200))
+    match rng.randrange(5):
+        case 0:
+            return TextChange(at, at, rng.choice([" ", "1", "x", ";", "\n", '"', "("]))
+        case 1:
+            return TextChange(at, min(len(text), at + rng.randint(1, 3)), "")
+        case 2:
+            return TextChange(line, line, text[line:behind])
+        case 3 if words:
+            word = rng.choice(words)
+            return TextChange(word.start(), word.end(), rng.choice(words).group())
+        case _:
+            return TextChange(line, behind, "")
+
+
+def edited(path: str, text: str, rng: random.Random) -> Iterator[str]:
+    """Open a text, edit it, and yield it after each edit that a new check agrees with."""
+    cell = opened({path: text})
+    for _ in range(_EDITS):
+        change = random_edit(rng, text)
+        before, text = text, changed_text(text, [change])
+        cell.change(path, [change])
+        yield text
+        assert [contents(one) for one in cell.findings(path)] == fresh_findings({path: text})[path]
+        if rng.random() < 0.5:
+            start, end = change.start, change.start + len(change.text)
+            cell.change(path, [TextChange(start, end, before[change.start : change.end])])
+            text = before
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_findings_are_those_of_a_new_check(number: int) -> None:
+    rng = random.Random(number)
+    file = rng.choice(_FILES)
+    for text in edited(file.name, text_of(file), rng):
+        assert isinstance(text, str)
+
+
+def test_edits_of_several_files_of_a_task() -> None:
+    rng = random.Random(1)
+    texts = {file.name: text_of(file) for file in modules("programs/cell")}
+    cell = opened(texts)
+    for _ in range(_EDITS):
+        path = rng.choice(sorted(texts))
+        change = random_edit(rng, texts[path])
+        texts[path] = changed_text(texts[path], [change])
+        cell.change(path, [change])
+        fresh = fresh_findings(texts)
+        assert {one: [contents(f) for f in cell.findings(one)] for one in texts} == fresh
+
+
+BODY = "MODULE m\n{}  PROC main()\n{}  ENDPROC\n{}ENDMODULE\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "old", "new"),
+    [
+        pytest.param(
+            BODY.format("", "    a;\n", "  PROC b()\n    IF TRUE THEN\n  ENDPROC\n"),
+            "    a;\n",
+            "    a;\n\n",
+            id="the line that an error names moves",
+        ),
+        pytest.param(
+            BODY.format("", "    SetDO x,1;\n", "  PROC b()\n    IF x=1 x:=2;\n  ENDPROC\n"),
+            "SetDO x",
+            "SetDO y",
+            id="a signal is one no longer",
+        ),
+        pytest.param(
+            BODY.format("", "    a;\n", "  PROC b()\n    c;\n  ENDPROC\n"),
+            "    a;\n",
+            "    VAR c ] [ ;\n",
+            id="a name may be declared in text that cannot be read",
+        ),
+        pytest.param(
+            BODY.format("", "    b;\n", "  PROC b()\n    WHILE TRUE DO\n    ENDWHILE\n  ENDPROC\n"),
+            "    ENDWHILE",
+            "      RETURN;\n    ENDWHILE",
+            id="a callee returns after all",
+        ),
+        pytest.param(
+            BODY.format("", "    ActUnit u;\n", "  PROC b()\n    ActUnit u;\n  ENDPROC\n"),
+            "    ActUnit u;\n  ENDPROC\n  PROC",
+            "  ENDPROC\n  PROC",
+            id="the first use of a unit goes",
+        ),
+        pytest.param(
+            BODY.format("", "    ! rapidsim: ignore[N209]\n    a;\n", ""),
+            "    ! rapidsim: ignore[N209]\n",
+            "    ! rapidsim: ignore[N209]\n    b;\n",
+            id="a suppression is of another line",
+        ),
+        pytest.param(
+            BODY.format("", "    x := 1;\n", "")[: -len("ENDMODULE\n")],
+            "x := 1",
+            "x := 12",
+            id="the module has no end",
+        ),
+        pytest.param(
+            BODY.format("", "    a;\r", "").replace("\n", "\r"),
+            "    a;\r",
+            "    a\r    b;\n",
+            id="the file had another line end",
+        ),
+        pytest.param(
+            BODY.format("", "    VAR other x;\n    x:=[1,2];\n", "  VAR other y;\n"),
+            "x:=[1,2]",
+            "x:=[1]",
+            id="data of an undeclared type",
+        ),
+    ],
+)
+def test_what_one_routine_means_to_another(text: str, old: str, new: str) -> None:
+    at = text.index(old)
+    cell = opened({"m.mod": text})
+    for change in (TextChange(at, at + len(old), new), TextChange(at, at + len(new), old)):
+        text = changed_text(text, [change])
+        cell.change("m.mod", [change])
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+
+
+def test_a_routine_outgrows_its_room() -> None:
+    text = BODY.format("", "    a;\n", "")
+    cell = opened({"m.mod": text})
+    line = "    a;\n" * 50
+    ways = []
+    for _ in range(4):
+        at = text.index("  ENDPROC")
+        text = changed_text(text, [TextChange(at, at, line)])
+        ways.append(cell.change("m.mod", [TextChange(at, at, line)]).is_local)
+        fresh = fresh_findings({"m.mod": text})["m.mod"]
+        assert [contents(one) for one in cell.findings("m.mod")] == fresh
+    assert set(ways) == {True, False}
+
+
+def test_typing_in_a_body_reads_one_routine() -> None:
+    text = BODY.format("  VAR num n;\n", "", "  PROC b()\n    n:=1;\n  ENDPROC\n")
+    at = text.index("  ENDPROC")
+    cell = opened({"m.mod": text})
+    ways = []
+    for character in "    IF n=1 THEN\n      b;\n    ENDIF\n":
+        change = TextChange(at, at, character)
+        ways.append(cell.change("m.mod", [change]).is_local)
+        text, at = changed_text(text, [change]), at + 1
+    assert all(ways)
+    fresh = fresh_findings({"m.mod": text})["m.mod"]
+    assert [contents(one) for one in cell.findings("m.mod")] == fresh
