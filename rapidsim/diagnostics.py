@@ -49,6 +49,19 @@ class Source:
         """Offset of the first character of each line."""
         return (0, *(match.end() for match in _LINE_END.finditer(self.text)))
 
+    @property
+    def written(self) -> Source:
+        """The text of the file as written; that of an edited file may be spaced."""
+        return self
+
+    def offsets(self, start: int, end: int) -> tuple[int, int]:
+        """Offsets in the file of a range of this text; see `workspace/spaced_source.py`."""
+        return start, end
+
+    def address(self, offset: int) -> int:
+        """Position in this text of an offset in the file."""
+        return offset
+
     def position(self, offset: int) -> tuple[int, int]:
         """Line and column of an offset, both counted from 1."""
         line = bisect_right(self.line_starts, offset)
