@@ -163,7 +163,7 @@ class EditorSession:
         if found is None:
             return frozenset()
         workspace, path = found.program.workspace, found.path
-        edits = text_changes(workspace.text(path), changes, self.encoding)
+        edits = text_changes(found.document.lines, changes)
         changed = workspace.change(path, edits)
         if not changed.is_local:
             found.program.encoder.forget()
@@ -251,19 +251,24 @@ class EditorSession:
 
 
 def text_changes(
-    text: str, changes: Sequence[lsp.TextDocumentContentChangeEvent], encoding: Encoding
+    table: LineTable, changes: Sequence[lsp.TextDocumentContentChangeEvent]
 ) -> list[TextChange]:
-    """Return the changes of a client by offset; each refers to the text that the last one left."""
+    """Return the changes of a client by offset; each refers to the text that the last one left.
+
+    Args:
+        table: The text before them.
+        changes: Changes in their order.
+    """
     edits: list[TextChange] = []
     for change in changes:
+        if edits:
+            table = LineTable(changed_text(table.text, edits[-1:]), table.encoding)
         if isinstance(change, lsp.TextDocumentContentChangePartial):
-            table = LineTable(text, encoding)
             start = table.offset(change.range.start)
             end = max(start, table.offset(change.range.end))
         else:
-            start, end = 0, len(text)
+            start, end = 0, len(table.text)
         edits.append(TextChange(start, end, change.text))
-        text = changed_text(text, edits[-1:])
     return edits
 
 
