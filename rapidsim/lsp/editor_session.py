@@ -227,6 +227,16 @@ class EditorSession:
         """Whether the client has a document open."""
         return uri in self._opened
 
+    def is_save(self, change: lsp.FileEvent) -> bool:
+        """Whether a change on the disk is only that an open text was saved."""
+        if change.type is lsp.FileChangeType.Deleted or not self.is_open(change.uri):
+            return False
+        text = self.text(change.uri)
+        try:
+            return text is not None and Path(path_of(change.uri)).read_bytes() == text.encode()
+        except OSError:
+            return False
+
     def _program_of(self, uri: str) -> OpenProgram | None:
         path = self.uris.path(uri)
         for program in self.programs:
