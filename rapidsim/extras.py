@@ -19,6 +19,7 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "numba": "fast",
         "aiohttp": "serve",
         "cryptography": "serve",
+        "mcp": "mcp",
         "pygls": "edit",
     }
 )

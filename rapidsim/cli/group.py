@@ -26,6 +26,7 @@ _COMMANDS: Mapping[str, str] = MappingProxyType(
         "diff": "Show what changed between two programs or runs.",
         "lsp": "Serve an editor, on standard input and output.",
         "dap": "Debug from an editor, on standard input and output.",
+        "mcp": "Serve tools to agents that write RAPID.",
         "explain": "Explain a rule, with an example and a fix.",
         "init": "Write a first station file for a program, a folder or a backup.",
         "robots": "List the robots, or show one.",
