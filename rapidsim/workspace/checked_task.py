@@ -159,27 +159,11 @@ class CheckedTask:
             return False
         check.forget_nodes(_nodes_of_value(data))
         data.take_value(edited.replacement)
-        names = {data.name.key}
-        values = {data: edited.module}
-        pending = [
-            (item, module)
-            for module in check.modules
-            for item in module.items
-            if isinstance(item, tree.Data) and item is not data
-        ]
-        while True:
-            if any(not names.isdisjoint(_names_in(item.dimensions)) for item, _ in pending):
-                return False
-            using = [
-                (item, module)
-                for item, module in pending
-                if item.value is not None and not names.isdisjoint(_names_in((item.value,)))
-            ]
-            if not using:
-                break
-            names |= {item.name.key for item, _ in using}
-            values |= dict(using)
-            pending = [pair for pair in pending if pair[0] not in values]
+        values = self._users_of(data, edited.module)
+        names = {item.name.key for item in values}
+        if any(not names.isdisjoint(_names_in(item.dimensions)) for item in check.values):
+            # The types of arrays depend on their sizes.
+            return False
         again: dict[tree.Routine, tree.Module] = {}
         for part in self._facts.parts:
             if part.routine is not None and not names.isdisjoint(part.names):
@@ -193,6 +177,23 @@ class CheckedTask:
         homes = set(values.values())
         heads = [p for p in self._facts.parts if p.routine is None and p.module in homes]
         return self._conclude(path, again, heads)
+
+    def _users_of(self, data: tree.Data, module: tree.Module) -> dict[tree.Data, tree.Module]:
+        """Data of modules whose values depend on a value, itself included, with their modules."""
+        found = {data: module}
+        names = {data.name.key}
+        uses = [
+            (item, home, _names_in((item.value,)))
+            for home in self._check.modules
+            for item in home.items
+            if isinstance(item, tree.Data) and item.value is not None
+        ]
+        while True:
+            using = {item: home for item, home, used in uses if not names.isdisjoint(used)}
+            if using.keys() <= found.keys():
+                return found
+            found |= using
+            names |= {item.name.key for item in using}
 
     def _conclude(
         self,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from rapidsim.diagnostics import Diagnostic, Edit, Fix, Related, Span, Violation
 from rapidsim.syntax.violations import UnclosedBlock
-from rapidsim.workspace.spaced_source import SpacedSource
 
 
 def placed(finding: Diagnostic) -> Diagnostic:
@@ -22,8 +21,6 @@ def placed(finding: Diagnostic) -> Diagnostic:
 
 def _placed(span: Span) -> Span:
     source = span.source
-    if not isinstance(source, SpacedSource):
-        return span
     return Span(source.written, *source.offsets(span.start, span.end))
 
 

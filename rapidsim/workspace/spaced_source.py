@@ -44,12 +44,16 @@ class SpacedSource(Source):
             address += end - start + room
         self._set_texts(text, "".join(pieces))
 
+    _written: Source
+
     def _set_texts(self, written: str, spaced: str) -> None:
-        vars(self)["written"] = Source(self.file, written)
+        vars(self)["_written"] = Source(self.file, written)
         vars(self)["text"] = spaced
 
-    written: Source
-    """The text of the file as it is written."""
+    @property
+    def written(self) -> Source:
+        """The text of the file as written."""
+        return self._written
 
     def address(self, offset: int) -> int:
         """Address of an offset in the file."""
@@ -121,7 +125,7 @@ class SpacedSource(Source):
             return False
         begin = address + start - self._starts[piece]
         room = next_address - stop - growth
-        written = self.written.text
+        written = self._written.text
         self._set_texts(
             f"{written[:start]}{text}{written[end:]}",
             f"{self.text[:begin]}{text}{self.text[begin + end - start : stop]}"
@@ -134,7 +138,7 @@ class SpacedSource(Source):
     def _end(self, piece: int) -> int:
         """Offset in the file past a piece."""
         last = piece + 1 == len(self._starts)
-        return len(self.written.text) if last else self._starts[piece + 1]
+        return len(self._written.text) if last else self._starts[piece + 1]
 
     @property
     def line_starts(self) -> tuple[int, ...]:

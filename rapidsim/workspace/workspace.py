@@ -117,7 +117,12 @@ class Workspace:
         return self._versions[path]
 
     def file(self, path: str) -> tree.File:
-        """The tree of a file; of an unreadable text, as much as could be read."""
+        """The tree of a file; of an unreadable text, as much as could be read.
+
+        Its nodes have positions in `source.text` of the file, which has room between items:
+        `source.offsets` converts them to offsets in the text, `source.address` back. Lines and
+        columns are those of the text.
+        """
         return self._task_of[path].file(path)
 
     def facts(self, path: str) -> Facts:
@@ -138,4 +143,6 @@ class Workspace:
             self._versions[path] = 0
             return Changed(frozenset({path}))
         self._versions[path] += 1
+        if text == task.text(path):
+            return Changed(frozenset())
         return task.replace(path, text)
