@@ -36,8 +36,8 @@ def reach(target: str, robot: str, tool: str = "tool0", wobj: str = "wobj0") -> 
         wobj: `wobj0`, or a wobjdata as RAPID writes it.
 
     Returns:
-        `reachable`, `configurations` with `joints_deg` and `conf`, `reason` if none, with the mm that
-        are short.
+        `reachable`, `configurations` with `joints_deg` and `conf`, `reason` if there are none, with
+        the mm that are short.
 
     Raises:
         InputError: If one of them cannot be read.
