@@ -28,8 +28,8 @@ from plain_segments import plain_segment
 from rapidsim.controller.journal.journal import Instant
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
-from rapidsim.controller.queue.solo_queue import SoloQueue, solo_queue
+from rapidsim.controller.queue.member import Member, member_at_rest
+from rapidsim.controller.queue.motion_queue import MAX_OPEN_MOVES, MotionQueue
 from rapidsim.diagnostics import Source, Span
 from rapidsim.files import SourceFile
 from rapidsim.frames.rotation_vectors import rotation_from_vector
@@ -163,9 +163,10 @@ def plan_as_a_run(robot: Robot, segments: Sequence[Segment]) -> float:
     return planned(robot, segments).trajectory.command_end
 
 
-def planned(robot: Robot, segments: Sequence[Segment]) -> SoloQueue:
+def planned(robot: Robot, segments: Sequence[Segment]) -> Member:
     """Plan moves as a run does; the last one must stop."""
-    queue = solo_queue(robot, MotionModel(), segments[0].start)
+    member = member_at_rest(robot, MotionModel(), segments[0].start)
+    queue = MotionQueue((member,))
     move = Move(
         "MoveL",
         Interpolation.LINE,
@@ -182,12 +183,12 @@ def planned(robot: Robot, segments: Sequence[Segment]) -> SoloQueue:
         corner = CornerKind.FLY_BY if segment.zone else CornerKind.STOP
         end, tool = segment.end.base_from_tcp, segment.tcp_from_flange
         queued = QueuedMove(move, place, segment, conf, Instant(), corner, end, tool)
-        queue.append(queued, -np.inf if queue.is_open else now_s)
+        queue.append((queued,), -np.inf if queue.is_open else now_s)
         if segment.zone is None:
             now_s = queue.close()
         elif queue.open_moves > MAX_OPEN_MOVES:
             queue.commit_ahead()
-    return queue
+    return member
 
 
 def _planning(robot: Robot, counts: Sequence[int]) -> None:

@@ -67,6 +67,23 @@ class Source:
         line = bisect_right(self.line_starts, offset)
         return line, offset - self.line_starts[line - 1] + 1
 
+    @cached_property
+    def written(self) -> Source:
+        """The file as it is written; a workspace has trees of texts with room for edits."""
+        return self
+
+    def address(self, offset: int) -> int:
+        """Position in this text of an offset in the file as it is written."""
+        return offset
+
+    def offset(self, address: int) -> int:
+        """Offset in the file as it is written of a position in this text."""
+        return address
+
+    def offsets(self, start: int, end: int) -> tuple[int, int]:
+        """Offsets in the file as it is written of a range of positions in this text."""
+        return start, end
+
     def __repr__(self) -> str:
         """Short form of one line."""
         return f"<{self.file[-60:]}, {len(self.text)} characters>"
@@ -110,6 +127,11 @@ class Span:
     def end_column(self) -> int:
         """Column just past the last character, from 1."""
         return self.source.position(self.end)[1]
+
+    @property
+    def written(self) -> Span:
+        """The span in the file as it is written."""
+        return Span(self.source.written, *self.source.offsets(self.start, self.end))
 
     @property
     def text(self) -> str:
@@ -183,8 +205,12 @@ class Rule:
 
     def read(self, file: str) -> bytes:
         """Contents of a file in its folder; empty if there is no such file."""
-        found = self._folder / file
+        found = self.path(file)
         return found.read_bytes() if found.is_file() else b""
+
+    def path(self, file: str) -> Path:
+        """Path of a file in its folder, whether or not there is one."""
+        return self._folder / file
 
     @property
     def _folder(self) -> Path:

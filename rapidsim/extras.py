@@ -19,6 +19,8 @@ EXTRAS: Mapping[str, str] = MappingProxyType(
         "numba": "fast",
         "aiohttp": "serve",
         "cryptography": "serve",
+        "mcp": "mcp",
+        "pygls": "edit",
     }
 )
 """Extra that installs a package."""

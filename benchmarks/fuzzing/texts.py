@@ -21,11 +21,11 @@ from typing import cast
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Severity, Source, all_rules
 from rapidsim.files import decode
 from rapidsim.interpreter.limits import NotExecutableError
 from rapidsim.interpreter.linking.loader import FatalError, load
+from rapidsim.jobs.checking.fixes import choose_fixes
 from rapidsim.language.controller import Controller
 from rapidsim.report.findings.github import github
 from rapidsim.report.findings.junit import junit

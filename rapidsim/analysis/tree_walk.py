@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import fields
 
@@ -106,3 +107,19 @@ def children(node: tree.Node) -> list[tree.Node]:
         elif value:
             found += [part for part in value if isinstance(part, tree.Node)]
     return found
+
+
+def child_at(node: tree.Node, offset: int) -> tree.Node | None:
+    """Return the direct child that contains an offset or ends there; names are no children."""
+    for name in _FIELDS_WITH_NODES[type(node)]:
+        value = getattr(node, name)
+        if isinstance(value, tuple):
+            index = bisect_right(value, offset, key=_start) - 1
+            value = value[index] if index >= 0 else None
+        if isinstance(value, tree.Node) and value.start <= offset <= value.end:
+            return value
+    return None
+
+
+def _start(node: tree.Node) -> int:
+    return node.start

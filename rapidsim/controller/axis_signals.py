@@ -9,7 +9,6 @@ import numpy as np
 from rapidsim.controller.cell.cell import Cell
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.other_tasks import TaskCoordination
-from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import JointTarget
 from rapidsim.language.equipment import AxisQuantity, MechanicalUnitFacts
@@ -62,8 +61,8 @@ class SampledAxis:
 
     def _positions(self, times: Array, now_s: float, reader: object) -> Array:
         """Positions (k,) [deg or mm] at times (k,) [s] in order."""
-        queue = self.of.unit.queue
-        samples = queue.seen(now_s, times) if reader is self.of else foreseen(queue).at(times)
+        unit = self.of.unit
+        samples = unit.seen(now_s, times) if reader is self.of else unit.foreseen().at(times)
         at = self.unit.axes[self.at]
         targets: list[JointTarget] = [
             self.of.resolver.joint_target(joints, external)

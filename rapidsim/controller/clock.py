@@ -32,7 +32,7 @@ from rapidsim.controller.journal.stop_reasons import (
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.pointer_time import BACKGROUND_TICK_S, PointerTime
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.path_planner import LOOK_AHEAD_SLACK_S
+from rapidsim.controller.queue.motion_queue import LOOK_AHEAD_SLACK_S
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
 
@@ -225,12 +225,12 @@ class TaskClock:
     def end_time_s(self) -> float:
         """Time [s] at which both the program pointer and the arm are done."""
         pointer_s = self._time.known_s if self._time.is_known else 0.0
-        return min(self._cell.max_time_s, max(pointer_s, self._unit.queue.trajectory.duration))
+        return min(self._cell.max_time_s, max(pointer_s, self._unit.trajectory.duration))
 
     def pointer_s(self) -> float:
         """Time [s] of the program pointer, or when its robot's path ends if unknown."""
         known = self._time.is_known
-        return self._time.known_s if known else self._unit.queue.trajectory.command_end
+        return self._time.known_s if known else self._unit.trajectory.command_end
 
     def is_compute_bound(self) -> bool:
         """Whether the program has computed for so long that it affects the path."""
@@ -442,20 +442,20 @@ class TaskClock:
             if self._unit.queue.is_halted:
                 self.await_restart()
                 continue
-            reached_s = self._unit.queue.trajectory.seen_s(self._unit.queue.close(corner))
+            reached_s = self._unit.seen_s(self._unit.queue.close(corner))
             self.go_to(0.0)
             # A trap may stop the robot, or clear its path: then the end is earlier.
             while not self._unit.queue.is_open and self._time.known_s < reached_s:
                 due_s = self.next_due_s()
                 self.pass_time(reached_s if due_s is None else min(due_s, reached_s))
-                reached_s = min(reached_s, self._unit.queue.trajectory.duration)
+                reached_s = min(reached_s, self._unit.trajectory.duration)
 
     def bring_to_rest(self) -> None:
         """End an open block and wait until the arm is at rest."""
         if self._unit.queue.is_open and not self._unit.queue.is_halted:
             self.resolve_time()
             self.drive_to_stop(CornerKind.STOP_CORNER_PATH_FAILURE)
-        self.pass_time(max(self.resolve_time(), self._unit.queue.trajectory.duration))
+        self.pass_time(max(self.resolve_time(), self._unit.trajectory.duration))
 
     def serve_persistent_changes(self) -> None:
         """Serve the interrupts of persistents that the program has changed since the last check."""

@@ -37,10 +37,10 @@ from rapidsim.controller.search import TaskSearch
 from rapidsim.controller.signals import TaskSignals
 from rapidsim.controller.smart_gripper import TaskSmartGripper
 from rapidsim.controller.sockets import TaskSockets
-from rapidsim.controller.solo_moves import SoloMoves
 from rapidsim.controller.standstill import StandstillOutputs
 from rapidsim.controller.stop_processes import StopProcesses
-from rapidsim.controller.synchronisation import TaskTeam
+from rapidsim.controller.synchronisation import TaskSynchronisation
+from rapidsim.controller.task_moves import TaskMoves
 from rapidsim.controller.triggers import Triggers
 from rapidsim.controller.zones import TaskZones
 from rapidsim.language.controller import Controller
@@ -94,22 +94,21 @@ def virtual_controller(
     execution = TaskExecution(clock, unit, cell, table, StopProcesses(clock, cell))
     speeds = SpeedOutputs(unit, cell)
     guidance = TaskGuidance(clock, unit, cell, resolver, state, journal)
-    solo = SoloMoves(clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts)
     reader = PositionReader(unit, resolver)
     others = TaskCoordination(clock, unit, cell, resolver, state, reader, journal.task, has_robot)
     resolver.holders.find = others.holder
     stands = StandstillOutputs(unit, cell, others, Cause(journal.for_task(CELL_TASK)))
     execution.stopped = stands.program_stopped
     clock.event_sources = (execution, cell, guidance, marks, watched, speeds, stands, interrupts)
-    team = TaskTeam(
-        clock, unit, cell, resolver, table, marks, watched, journal, state, solo, others
-    )
+    synchronisation = TaskSynchronisation(clock, unit, cell, resolver, table, marks, state, others)
+    own = clock, unit, cell, resolver, table, marks, watched, journal, state, interrupts
+    moves = TaskMoves(*own, synchronisation)
     triggers = Triggers(clock, unit, cell, marks, interrupts, speeds)
-    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, team.put, reader)
+    motion = TaskMotion(clock, unit, cell, resolver, state, triggers, moves.put, reader)
     own_queue = cell.messages.open_for(journal.task, queue or QueueSettings())
     sockets = TaskSockets(clock, cell, journal)
     files = FileAccess(clock, cell)
-    recorder = TaskPathRecorder(clock, unit, resolver, state, team.put)
+    recorder = TaskPathRecorder(clock, unit, resolver, state, moves.put)
     path_length = TaskPathLength(clock, unit)
     concerns = Controller(
         clock=clock,
@@ -118,7 +117,7 @@ def virtual_controller(
         path_control=TaskPathControl(clock, unit, marks, interrupts, state),
         path_recorder=recorder,
         path_length=path_length,
-        searches=TaskSearch(clock, unit, cell, resolver, team.put, state),
+        searches=TaskSearch(clock, unit, cell, resolver, moves.put, state),
         world_zones=TaskZones(clock, unit, cell, journal, watched),
         operator=TaskOperator(clock, cell, journal),
         files=files,
@@ -129,7 +128,7 @@ def virtual_controller(
         error_numbers=TaskErrorNumbers(),
         errors=TaskErrors(clock, journal),
         tasks=others,
-        sync_moves=team,
+        sync_moves=synchronisation,
         fidelity=TaskFidelityReporter(clock, journal),
         equipment=TaskEquipment(clock, cell, resolver, others),
         axis_signals=TaskAxisSignals(clock, cell, others),

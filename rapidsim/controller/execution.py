@@ -77,7 +77,7 @@ class TaskExecution:
 
     def end(self) -> None:
         """Handle the final stop of the program, after its robot has finished its moves."""
-        stood_s = max(self.clock.pointer_s(), self.unit.queue.trajectory.duration)
+        stood_s = max(self.clock.pointer_s(), self.unit.trajectory.duration)
         self.processes.stop(stood_s, stood_s, on_path=False)
         if self.stopped is not None:
             self.stopped()
@@ -110,13 +110,13 @@ class TaskExecution:
         self._rest(on_path=False)
 
     def _rest(self, *, on_path: bool) -> None:
-        queue, since_s = self.unit.queue, self.clock.pointer_s()
-        stopped = on_path and not queue.is_halted
+        since_s = self.clock.pointer_s()
+        stopped = on_path and not self.unit.queue.is_halted
         stood_s = since_s
         if stopped:
             # A planning error is reported when the program reaches it again.
             with suppress(MotionError):
-                stood_s = queue.halt(since_s)
+                stood_s = self.unit.halt(since_s)
         self.processes.stop(since_s, stood_s, on_path=stood_s > since_s)
         if self.stopped is not None:
             self.stopped()
@@ -128,5 +128,5 @@ class TaskExecution:
         self.table.discard_while_stopped(waited, since_s, now_s)
         if self.resumed is not None:
             self.resumed()
-        if stopped and queue.is_halted:
-            queue.resume(now_s)
+        if stopped and self.unit.queue.is_halted:
+            self.unit.resume(now_s)

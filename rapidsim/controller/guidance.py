@@ -116,7 +116,7 @@ class TaskGuidance:
             raise NotAllowed("EGMRunJoint or EGMRunPose: EGMActJoint or EGMActPose comes first")
         if self._active is not None:
             raise NotAllowed("a sensor guides the robot already; EGMStop ends that")
-        if self.unit.team_queue is not None:
+        if self.unit.team is not None:
             raise NotAllowed("robots that move together cannot be guided by a sensor")
         self._end_correction()
         if len(terms.chosen) != len(one.activation.bands):
@@ -140,7 +140,7 @@ class TaskGuidance:
         one, _ = self._connected(identity())
         if one.sample_s is None:
             raise NotAllowed(f"{move.instruction}: EGMActMove comes first")
-        if self.unit.team_queue is not None:
+        if self.unit.team is not None:
             raise NotAllowed("the path of robots that move together cannot be corrected")
         self.clock.note_line()
         if not self._corrects(one):
@@ -160,7 +160,7 @@ class TaskGuidance:
             raise
         finally:
             self._puts = False
-        if not self.unit.solo_queue.is_open:
+        if not self.unit.queue.is_open:
             self._pause(correcting)
 
     def await_condition(self, identity: int) -> None:
@@ -201,7 +201,7 @@ class TaskGuidance:
             return
         self.clock.synchronise()
         if self._active is not None and self._active.identity is one:
-            self.unit.solo_queue.end_guidance()
+            self.unit.end_guidance()
             self._settle()
             self.clock.bring_to_rest()
         if self._corrects(one):
@@ -219,8 +219,7 @@ class TaskGuidance:
     def forget_all(self) -> None:
         """Close all connections to sensors, because the program is unloaded."""
         self._settle()
-        if self.unit.solo_queue.corrected is not None:
-            self.unit.solo_queue.corrected.settle()
+        self.unit.member.settle_correction()
         self._correcting = None
         for one in self._identities.values():
             self._close(one)
@@ -290,7 +289,7 @@ class TaskGuidance:
             values[: len(answer.values)] = answer.values[: len(values)]
         active.step(answer)
         if run.is_over:
-            self.unit.solo_queue.end_guidance()
+            self.unit.end_guidance()
             self._settle()
             failed = run.ended is not None and run.ended.is_failure
             if failed and not active.waits:
@@ -302,19 +301,19 @@ class TaskGuidance:
         assert identity.activation is not None
         assert identity.setup is not None
         assert identity.sensor is not None
-        queue = self.unit.solo_queue
+        member = self.unit.member
         asked = GuidanceRequest(identity.setup, identity.data, identity.activation, terms)
         run, told, stretch = started(
             asked,
             self.resolver,
             self.state_of_motion,
-            queue.planner.limits,
-            queue.standing(),
+            member.limits,
+            member.standing(),
             self.clock.resolve_time(),
         )
         self._active = ActiveGuidance(identity, run, told, stretch, terms.waits, self._settle)
         self._last = None
-        queue.guide(self._active)
+        member.guide(self._active)
         identity.state = RUNNING
         identity.sensor.begin(run, told)
         device = identity.setup.device
@@ -333,10 +332,10 @@ class TaskGuidance:
 
     def _correction_of(self, identity: SensorIdentity, move: Move) -> ActivePathCorrection:
         """The correction of the path to which a move is appended; a new one if it begins here."""
-        queue = self.unit.solo_queue
-        external = queue.end.external
+        member = self.unit.member
+        external = member.end.external
         frames = told_frames(self.resolver, self.state_of_motion, move.tool, move.wobj, external)
-        if self._correcting is not None and queue.corrected is self._correcting:
+        if self._correcting is not None and member.corrected is self._correcting:
             self._correcting.frames = frames
             return self._correcting
         assert identity.setup is not None
@@ -358,8 +357,8 @@ class TaskGuidance:
             self.clock.bring_to_rest,
             frames,
         )
-        queue.trajectory.correct(stretch)
-        self._correcting = queue.corrected = correcting
+        member.trajectory.correct(stretch)
+        self._correcting = member.corrected = correcting
         device = identity.setup.device
         self.clock.event(EventKind.GUIDANCE, f"path corrected by {device}", device=device)
         return correcting
@@ -379,12 +378,11 @@ class TaskGuidance:
 
     def _stop_on_path(self, correcting: ActivePathCorrection) -> None:
         """Stop on a path whose correction has failed, and discard the rest of it."""
-        queue = self.unit.solo_queue
-        rest_s = queue.halt(correcting.told_s)
-        self.clock.go_to(max(queue.trajectory.seen_s(rest_s), correcting.rest()))
+        rest_s = self.unit.halt(correcting.told_s)
+        self.clock.go_to(max(self.unit.seen_s(rest_s), correcting.rest()))
         correcting.last_word(Guided.FAILED)
-        queue.clear()
-        queue.resume(self.clock.resolve_time())
+        self.unit.clear()
+        self.unit.resume(self.clock.resolve_time())
         correcting.identity.state, self._correcting = CONNECTED, None
 
     def _pause(self, correcting: ActivePathCorrection) -> None:
@@ -422,7 +420,7 @@ class TaskGuidance:
     def _settle(self) -> None:
         """Record that the guidance has ended, by itself or because the robot was stopped."""
         under_way = self._active
-        if under_way is None or self.unit.solo_queue.guided is under_way:
+        if under_way is None or self.unit.member.guided is under_way:
             return
         identity, ended = under_way.identity, under_way.run.ended or EndReason.STOPPED
         assert identity.sensor is not None

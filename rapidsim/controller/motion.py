@@ -13,7 +13,7 @@ from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.position_reading import HOLDS_S, PositionReader, Reading
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import EnqueueMove
+from rapidsim.controller.task_moves import EnqueueMove
 from rapidsim.controller.triggers import Triggers
 from rapidsim.frames.vectors import length, minus
 from rapidsim.language.data import JointTarget, Pos, RobTarget, ToolData, WobjData
@@ -65,17 +65,18 @@ class TaskMotion:
     def current_speeds(self) -> JointTarget:
         """Current speeds of the axes [deg/s or mm/s]: their change in the last millisecond."""
         self.clock.note_line()
-        now_s, queue = self.clock.resolve_time(), self.unit.queue
-        seen = queue.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
+        now_s = self.clock.resolve_time()
+        seen = self.unit.seen(now_s, np.array([max(0.0, now_s - _LOOKS_BACK_S), now_s]))
         joints = (seen.joints[1] - seen.joints[0]) / _LOOKS_BACK_S
         external = (seen.external[1] - seen.external[0]) / _LOOKS_BACK_S
         return self.resolver.joint_target(joints, external)
 
     def is_moving(self) -> bool:
         """Whether the robot is moving."""
-        queue = self.unit.queue
-        is_guided = self.unit.solo_queue.guided is not None
-        return is_guided or queue.is_open or queue.trajectory.duration > self.clock.resolve_time()
+        is_guided = self.unit.member.guided is not None
+        if is_guided or self.unit.queue.is_open:
+            return True
+        return self.unit.trajectory.duration > self.clock.resolve_time()
 
     def current_target(self, tool: ToolData | None, wobj: WobjData | None) -> RobTarget:
         """Current robtarget of the TCP; None selects the tool or work object of the last move."""
@@ -105,9 +106,9 @@ class TaskMotion:
 
     def programmed_end(self, tool: ToolData, wobj: WobjData) -> RobTarget:
         """Robtarget of the end of the path so far, without the offsets of correction generators."""
-        end = self.unit.queue.end
+        end = self.unit.end
         stands = self.resolver.target(end.joints, end.external, tool, wobj, self.clock.place)
-        last = self.unit.queue.moves[-1].move if self.unit.queue.moves else None
+        last = self.unit.moves[-1].move if self.unit.moves else None
         if last is None or last.programmed is None or (last.tool, last.wobj) != (tool, wobj):
             return stands
         assert isinstance(last.to, RobTarget)
@@ -126,18 +127,18 @@ class TaskMotion:
         Raises:
             RapidError: ERR_OUTSIDE_REACH or ERR_ROBLIMIT.
         """
-        end, monitored = self.unit.queue.end, self.settings.conf_j
+        end, monitored = self.unit.end, self.settings.conf_j
         joints = self.resolver.reach(target, tool, wobj, end, self.clock.place, monitored=monitored)
         return JointTarget(self.resolver.rob_joint(joints), target.extax)
 
     def finish(self) -> None:
         """Bring the robot to rest after the last statement."""
-        self.unit.solo_queue.end_guidance()
+        self.unit.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             self.clock.resolve_time()
             self.clock.drive_to_stop()
-        self.clock.pass_time(max(self.clock.resolve_time(), self.unit.queue.trajectory.duration))
+        self.clock.pass_time(max(self.clock.resolve_time(), self.unit.trajectory.duration))
 
     def abandon(self) -> MotionError | None:
         """Let the robot finish the moves it has before the program stops with an error.
@@ -146,7 +147,7 @@ class TaskMotion:
             The reason if it cannot finish them, else None. That error precedes the one that stops
             the program, which runs ahead of the robot.
         """
-        self.unit.solo_queue.end_guidance()
+        self.unit.end_guidance()
         queue = self.unit.queue
         if queue.is_open and not queue.is_halted:
             with self.unit.ending():
@@ -161,10 +162,10 @@ class TaskMotion:
 
         A failure of a move before it was already reported; it does not prevent the stop.
         """
-        limit_s, queue = self.cell.max_time_s, self.unit.queue
-        if not queue.is_halted and queue.trajectory.command_end > limit_s:
+        limit_s = self.cell.max_time_s
+        if not self.unit.queue.is_halted and self.unit.trajectory.command_end > limit_s:
             with self.unit.ending():
-                queue.halt(limit_s)
+                self.unit.halt(limit_s)
 
     def _reading(self, *, holds_on: bool = True) -> Reading:
         """Reading of the robot's position for the current statement, which only polls.

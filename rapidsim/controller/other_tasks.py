@@ -23,7 +23,6 @@ from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.moves.work_object_holders import Holder
 from rapidsim.controller.position_reading import PositionReader
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.language.data import JointTarget, RobTarget, ToolData, WobjData
 from rapidsim.language.equipment import robot_name
 from rapidsim.language.error_numbers import (
@@ -83,12 +82,12 @@ class TaskCoordination:
         if other is None or other is self:
             return None
         now_s, robot = self.clock.synchronise(), other.resolver.robot
-        path = foreseen(other.unit.queue)
+        path = other.unit.foreseen()
         seen = path.at(np.array([now_s]))
         axes, world_from_base = robot.external, other.resolver.base_from_world.inverse()
         world_from_base = world_from_base_at(axes, world_from_base, seen.external)[0]
         world_from_flange = world_from_base @ robot.forward(seen.joints[0])
-        moves = now_s < path.duration - _ROUNDING_S or other.unit.solo_queue.is_guided
+        moves = now_s < path.duration - _ROUNDING_S or other.unit.member.is_guided
         return Holder(unit, moves, world_from_flange)
 
     def _is_called(self, unit: str) -> bool:
@@ -165,8 +164,8 @@ class TaskCoordination:
             )
             unit.held_by_watcher = True
             if not unit.queue.is_halted:
-                stood_s = unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
-                rest_s = max(rest_s, unit.queue.trajectory.seen_s(stood_s))
+                stood_s = unit.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
+                rest_s = max(rest_s, unit.seen_s(stood_s))
         self.clock.notify_tasks()
         self.clock.pass_time(rest_s)
 
@@ -177,7 +176,7 @@ class TaskCoordination:
         for unit in self._observed_robots(every):
             unit.held_by_watcher = False
             if unit.queue.is_halted and not unit.held_by_task:
-                unit.queue.resume(now_s)
+                unit.resume(now_s)
         self.clock.notify_tasks()
 
     def is_robot_held(self) -> tuple[bool, bool]:
@@ -196,11 +195,11 @@ class TaskCoordination:
         """Stop the robot at a time [s]: another task has failed, or the run is over."""
         if self.cell.watchdog.has_ended_the_run:
             # Stopping would plan the open part, which may be the cause of the long run time.
-            self.unit.queue.leave()
+            self.unit.leave()
             return
         with self.unit.ending():
             if not self.unit.queue.is_halted:
-                self.unit.queue.halt(time_s)
+                self.unit.halt(time_s)
 
     def rendezvous(
         self, instruction: str, name: str, tasks: Sequence[str], max_time: float | None

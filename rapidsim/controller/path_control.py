@@ -36,7 +36,7 @@ class TaskPathControl:
     @property
     def path_level(self) -> float:
         """The path level: 1 plus the number of stored paths."""
-        return 1.0 + self.unit.solo_queue.stored
+        return 1.0 + self.unit.member.level
 
     def stop_move(self, *, quick: bool = False) -> None:
         """Stop the robot on its path, or as fast as it can; returns when it is at rest."""
@@ -44,11 +44,11 @@ class TaskPathControl:
         now_s = self.clock.resolve_time()
         self.unit.hold()
         if not self.unit.queue.is_halted:
-            rest_s = self.unit.queue.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
-            self.clock.pass_time(max(now_s, self.unit.queue.trajectory.seen_s(rest_s)))
+            rest_s = self.unit.halt(now_s, 0.0 if quick else PROGRAM_STOP_S)
+            self.clock.pass_time(max(now_s, self.unit.seen_s(rest_s)))
         else:
             # Another task has stopped it, and it may still brake.
-            self.clock.pass_time(max(now_s, self.unit.queue.trajectory.duration))
+            self.clock.pass_time(max(now_s, self.unit.trajectory.duration))
 
     def fail(self, error: RapidError) -> None:
         """Stop the robot and raise an error where the program waits for it.
@@ -70,9 +70,9 @@ class TaskPathControl:
         self.clock.note_line()
         now_s = self.clock.resolve_time()
         queue = self.unit.queue
-        if queue.is_open and not queue.is_halted and queue.preview().duration > now_s:
+        if queue.is_open and not queue.is_halted and self.unit.preview().duration > now_s:
             raise rapid_error(ERR_ALRDY_MOVING, "the robot is moving; nothing stopped it")
-        too_far = self.unit.queue.off_path_reason()
+        too_far = self.unit.off_path_reason()
         if too_far:
             raise rapid_error(
                 ERR_PATHDIST,
@@ -81,7 +81,7 @@ class TaskPathControl:
             )
         is_free = self.unit.release()
         if is_free and not self.unit.held_by_watcher:
-            self.unit.queue.resume(now_s)
+            self.unit.resume(now_s)
         self.clock.notify_tasks()
 
     def is_stopped(self) -> bool:
@@ -96,7 +96,7 @@ class TaskPathControl:
         """
         self.clock.note_line()
         self._require_standstill("ClearPath")
-        self.unit.queue.clear()
+        self.unit.clear()
         self.marks.clear()
 
     def store_path(self, *, keep_sync: bool = False) -> None:
@@ -108,7 +108,7 @@ class TaskPathControl:
             RapidError: ERR_PATH, while the robot moves.
         """
         self.clock.note_line()
-        if self.state.searches and not self.unit.solo_queue.stored:
+        if self.state.searches and not self.unit.member.level:
             raise NotAllowed("StorePath in a trap while the robot searches; ISleep the interrupt")
         self._require_standstill("StorePath")
         self.unit.store_path(keep_sync=keep_sync)
@@ -130,4 +130,4 @@ class TaskPathControl:
         now_s = self.clock.resolve_time()
         if self.unit.queue.is_open and not self.unit.queue.is_halted:
             raise rapid_error(ERR_PATH, f"{instruction} while the robot moves; StopMove first")
-        self.clock.pass_time(max(now_s, self.unit.queue.trajectory.duration))
+        self.clock.pass_time(max(now_s, self.unit.trajectory.duration))

@@ -35,7 +35,7 @@ _ROUNDING: Final = 1e-6
 
 @dataclass(slots=True, eq=False)
 class ActivePathCorrection:
-    """Implements `solo_queue.CorrectedMotion`."""
+    """Implements `member.CorrectedMotion`."""
 
     identity: SensorIdentity
     """Identity of the sensor."""
@@ -79,7 +79,7 @@ class ActivePathCorrection:
         start_s = max(now_s, self.section.end_s)
         cycles = max(0, round((self.next_s - start_s) / CYCLE_S))
         ahead = start_s + CYCLE_S * np.arange(1, cycles + 1, dtype=np.float64)
-        path = self.unit.solo_queue.preview()
+        path = self.unit.preview()
         samples = path.at(np.concatenate([told, told + SPEED_STEP_S, ahead]))
         stream = feedback_of(self.unit, self.resolver, self.frames, samples, words, Guided.RUNNING)
         if self.sensor.has_lookahead:
@@ -123,20 +123,20 @@ class ActivePathCorrection:
 
     def settle(self) -> None:
         """See `CorrectedMotion`."""
-        queue = self.unit.solo_queue
+        member = self.unit.member
         self.rest()
-        queue.corrected = None
+        member.corrected = None
         if not self.section.end.any():
             return
-        trajectory = queue.trajectory
-        end_s, stands = trajectory.duration, queue.standing()
+        trajectory = member.trajectory
+        end_s, stands = trajectory.duration, member.standing()
         tool, robot = self.frames.tcp_from_flange, self.resolver.robot
         trajectory.guide(
             GuidedSection(end_s, CYCLE_S, robot.forward, tool, stands.external, stands.joints)
         )
         self.section.until_s = end_s
-        queue.continue_from(end_s)
-        queue.end = stands
+        self.unit.queue.begin_again(end_s)
+        member.end = stands
 
     def _advance_to(self, now_s: float) -> None:
         late = math.ceil((now_s - self.next_s) / self.sample_s - _ROUNDING)
@@ -151,7 +151,7 @@ class ActivePathCorrection:
             first: Index of the first relevant sample.
             directions: Directions of the path at these samples (k, 3).
         """
-        moves, stretch = self.unit.solo_queue.moves, self.section
+        moves, stretch = self.unit.moves, self.section
         sensed = [moves[k].move.sensed is SensorInfluence.CORRECTED for k in samples.move[first:]]
         tool_z = samples.base_from_tcp.rotation[first:, :, 2]
         before = stretch.end

@@ -44,9 +44,8 @@ class TaskPathLength:
             self._count(time_s)
 
     def _count(self, time_s: float) -> Mark:
-        queue = self.unit.queue
-        is_decided = time_s <= queue.trajectory.command_end
-        trajectory = queue.trajectory if is_decided else queue.preview()
+        is_decided = time_s <= self.unit.trajectory.command_end
+        trajectory = self.unit.trajectory if is_decided else self.unit.preview()
         mark = trajectory.mark(time_s)
         if self._counted is not None:
             self._length_m += trajectory.travelled_between(self._counted, mark)

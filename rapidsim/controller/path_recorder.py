@@ -22,7 +22,7 @@ from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import EnqueueMove
+from rapidsim.controller.task_moves import EnqueueMove
 from rapidsim.frames import quaternion
 from rapidsim.language.data import FINE, JointTarget, Pos, RobTarget, SpeedData
 from rapidsim.language.error_numbers import ERR_PATH, rapid_error
@@ -67,15 +67,15 @@ class TaskPathRecorder:
         self.clock.note_line()
         if not self._ids or self._last is not None:
             self._forget()
-            self._level = self.unit.solo_queue.stored
+            self._level = self.unit.member.level
         number = len(self._ids) + 1
-        self._ids[number] = len(self.unit.solo_queue.moves)
+        self._ids[number] = len(self.unit.moves)
         return number
 
     def stop_recording(self, *, clear: bool) -> None:
         """Stop recording; with `clear`, discard the record."""
         self.clock.note_line()
-        self._last = len(self.unit.solo_queue.moves)
+        self._last = len(self.unit.moves)
         if clear:
             self._forget()
 
@@ -110,7 +110,7 @@ class TaskPathRecorder:
             raise rapid_error(ERR_PATH, "no path is recorded that leads back there")
         self.clock.bring_to_rest()
         if self._origin is None:
-            self._origin = self.unit.solo_queue.standing()
+            self._origin = self.unit.member.standing()
             self._queued = self._started_moves()
             self._departures = len(self._queued)
         for queued in reversed(way):
@@ -153,7 +153,7 @@ class TaskPathRecorder:
 
     def _require_stored_path(self) -> None:
         self.clock.note_line()
-        if not self.unit.solo_queue.stored:
+        if not self.unit.member.level:
             raise NotAllowed("a recorded path is not travelled on the base level; StorePath first")
 
     def _started_moves(self) -> list[QueuedMove]:
@@ -162,7 +162,7 @@ class TaskPathRecorder:
         last = self._last
         return [
             one
-            for _, one in self.unit.solo_queue.moves.numbered(first, last)
+            for _, one in self.unit.moves.numbered(first, last)
             if one.level == self._level
             and one.started.time is not None
             and one not in self._executed
@@ -172,12 +172,12 @@ class TaskPathRecorder:
         """The moves from a place to the position of the robot, in recorded order."""
         given = self._started_moves() if self._origin is None else self._queued[: self._departures]
         first = min(self._ids.values()) if identifier is None else self._ids.get(identifier, 0)
-        index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
+        index = {id(one): number for number, one in self.unit.moves.numbered()}
         return [one for one in given if index[id(one)] >= first]
 
     def _place_of(self, identifier: int) -> int:
         """Number of moves of the backward motion that lie before a place."""
-        index = {id(one): number for number, one in self.unit.solo_queue.moves.numbered()}
+        index = {id(one): number for number, one in self.unit.moves.numbered()}
         first = self._ids.get(identifier, 0)
         return sum(index[id(one)] < first for one in self._queued)
 

@@ -87,14 +87,14 @@ class PositionReader:
 
     def read(self, now_s: float) -> Reading:
         """Position of the robot at a time [s], or an earlier reading if that still holds."""
-        self.unit.solo_queue.start_is_free = False
+        self.unit.member.start_is_free = False
         before = None if self._last is None else self._last.time_s
         if self._version != self.unit.version:
             # A regular series continues, but the plan may change again soon: reduce the batch.
             self._version, self._last = self.unit.version, None
             self._ahead.clear()
             self._count = max(1, self._count // 8)
-        if self.unit.solo_queue.is_guided:
+        if self.unit.member.is_guided:
             # The sensor's future values are unknown, so nothing can be predicted.
             self._step_s = math.inf
             self._ahead.clear()
@@ -109,8 +109,8 @@ class PositionReader:
         """Time [s] until which `read` returns this reading if no event intervenes."""
         queue = self.unit.queue
         waits = queue.is_open and not queue.is_halted
-        waits |= self.unit.solo_queue.is_guided
-        still = not waits and queue.trajectory.duration <= reading.time_s
+        waits |= self.unit.member.is_guided
+        still = not waits and self.unit.trajectory.duration <= reading.time_s
         return math.inf if still else reading.time_s + HOLDS_S
 
     def target(self, reading: Reading, tool: ToolData, wobj: WobjData, place: Place) -> RobTarget:
@@ -132,7 +132,7 @@ class PositionReader:
         self._count = min(2 * self._count, _AT_ONCE) if is_even else 1
         to_come = now_s + np.arange(1, self._count) * self._step_s
         near = (to_come[:, np.newaxis] + np.array([-_NEAR_S, 0.0, _NEAR_S])).ravel()
-        samples = self.unit.queue.seen(now_s, np.append(now_s, near))
+        samples = self.unit.seen(now_s, np.append(now_s, near))
         self._ahead = [
             _Expected(time_s, samples.joints[k : k + 3], samples.external[k : k + 3])
             for time_s, k in zip(to_come.tolist(), range(1, len(samples.joints), 3), strict=True)

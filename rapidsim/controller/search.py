@@ -16,7 +16,7 @@ from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.motion_state import MotionState
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.solo_moves import EnqueueMove
+from rapidsim.controller.task_moves import EnqueueMove
 from rapidsim.language.data import FINE, JointTarget, Pose, RobTarget
 from rapidsim.language.error_numbers import (
     ERR_PERSSUPSEARCH,
@@ -79,7 +79,7 @@ class TaskSearch:
         stop: SearchStop,
     ) -> RobTarget:
         """Make a move to a stop point and watch a signal, or a persistent, during it."""
-        arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
+        arm = self.unit.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.target(
             arm.joints[0], arm.external[0], move.tool, move.wobj, self.clock.place
         )
@@ -92,7 +92,7 @@ class TaskSearch:
         stop: SearchStop,
     ) -> JointTarget:
         """Make a move as `search` does, but return the positions of all axes at the first hit."""
-        arm = self.unit.queue.at_past(self._hit_s(move, stop_condition, flank, stop))
+        arm = self.unit.at_past(self._hit_s(move, stop_condition, flank, stop))
         return self.resolver.joint_target(arm.joints[0], arm.external[0])
 
     def part_pose(self, search: str) -> Pose | None:
@@ -156,7 +156,7 @@ class TaskSearch:
         """Let the robot move until it is at rest: at the end, or where a hit stops it."""
         while self.unit.queue.is_open:
             self.clock.await_restart()
-            reached_s = self.unit.queue.trajectory.seen_s(self.unit.queue.close())
+            reached_s = self.unit.seen_s(self.unit.queue.close())
             while (now_s := self.clock.resolve_time()) < reached_s and not self.unit.queue.is_open:
                 if isinstance(stop_condition, str):
                     self.clock.await_event(reached_s)
@@ -170,9 +170,7 @@ class TaskSearch:
 
     def _stop_on_path(self, in_s: float) -> None:
         """Stop on the path within a time [s] and discard the rest of it."""
-        rest_s = self.unit.queue.halt(self.clock.resolve_time(), in_s)
-        self.clock.pass_time(
-            max(self.clock.resolve_time(), self.unit.queue.trajectory.seen_s(rest_s))
-        )
-        self.unit.queue.clear()
-        self.unit.queue.resume(self.clock.resolve_time())
+        rest_s = self.unit.halt(self.clock.resolve_time(), in_s)
+        self.clock.pass_time(max(self.clock.resolve_time(), self.unit.seen_s(rest_s)))
+        self.unit.clear()
+        self.unit.resume(self.clock.resolve_time())

@@ -31,7 +31,7 @@ class SensorIdentity:
 
 @value_class(slots=True, eq=False)
 class ActiveGuidance:
-    """A guidance; implements `solo_queue.GuidedMotion`."""
+    """A guidance; implements `member.GuidedMotion`."""
 
     identity: SensorIdentity
     run: GuidedExecution

@@ -18,7 +18,6 @@ from rapidsim.controller.moves.guidance_frames import told_frames
 from rapidsim.controller.moves.guidance_start import used_axes
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import ToolData, WobjData
 from rapidsim.motion.guidance.feedback import Feedback, Frames, Guided, standing_feedback
@@ -79,7 +78,7 @@ def feedback_at(
         times: Instants of the feedback.
         guided: State of guidance in the feedback.
     """
-    samples = foreseen(unit.queue).at(np.concatenate([times, times + SPEED_STEP_S]))
+    samples = unit.foreseen().at(np.concatenate([times, times + SPEED_STEP_S]))
     return feedback_of(unit, resolver, told_in(samples.external[0]), samples, len(times), guided)
 
 
@@ -94,7 +93,7 @@ def feedback_of(
     """Feedback from samples: `count` of them, followed by those `SPEED_STEP_S` later."""
     now, later = samples.joints[:count], samples.joints[count : 2 * count]
     speeds = np.abs(later - now) / SPEED_STEP_S
-    fastest = unit.solo_queue.planner.limits.max_speed[: now.shape[1]]
+    fastest = unit.member.limits.max_speed[: now.shape[1]]
     utilised = 100.0 * np.max(speeds / fastest, axis=1, initial=0.0)
     return [
         standing_feedback(

@@ -153,7 +153,7 @@ class TaskSignals:
 
     def _is_vain(self, signals: tuple[str, ...]) -> bool:
         """Whether only other tasks, if there are any, could change signals."""
-        if self.table.armed or self.unit.queue.trajectory.duration > self.clock.resolve_time():
+        if self.table.armed or self.unit.trajectory.duration > self.clock.resolve_time():
             return False
         return not any(map(self.cell.may_change, signals))
 

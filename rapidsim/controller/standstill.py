@@ -30,7 +30,7 @@ class StandstillOutputs:
     ) -> None:
         """Start with a robot at rest, or that still comes to rest after the previous program."""
         self._unit, self._cell, self._others, self._cause = unit, cell, coordination, cause
-        self._moves = unit.solo_queue.trajectory.duration > 0.0
+        self._moves = unit.trajectory.duration > 0.0
         self._stood_s = 0.0
         """Time [s] at which it last came to rest."""
 
@@ -46,16 +46,16 @@ class StandstillOutputs:
 
     def _ends_s(self) -> float:
         """Time [s] at which the robot is at rest if no further move is queued."""
-        if self._unit.solo_queue.guided is not None:
+        if self._unit.member.guided is not None:
             return math.inf
         return self._preview().duration
 
     def _preview(self) -> Trajectory:
         """Motion if no further move is queued; its fixed part if a move cannot be made."""
         try:
-            return self._unit.queue.preview()
+            return self._unit.preview()
         except MotionError:
-            return self._unit.queue.trajectory
+            return self._unit.trajectory
 
     def _starts_s(self) -> float:
         """Time [s] at which the robot first moves after it last came to rest."""

@@ -99,15 +99,18 @@ class Triggers:
         if check.wanted(self.cell.signals.read(check.signal)):
             return
         if check.stops and not self.unit.queue.is_halted:
-            self.unit.queue.halt(now_s)
+            self.unit.halt(now_s)
         self.interrupts.table.raise_now(check.interrupt, now_s)
 
     def _ramp(self, cause: Cause, ramp: RampOutput, now_s: float) -> None:
         """Write a ramp in steps: evenly over time, or over the distance that the robot travels."""
         start = self.cell.signals.read(ramp.signal)
-        preview = self.unit.queue.preview()
-        here_m = float(preview.place_at(np.array([now_s]))[0])
-        length_m = min(ramp.length * _MM, preview.length - here_m)
+        preview = self.unit.preview()
+        now = np.array([now_s])
+        here_m = float(preview.place_at(now)[0])
+        active = self.unit.moves[int(preview.at(now).move[0])]
+        length_m = ramp.length * _MM * self.unit.path_ratio(active)
+        length_m = min(length_m, preview.length - here_m)
         by_time = ramp.by_time or length_m <= 0.0
         end_s = now_s + (ramp.length if ramp.by_time else 0.0)
         if not by_time:

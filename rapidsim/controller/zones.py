@@ -51,7 +51,7 @@ class TaskZones:
                 what = f"the robot came to the world zone that line {place.span.line} supervises"
                 moment = Moment(Instant(time_s))
                 self.journal.event(moment, EventKind.LIMIT, self.clock.place, what)
-                self.unit.queue.halt(time_s)
+                self.unit.halt(time_s)
                 self.clock.set(time_s)
                 raise ZoneReached(what)
 

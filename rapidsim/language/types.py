@@ -122,6 +122,11 @@ def resolved(of: Type) -> Atomic | Record | ArrayOf:
             return of
 
 
+def spelling(of: Type) -> str:
+    """The notation of a type for people: `robtarget`, `num{3,*}`, `width, ALIAS of num`."""
+    return f"{of.name}, ALIAS of {of.of.name}" if isinstance(of, Alias) else of.name
+
+
 def same(a: Type, b: Type) -> bool:
     """Whether two types are one type once aliases are resolved."""
     return resolved(a) == resolved(b)

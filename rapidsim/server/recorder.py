@@ -10,7 +10,6 @@ from typing import Final
 import numpy as np
 
 from rapidsim.controller.journal.events import Event, EventKind
-from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array
 from rapidsim.motion.guidance.sensor import SensorAnswer
@@ -107,7 +106,7 @@ class LiveRecorder:
                 self.recording.moved(self._arm(task, name, times))
 
     def _arm(self, task: LiveTask, name: str, times: Array) -> LiveArm:
-        return LiveArm(name, task.unit.solo_queue.robot, foreseen(task.unit.queue).at(times))
+        return LiveArm(name, task.unit.member.robot, task.unit.foreseen().at(times))
 
     def _do(self, write: Callable[[], None]) -> None:
         if not self._is_on:

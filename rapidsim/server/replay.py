@@ -16,6 +16,7 @@ from rapidsim.server.loading import ReadyController
 from rapidsim.server.sensors import RecordingSensors, ReplayedSensors
 from rapidsim.server.wire import RecordingWire, ReplayedWire
 from rapidsim.simulation.live.controller import LiveController
+from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import End
 
@@ -39,7 +40,10 @@ def replay_journal(path: Path) -> RecordedSession:
 
 
 def replayed(
-    ready: ReadyController, session: RecordedSession, on_line: Callable[[str], None]
+    ready: ReadyController,
+    session: RecordedSession,
+    on_line: Callable[[str], None],
+    watch: Callable[[RunInProgress], None] | None = None,
 ) -> FinishedRun:
     """Replay a journal on a controller.
 
@@ -48,6 +52,7 @@ def replayed(
         session: The journal.
         on_line: Called with a line about the first difference from the journal, which another
             program or other files in the home folder cause.
+        watch: Receives the run before it begins.
 
     Raises:
         InputError: If an arm cannot be timed, or no task moves one.
@@ -62,6 +67,8 @@ def replayed(
         sensors=RecordingSensors(ReplayedSensors(session.answers)),
         keeps_all=True,
     )
+    if watch is not None:
+        watch(RunInProgress(live.cell, lambda: [task.run for task in live.tasks.values()]))
     lines: list[str] = []
     # Time advances only on the commands below.
     engine = Engine(live, LockStep(0.0), lambda told: None, lines.append)

@@ -149,12 +149,12 @@ def _findings(
         yield from run.journal.diagnostics()
         yield from not_simulated_findings(run.journal)
         yield from backward_findings(run.setup.program)
-        yield from hasty_move_findings(run.queue.moves)
+        yield from hasty_move_findings(run.member.moves)
         yield from outcome.findings
     movers = [run for run in runs if run.setup.robot is not None]
     for robot, run in zip(robots, movers, strict=True):
-        planner = run.queue.planner
-        yield from corner_findings(robot.moves, robot.trajectory, planner.limits, planner.model)
+        limits, model = run.member.limits, run.member.model
+        yield from corner_findings(robot.moves, robot.trajectory, limits, model)
     for robot, run in zip(robots, movers, strict=True):
         yield from early_output_findings(events, robot, _traps(run.setup.program))
     yield from moved_object_findings(robots, [run.setup.robot_label for run in movers])
@@ -167,12 +167,12 @@ def _traps(program: Program) -> frozenset[str]:
 
 
 def _robot_run(run: TaskRun, outcome: TaskOutcome) -> RobotRun:
-    name, trajectory = run.setup.name, run.queue.trajectory
+    name, trajectory = run.setup.name, run.member.trajectory
     return RobotRun(
         task=name,
-        robot=run.queue.robot,
+        robot=run.member.robot,
         world_from_base=run.setup.place,
-        moves=run.queue.executed(name),
+        moves=run.member.executed(name),
         lines=run.journal.lines(),
         trajectory=trajectory,
         path_m=trajectory.travelled_m,

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from types import FrameType
 from typing import Protocol
 
 from greenlet import greenlet
@@ -81,6 +82,11 @@ class Scheduler:
             self.current = None
             for entry in self._alive():
                 entry.greenlet.throw()
+
+    def frame_of(self, task: object) -> FrameType | None:
+        """Python frame at which a task has been suspended; None if it runs, or has ended."""
+        entry = self._by_task.get(task)
+        return None if entry is None else entry.greenlet.gr_frame
 
     def stop(self) -> None:
         """End the run when the running task has ended."""

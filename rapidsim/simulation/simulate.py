@@ -16,7 +16,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.simulation.dry_run import dry_run, stopped_by_contact
 from rapidsim.simulation.multitasking import run_all_tasks
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.progress import MoveCounter, Progress
+from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun, build_result
 from rapidsim.simulation.results.simulation import (
     Simulation,
@@ -61,14 +61,14 @@ def simulate_tasks(setups: Sequence[TaskSetup], options: RunOptions) -> Simulati
 def run_tasks(
     setups: Sequence[TaskSetup],
     options: RunOptions,
-    watch: Callable[[Callable[[], Progress]], None] | None = None,
+    watch: Callable[[RunInProgress], None] | None = None,
 ) -> FinishedRun:
     """Run the programs of several tasks on one clock.
 
     Args:
         setups: The tasks; those due at the same time run in this order.
         options: Inputs and limits; those of a single robot or task have no effect here.
-        watch: Receives a function that returns the progress, before the run.
+        watch: Receives the run before it begins.
 
     Raises:
         InputError: If the speed limits of an arm's axes are unknown, or no task moves an arm; if a
@@ -89,7 +89,7 @@ def run_tasks(
 def _run(
     setups: Sequence[TaskSetup],
     options: RunOptions,
-    watch: Callable[[Callable[[], Progress]], None] | None,
+    watch: Callable[[RunInProgress], None] | None,
 ) -> FinishedRun:
     """Run the programs to the end; see `run_tasks`."""
     arms = [setup.robot for setup in setups if setup.robot is not None]
@@ -105,7 +105,7 @@ def _run(
         for setup, own in zip(setups, journals, strict=True)
     ]
     if watch is not None:
-        watch(MoveCounter(runs))
+        watch(RunInProgress(cell, lambda: runs))
     try:
         if len(runs) == 1:
             only = runs[0]

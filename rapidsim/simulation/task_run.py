@@ -24,7 +24,7 @@ from rapidsim.controller.journal.stop_reasons import (
 from rapidsim.controller.moves.queued_move import MotionError
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.solo_queue import SoloQueue, solo_queue
+from rapidsim.controller.queue.member import Member, member_at_rest
 from rapidsim.diagnostics import Diagnostic
 from rapidsim.files import InputError
 from rapidsim.frames.transform import Array, Transform
@@ -109,7 +109,7 @@ class TaskRun:
 
     setup: TaskSetup
     journal: Journal
-    queue: SoloQueue
+    member: Member
     controller: VirtualController
 
 
@@ -126,7 +126,7 @@ def prepare(
         options: Limits and the motion model.
     """
     unit = unit_of(setup, placeholder, cell, journal, options)
-    unit.solo_queue.start_is_free = setup.start_joints_deg is None
+    unit.member.start_is_free = setup.start_joints_deg is None
     return new_task_run(setup, unit, cell, journal, options)
 
 
@@ -136,7 +136,7 @@ def unit_of(
     """Return the robot of a task at its start position; see `prepare`."""
     robot = setup.robot or placeholder
     start = _start_waypoint(robot, setup.start_joints_deg)
-    return MechanicalUnit(solo_queue(robot, options.model, start, cell.watchdog.check))
+    return MechanicalUnit(member_at_rest(robot, options.model, start), cell.watchdog.check)
 
 
 def new_task_run(
@@ -152,7 +152,7 @@ def new_task_run(
         options: Limits and the motion model.
     """
     resolver = Resolver(
-        unit.solo_queue.robot,
+        unit.member.robot,
         journal,
         setup.place.inverse(),
         options.model.payload_acceleration,
@@ -170,7 +170,7 @@ def new_task_run(
     controller.coordination.robot_label = setup.robot_label
     if not setup.counts:
         controller.clock.run_in_background()
-    return TaskRun(setup, journal, unit.solo_queue, controller)
+    return TaskRun(setup, journal, unit.member, controller)
 
 
 def require_limits(robot: Robot, options: RunOptions) -> None:
@@ -291,7 +291,7 @@ def _failed_motion(error: MotionError, run: TaskRun) -> TaskOutcome:
     if not run.setup.is_base_known:
         finding = replace(finding, assumed=True)
     queued = error.queued
-    way = (queued.place, finding.violation, queued.segment, error.fault.fraction, run.queue.robot)
+    way = (queued.place, finding.violation, queued.segment, error.fault.fraction, run.member.robot)
     return TaskOutcome(End.ERROR, (finding,), (failed_at_fraction(*way),))
 
 

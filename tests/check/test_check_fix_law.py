@@ -14,10 +14,10 @@ from fuzzing.texts import characters_changed, inside, random_tokens, spliced, to
 
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.cli.boundary import run_commands
-from rapidsim.cli.tools.fixes import apply_fixes, choose_fixes, harmless_fixes
 from rapidsim.diagnostics import Diagnostic, Severity
 from rapidsim.files import SourceFile, decode
 from rapidsim.jobs.checking.check_files import check_tasks
+from rapidsim.jobs.checking.fixes import apply_fixes, choose_fixes, harmless_fixes
 from rapidsim.module_files import TaskFiles
 from rapidsim.text_edits import edited_text
 

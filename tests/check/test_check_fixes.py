@@ -8,9 +8,9 @@ from check_helper import CORPUS
 from rapidsim.analysis.passes.checker import check
 from rapidsim.analysis.rules.table import detectors_of
 from rapidsim.analysis.suppressions import without_suppressed
-from rapidsim.cli.tools.fixes import choose_fixes
 from rapidsim.diagnostics import Diagnostic, Severity, Source, all_rules
 from rapidsim.files import decode
+from rapidsim.jobs.checking.fixes import choose_fixes
 from rapidsim.module_files import MODULE_SUFFIXES
 from rapidsim.report.pages.rules import programs
 from rapidsim.syntax import tree

@@ -38,5 +38,5 @@ def test_the_line_says_what_is_known(
     instants: Iterator[float] = iter([100.0, 100.0 + seconds])
     meter = Meter(written, now=lambda: next(instants))
     if progress is not None:
-        meter.watch(lambda: progress)
+        meter.read(lambda: progress)
     assert meter.__rich__().plain == line

@@ -11,7 +11,8 @@ from motion_programs import MODEL, ROBOT, Programmer, path_of, programs, zone
 
 from rapidsim.frames.transform import Array
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.path.synchronised_path import TeamPath, team_path
+from rapidsim.motion.path.shared_path import SharedPath, shared_path
+from rapidsim.motion.path.shared_progress import PACE
 from rapidsim.motion.timing.axis_limits import Limits, combined_limits, limits_of
 from rapidsim.motion.timing.planning import plan
 from rapidsim.motion.timing.time_scaling import TimeScaling
@@ -32,35 +33,41 @@ def lines(*lengths: float, millimetres: float = 20.0) -> Path:
     return path_of(program)
 
 
-def timing_of(team: TeamPath) -> TimeScaling:
-    return plan(team, limits(len(team.courses)))
+def together(*paths: Path) -> SharedPath:
+    team = shared_path(paths)
+    assert isinstance(team, SharedPath)
+    return team
 
 
-def test_a_team_of_one_takes_as_long_as_the_robot_alone() -> None:
+def timing_of(team: Path) -> TimeScaling:
+    return plan(team, limits(len(team.parts)))
+
+
+def test_a_robot_alone_is_a_team_of_one() -> None:
     alone = lines(0.2, 0.1, 0.15)
-    assert timing_of(team_path([alone])).duration == pytest.approx(
-        plan(alone, LIMITS).duration, rel=1e-3
-    )
+    assert shared_path([alone]) is alone
+    assert alone.parts == (alone,)
 
 
 def test_a_team_of_two_equal_robots_takes_as_long_as_one() -> None:
     alone = lines(0.2, 0.1, 0.15)
-    team = team_path([alone, alone])
+    team = shared_path([alone, alone])
     assert timing_of(team).duration == pytest.approx(plan(alone, LIMITS).duration, rel=1e-3)
     s = np.linspace(0.0, team.length, 50)
-    assert np.array_equal(team.part(0).evaluate(s).joints, team.part(1).evaluate(s).joints)
-    assert np.abs(team.part(0).joints_at(s) - team.part(0).evaluate(s).joints).max() < 1e-11
+    assert np.array_equal(team.parts[0].evaluate(s).joints, team.parts[1].evaluate(s).joints)
+    assert np.abs(team.parts[0].joints_at(s) - team.parts[0].evaluate(s).joints).max() < 1e-11
 
 
 def test_each_robot_begins_and_ends_its_segments_with_the_others() -> None:
     long, short = lines(0.2, 0.1, 0.15, millimetres=1.0), lines(0.1, 0.2, 0.05, millimetres=1.0)
-    team = team_path([long, short])
-    assert team.lengths == pytest.approx([0.2, 0.2, 0.15], abs=1e-3)
-    for number, own in enumerate((long, short)):
-        course = team.courses[number]
-        at = course.place(team.segment_starts, team.layout.piece_at(team.segment_starts))
+    team = together(long, short)
+    nominal = np.array([0.2, 0.2, 0.15]) / long.programmed.tcp
+    assert team.lengths == pytest.approx(PACE * nominal, abs=1e-9)
+    assert team.slowest.tolist() == [0, 1, 0]
+    for part, own in zip(team.robots, (long, short), strict=True):
+        at = part.progress.place(team.segment_starts, team.layout.piece_at(team.segment_starts))
         assert at == pytest.approx(own.segment_starts, abs=1e-3)
-        assert team.part(number).travelled(np.array([team.length])) == pytest.approx(
+        assert part.travelled(np.array([team.length])) == pytest.approx(
             own.travelled(np.array([own.length])), abs=1e-12
         )
 
@@ -68,11 +75,12 @@ def test_each_robot_begins_and_ends_its_segments_with_the_others() -> None:
 def test_a_robot_that_stands_takes_part() -> None:
     standing = path_of(Programmer().line((0.0, 0.0, 0.0), z=zone(10.0)).line((0.0, 0.0, 0.0)))
     moving = lines(0.2, 0.1)
-    team = team_path([standing, moving])
-    assert team.stops == pytest.approx(moving.segment_starts[1:])
-    points = team.part(0).evaluate(np.linspace(0.0, team.length, 9))
+    team = shared_path([standing, moving])
+    speed = moving.programmed.tcp[0]
+    assert team.stops == pytest.approx(PACE * moving.segment_starts[1:] / speed)
+    points = team.parts[0].evaluate(np.linspace(0.0, team.length, 9))
     assert np.ptp(points.joints, axis=0).max() == 0.0
-    nobody = team_path([standing, standing])
+    nobody = shared_path([standing, standing])
     assert (nobody.length, timing_of(nobody).duration) == (0.0, 0.0)
 
 
@@ -87,7 +95,7 @@ def _same_count(a: Programmer, b: Programmer) -> list[Path]:
 @examples(25)
 @given(programs(), programs())
 def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> None:
-    team = team_path(_same_count(a, b))
+    team = shared_path(_same_count(a, b))
     if team.length == 0.0:
         return
     bounds = team.layout.bounds
@@ -96,7 +104,7 @@ def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> No
     rates = team.rates(middle, piece)
     width = LIMITS.max_speed.size
     for number in range(2):
-        part = team.part(number)
+        part = team.parts[number]
         own = rates.first[:, number * width : (number + 1) * width]
         places = [part.evaluate(middle + sign * step).joints for sign in (-1.0, 1.0)]
         slope = (places[1] - places[0]) / (2.0 * step)[:, None]
@@ -109,12 +117,13 @@ def test_derivatives_are_those_of_the_places(a: Programmer, b: Programmer) -> No
 @given(programs(), programs(), st.integers(2, 50))
 def test_places_never_go_back_and_reach_both_ends(a: Programmer, b: Programmer, n: int) -> None:
     paths = _same_count(a, b)
-    team = team_path(paths)
+    team = together(*paths)
     s: Array = np.linspace(0.0, team.length, 10 * n)
-    for course, own in zip(team.courses, paths, strict=True):
+    for part, own in zip(team.robots, paths, strict=True):
+        course = part.progress
         place = course.place(s, team.layout.piece_at(s))
         assert (np.diff(place) >= -1e-12).all()
         assert (place[0], place[-1]) == (0.0, pytest.approx(own.length, abs=1e-12))
         rate = course.rate(s, team.layout.piece_at(s))
         assert (rate >= -1e-9).all()
-        assert (rate <= 1.0 + 1e-9).all()
+        assert (rate <= (1.0 + 1e-9) * own.programmed.tcp.max() / PACE).all()

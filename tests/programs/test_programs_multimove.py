@@ -1,6 +1,6 @@
 """The programs with two robots: each waits for the other, and what both carry keeps its length."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -8,8 +8,8 @@ import pytest
 
 import rapidsim
 from rapidsim.controller.moves.queued_move import QueuedMove
-from rapidsim.controller.queue.team_planner import PendingTeamMove, TeamMove, TeamPlanner
-from rapidsim.controller.synchronisation import TaskTeam
+from rapidsim.controller.queue.motion_queue import MotionQueue
+from rapidsim.controller.task_moves import TaskMoves
 from rapidsim.frames.transform import Array
 from rapidsim.language.moves import Move
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
@@ -54,25 +54,24 @@ def test_looking_ahead_after_every_move_changes_nothing(
 ) -> None:
     """Planning is tentative, for robots that wait for each other and for those that move as one."""
     plain = ran(program)
-    put, begin = TaskTeam.put, TeamPlanner.begin
+    put, append = TaskMoves.put, MotionQueue.append
     looked: list[object] = []
 
     def put_and_look(
-        self: TaskTeam, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+        self: TaskMoves, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
     ) -> None:
         def look(queued: QueuedMove) -> None:
             before(queued)
-            looked.append(self.unit.queue.preview())
+            looked.append(self.unit.preview())
 
         put(self, move, look, wait=wait)
 
-    def begin_and_look(self: TeamPlanner, offer: PendingTeamMove, now_s: float) -> TeamMove:
-        begun = begin(self, offer, now_s)
+    def append_and_look(self: MotionQueue, parts: Sequence[QueuedMove], now_s: float) -> None:
+        append(self, parts, now_s)
         looked.append(self.preview(0))
-        return begun
 
-    monkeypatch.setattr(TaskTeam, "put", put_and_look)
-    monkeypatch.setattr(TeamPlanner, "begin", begin_and_look)
+    monkeypatch.setattr(TaskMoves, "put", put_and_look)
+    monkeypatch.setattr(MotionQueue, "append", append_and_look)
     other = ran(program)
     assert len(looked) > len(plain.robots[0].moves)
     assert [(e.time_s, e.message) for e in other.events] == [

@@ -190,7 +190,7 @@ def test_answers_let_time_pass_and_are_lived_again(tmp_path: Path) -> None:
 
 
 def guided(controller: Driven) -> bool:
-    return controller.engine.live.task("T_ROB1").unit.solo_queue.is_guided
+    return controller.engine.live.task("T_ROB1").unit.member.is_guided
 
 
 def test_a_path_is_corrected_and_that_is_lived_again(tmp_path: Path) -> None:
@@ -240,11 +240,11 @@ def test_a_program_that_is_stopped_keeps_the_robot_where_it_is(tmp_path: Path) -
         assert not guided(controller)
         live = controller.engine.live
         task = live.task("T_ROB1")
-        queue = task.unit.queue
-        stands = queue.at_past(live.now_s + 1.0).joints[0]
+        unit = task.unit
+        stands = unit.at_past(live.now_s + 1.0).joints[0]
         controller.ask("resetpp")
         controller.value("rounds")
-        again = queue.at_past(live.now_s).joints[0]
+        again = unit.at_past(live.now_s).joints[0]
         assert (stands == again).all()
         assert 0.0 < stands[0] < 0.087
         controller.end()

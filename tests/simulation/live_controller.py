@@ -66,7 +66,7 @@ class Live:
         """Where axis 1 is now, or was at a time [rad]."""
         task = self.controller.task("T_ROB1")
         now_s = self.controller.now_s
-        samples = task.unit.queue.seen(now_s, np.array([now_s if at_s is None else at_s]))
+        samples = task.unit.seen(now_s, np.array([now_s if at_s is None else at_s]))
         return float(samples.joints[0, 0])
 
     @property

@@ -11,7 +11,7 @@ from rapidsim.controller.journal.journal import Journal
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
-from rapidsim.controller.queue.solo_queue import solo_queue
+from rapidsim.controller.queue.member import member_at_rest
 from rapidsim.diagnostics import Source, Span
 from rapidsim.frames.transform import Transform
 from rapidsim.language.data import (
@@ -51,8 +51,8 @@ class Cell:
         self.robot = load_robot("irb1600")
         self.journal = Journal("T_ROB1")
         start = Waypoint(_START, self.robot.forward(_START))
-        self.queue = solo_queue(self.robot, self.options.model, start)
-        self.trajectory = self.queue.trajectory
+        self.unit = MechanicalUnit(member_at_rest(self.robot, self.options.model, start))
+        self.trajectory = self.unit.trajectory
         # The programs of these tests store the configuration 0 everywhere.
         resolver = Resolver(
             self.robot, self.journal, Transform.identity(), nearest_configuration=True
@@ -60,7 +60,7 @@ class Cell:
         self.shared = shared.Cell(self.options.cell, self.journal)
         self.controller = virtual_controller(
             self.shared,
-            MechanicalUnit(self.queue),
+            self.unit,
             resolver,
             self.journal,
             place(),
@@ -97,4 +97,4 @@ class Cell:
         self.move(800.0, 0.0, 600.0, zone=FINE, kind=Interpolation.JOINT, speed=1000.0)
 
     def moves(self) -> Sequence[ExecutedMove]:
-        return self.queue.executed("T_ROB1")
+        return self.unit.member.executed("T_ROB1")

@@ -247,9 +247,9 @@ def test_what_a_program_may_go_back_on_is_not_forgotten() -> None:
 
 def _kept(live: Live) -> int:
     """How much is kept of what the robot did."""
-    planner = live.controller.task("T_ROB1").unit.solo_queue.planner
-    block, given = planner.block, sum(1 for _ in planner.moves)
-    pieces, windows = len(planner.trajectory.pieces), len(planner.trajectory._windows._steps)
+    unit = live.controller.task("T_ROB1").unit
+    block, given = unit.queue.block, sum(1 for _ in unit.moves)
+    pieces, windows = len(unit.trajectory.pieces), len(unit.trajectory._windows._steps)
     return given + pieces + windows + len(block.moves) + len(block.driven)
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from simulation_program import arm
 
-from rapidsim.controller import solo_moves
+from rapidsim.controller import task_moves
 from rapidsim.controller.cell.description import CellIo
 from rapidsim.controller.motion import TaskMotion
 from rapidsim.jobs.checking.checked_program import load
@@ -84,7 +84,7 @@ def test_moves_planned_one_at_a_time_give_the_same(
     lazy, again = ran_once(file), ran(file)
     assert [event.time_s for event in lazy.events] == [event.time_s for event in again.events]
     assert np.array_equal(lazy.only.trajectory.joints, again.trajectory.joints)
-    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 0)
+    monkeypatch.setattr(task_moves, "MAX_OPEN_MOVES", 0)
     eager = ran(file)
     assert [event.message for event in lazy.events] == [event.message for event in eager.events]
     times = np.array([[event.time_s for event in run.events] for run in (lazy, eager)])

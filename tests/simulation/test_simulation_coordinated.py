@@ -9,7 +9,7 @@ from simulation_tasks import JOINTS, Ran, ran
 
 from rapidsim.frames.transform import Array, Transform
 from rapidsim.motion.model import MODELS, Version
-from rapidsim.motion.path.synchronised_path import PartPath
+from rapidsim.motion.path.shared_path import PartPath
 from rapidsim.motion.timing.axis_limits import limits_of
 from rapidsim.simulation.results.simulation import RobotRun
 

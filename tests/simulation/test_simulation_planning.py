@@ -16,7 +16,7 @@ from test_simulation_cells import ran as ran_cell
 
 from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import MotionError, QueuedMove
-from rapidsim.controller.synchronisation import TaskTeam
+from rapidsim.controller.task_moves import TaskMoves
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.moves import Move
 from rapidsim.module_files import read_tasks
@@ -74,21 +74,21 @@ def findings_of(run: Simulation) -> list[tuple[str, str, int]]:
 
 def look_ahead_always(monkeypatch: pytest.MonkeyPatch) -> list[QueuedMove]:
     """Let every task preview its motion after each move from now on; the moves so far."""
-    put = TaskTeam.put
+    put = TaskMoves.put
     looked_at: list[QueuedMove] = []
 
     def looking(
-        self: TaskTeam, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
+        self: TaskMoves, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True
     ) -> None:
         def and_look(queued: QueuedMove) -> None:
             before(queued)
             looked_at.append(queued)
             with suppress(MotionError):
-                self.unit.queue.preview()
+                self.unit.preview()
 
         put(self, move, and_look, wait=wait)
 
-    monkeypatch.setattr(TaskTeam, "put", looking)
+    monkeypatch.setattr(TaskMoves, "put", looking)
     return looked_at
 
 

@@ -11,7 +11,7 @@ from rapidsim.controller import position_reading
 from rapidsim.controller.busy_wait import BusyWaitDetector
 from rapidsim.controller.clock import TaskClock
 from rapidsim.controller.journal.events import EventKind
-from rapidsim.controller.queue.solo_queue import SoloQueue
+from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
 from rapidsim.frames.transform import Array
 from rapidsim.jobs.checking.check_files import check
 from rapidsim.jobs.running.run_files import simulate
@@ -192,13 +192,13 @@ def test_readings_in_steps_of_a_coarse_clock_are_made_ahead_too(
         "WaitTime 100+0.004*i-ClkRead(watch\\HighRes);\nENDFOR"
     )
     asked: list[int] = []
-    seen = SoloQueue.seen
+    seen = MechanicalUnit.seen
 
-    def counted(self: SoloQueue, now_s: float, times: Array) -> Samples:
+    def counted(self: MechanicalUnit, now_s: float, times: Array) -> Samples:
         asked.append(len(times))
         return seen(self, now_s, times)
 
-    monkeypatch.setattr(SoloQueue, "seen", counted)
+    monkeypatch.setattr(MechanicalUnit, "seen", counted)
     ahead = numbers(ran(tmp_path, loop))
     assert len(asked) <= 12
     monkeypatch.setattr(position_reading, "_AT_ONCE", 1)
@@ -214,13 +214,13 @@ def test_an_arm_that_stands_is_looked_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[float] = []
-    seen = SoloQueue.seen
+    seen = MechanicalUnit.seen
 
-    def counted(self: SoloQueue, now_s: float, times: Array) -> Samples:
+    def counted(self: MechanicalUnit, now_s: float, times: Array) -> Samples:
         asked.append(now_s)
         return seen(self, now_s, times)
 
-    monkeypatch.setattr(SoloQueue, "seen", counted)
+    monkeypatch.setattr(MechanicalUnit, "seen", counted)
     run = ran(
         tmp_path,
         "MoveAbsJ [[20,0,0,0,30,0],none],v100,fine,tool0;\n"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from simulation_cell import Cell
 
-from rapidsim.controller import solo_moves
+from rapidsim.controller import task_moves
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.controller.journal.stop_reasons import TimeLimitReached, WaitsForever
 from rapidsim.controller.moves.executed_move import CornerKind
@@ -171,7 +171,7 @@ def test_the_time_limit_ends_what_would_go_on(act: Callable[[Cell], None]) -> No
 def test_an_endless_row_of_fly_by_moves_meets_the_time_limit(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 100)
+    monkeypatch.setattr(task_moves, "MAX_OPEN_MOVES", 100)
     cell = Cell(RunOptions(max_time_s=2.0))
     cell.approach()
 
@@ -181,21 +181,21 @@ def test_an_endless_row_of_fly_by_moves_meets_the_time_limit(
 
     with pytest.raises(TimeLimitReached):
         forever()
-    assert len(cell.queue.moves) < 250
+    assert len(cell.unit.moves) < 250
 
 
 def test_a_long_row_of_fly_by_moves_is_planned_whenever_enough_are_open(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """What is fixed is no longer open: planning at each move of a long row takes for ever."""
-    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 20)
+    monkeypatch.setattr(task_moves, "MAX_OPEN_MOVES", 20)
     cell = Cell()
     cell.approach()
     pieces, still_open = [], []
     for k in range(100):
         cell.move(800.0 + 10.0 * (k % 2), -300.0 + 6.0 * k, 600.0, speed=100.0)
         pieces.append(len(cell.trajectory.pieces))
-        still_open.append(cell.queue.open_moves)
+        still_open.append(cell.unit.queue.open_moves)
     assert max(still_open) == 20
     planned = np.flatnonzero(np.diff(pieces))
     assert 5 <= len(planned) <= 10

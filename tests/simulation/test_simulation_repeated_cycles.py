@@ -66,9 +66,9 @@ def test_the_last_thousand_plans_are_kept_and_no_more() -> None:
     def ask(number: int) -> None:
         def make() -> Any:
             made.append(number)
-            return SimpleNamespace(segments=(), renumbered=lambda segments: None), None
+            return SimpleNamespace(parts=(SimpleNamespace(segments=()),)), None
 
-        repeats.plan((), number, make)
+        repeats.plan([()], number, make)
 
     for number in range(3000):
         ask(number)
@@ -118,7 +118,7 @@ def planned(monkeypatch: pytest.MonkeyPatch) -> list[Robot]:
         planned.append(robot)
         return build_path(robot, segments, model, look)
 
-    monkeypatch.setattr("rapidsim.controller.queue.solo_queue.build_path", counted)
+    monkeypatch.setattr("rapidsim.motion.path.shared_building.build_path", counted)
     return planned
 
 

@@ -96,15 +96,15 @@ def test_both_robots_are_at_known_places_at_the_same_instants() -> None:
 
 LEFT_SEEN = [
     (800.0, -159.4, 700.0),
-    (800.0, -10.4, 700.6),
-    (800.0, 0.0, 832.6),
-    (736.7, 63.3, 900.0),
+    (800.0, -11.9, 700.3),
+    (800.0, 0.0, 827.6),
+    (739.1, 60.9, 900.0),
 ]
 RIGHT_SEEN = [
     (800.0, 179.7, 700.0),
-    (800.0, 103.7, 703.8),
-    (800.0, 100.0, 898.9),
-    (800.0, 163.3, 810.0),
+    (800.0, 104.8, 702.8),
+    (800.0, 100.0, 891.5),
+    (800.0, 160.9, 817.4),
 ]
 
 
@@ -354,3 +354,24 @@ def test_startmove_wakes_a_task_that_waits_for_the_team_to_go_on() -> None:
         max_time_s=60.0,
     )
     assert it.end == "ended"
+    # What was stopped on the way, before any of it was fixed, begins where the move before ended.
+    moves = it.moves("T_ROB1")
+    assert [m.start_s for m in moves[2:]] == pytest.approx([m.end_s for m in moves[1:-1]])
+
+
+@pytest.mark.parametrize("task", ["T_ROB1", "T_ROB2"])
+def test_a_ramp_on_a_move_made_together_goes_over_its_way(task: str) -> None:
+    data = "VAR syncident on;\nVAR triggdata ramp;"
+    programs = {"T_ROB1": program(LEFT, zone="fine"), "T_ROB2": program(RIGHT, zone="fine")}
+    text = programs[task].replace("VAR syncident on;", data)
+    text = text.replace("SyncMoveOn on", "TriggRampAO ramp,40,0,aoFlow,10,20; SyncMoveOn on")
+    text = text.replace("MoveL", "TriggL", 1).replace(",v200,", ",v200,ramp,", 1)
+    it = ran({**programs, task: text})
+    (robot,) = [one for one in it.run.robots if one.task == task]
+    flow = [event for event in it.run.events if event.kind is EventKind.SIGNAL]
+    values = np.array([float(str(event.details["value"])) for event in flow])
+    times = np.array([event.time_s for event in flow])
+    end = (LEFT if task == "T_ROB1" else RIGHT)[1]
+    there = robot.trajectory.at(times).base_from_tcp.translation * 1000.0
+    left_mm = np.linalg.norm(there - end, axis=1)
+    assert values == pytest.approx(np.clip((40.0 - left_mm) / 2.0, 0.0, 10.0), abs=0.05)

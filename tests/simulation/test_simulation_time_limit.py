@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from rapidsim.analysis.passes.checker import check
-from rapidsim.controller import solo_moves
+from rapidsim.controller import task_moves
 from rapidsim.controller.cell.watchdog import Watchdog
 from rapidsim.controller.journal.stop_reasons import WallLimitReached
 from rapidsim.diagnostics import Source
@@ -51,7 +51,7 @@ def test_the_note_stands_in_the_loop_that_does_not_end(
 ) -> None:
     # The program never waits: this decides how far it gets before the clock does. How a block is
     # cut where it gets too long is looked at in the tests of queues and windows.
-    monkeypatch.setattr(solo_moves, "MAX_OPEN_MOVES", 100)
+    monkeypatch.setattr(task_moves, "MAX_OPEN_MOVES", 100)
     source = Source("endless.mod", TEXT.format(body=body))
     program = check((parse(source).file,)).program
     assert program is not None

@@ -18,6 +18,7 @@ class Posted:
 
     inner: TimeScheduler = field(default_factory=SingleTaskScheduler)
     posts: list[tuple[float, Callable[[Moment], None]]] = field(default_factory=list)
+    current: object = None
 
     def request_advance(self, task: object, time_s: float) -> float:
         reached_s = self.inner.request_advance(task, time_s)
@@ -29,6 +30,9 @@ class Posted:
 
     def next_s(self, task: object) -> float:
         return min(self.inner.next_s(task), *(post_s for post_s, _ in self.posts[:1]), 1e9)
+
+    def frame_of(self, task: object) -> None:
+        return None
 
     def wake_at(self, time_s: float) -> None:
         self.inner.wake_at(time_s)

@@ -23,7 +23,7 @@ from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json, terminal_options
 from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_json, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
-from rapidsim.cli.tools.fixes import apply_fixes, difference, harmless_fixes
+from rapidsim.cli.tools.differences import difference
 from rapidsim.cli.tools.known_findings import (
     NewFindings,
     compare_with_baseline,
@@ -328,6 +328,7 @@ def _listed(option: str | None) -> tuple[str, ...]:
 def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:
     """Write the fixes into the files and check again."""
     from rapidsim.jobs.checking.check_files import check_job
+    from rapidsim.jobs.checking.fixes import apply_fixes
 
     cure = apply_fixes(
         job.tasks,
@@ -343,6 +344,8 @@ def _apply_fixes(job: Job, result: CheckResult, *, unsafe: bool) -> _FixedCheck:
 
 def _differences(jobs: Sequence[Job], results: Sequence[CheckResult], *, unsafe: bool) -> str:
     """The text of what fixes would change; empty if nothing."""
+    from rapidsim.jobs.checking.fixes import harmless_fixes
+
     parts = []
     for job, result in zip(jobs, results, strict=True):
         chosen = harmless_fixes(result.diagnostics, job.tasks, unsafe=unsafe)

@@ -9,7 +9,7 @@ import click
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.declared import argument, option, options_of
 from rapidsim.cli.terminal import current_terminal, echo, terminal_options
-from rapidsim.cli.tools.fixes import difference
+from rapidsim.cli.tools.differences import difference
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.export.edited_files import write_edits
 from rapidsim.files import SourceFile

@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from rich.text import Text
 
-from rapidsim.simulation.progress import Progress
+from rapidsim.simulation.progress import Progress, RunInProgress
 
 _SAID_AFTER_S = 1.0
 _LEAST_SHARE = 0.01
@@ -30,9 +30,13 @@ class Meter:
         self._written, self._now, self._began = written, now, now()
         self._look: Callable[[], Progress] | None = None
 
-    def watch(self, read_progress: Callable[[], Progress]) -> None:
+    def watch(self, run: RunInProgress) -> None:
         """Take the run, as soon as there is one."""
-        self._look = read_progress
+        self.read(run.progress)
+
+    def read(self, progress: Callable[[], Progress]) -> None:
+        """Take a function that returns the progress of the run."""
+        self._look = progress
 
     def __rich__(self) -> Text:
         """The line as it is now."""

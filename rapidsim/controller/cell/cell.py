@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Set
+from types import FrameType
 from typing import Protocol
 
 from rapidsim.controller.cell.camera_scripts import camera_state
@@ -103,9 +104,20 @@ class TimeScheduler(Protocol):
         """Note that a task waits for others; returns whether all tasks do."""
         ...
 
+    @property
+    def current(self) -> object:
+        """The running task; None if only one can run."""
+        ...
+
+    def frame_of(self, task: object) -> FrameType | None:
+        """Python frame at which a task is suspended; None if it runs, or has ended."""
+        ...
+
 
 class SingleTaskScheduler:
     """Scheduler of a cell with one task."""
+
+    current: object = None
 
     def request_advance(self, task: object, time_s: float) -> float:
         """Grant the requested time."""
@@ -124,6 +136,11 @@ class SingleTaskScheduler:
         """Return True: the only task waits."""
         del task
         return True
+
+    def frame_of(self, task: object) -> FrameType | None:
+        """Return None: the only task is never suspended."""
+        del task
+        return None
 
 
 @value_class(frozen=True, slots=True)

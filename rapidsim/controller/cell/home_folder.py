@@ -13,8 +13,9 @@ import os
 import re
 import shutil
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
@@ -35,6 +36,8 @@ from rapidsim.language.files import FileMode, OpenFile
 _CAUTION = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 _MOST_OPEN = 100
 """The most files a program may have open; the system's limit is for rapidsim's files too."""
+_LARGEST_SNAPSHOT = 20_000_000
+"""[bytes] of all files."""
 _LONGEST_LINE = 10_000_000
 """[bytes]; a home folder may contain a file that has no end."""
 _DISK = re.compile(r"TEMP|RAMDISK|BACKUP|PC|REMOVABLEDISK\d*|USBDISK\d*|[A-Z]")
@@ -80,6 +83,14 @@ class _Disk:
             )
 
 
+@dataclass(frozen=True, slots=True)
+class HomeSnapshot:
+    """The files below a home folder, and how far the open ones have been read or written."""
+
+    content: Mapping[Path, bytes]
+    positions: tuple[tuple[HomeFile, int], ...]
+
+
 class HomeFile:
     """One open file of the home folder."""
 
@@ -119,6 +130,15 @@ class HomeFile:
         """Write what is buffered to the disk."""
         if not self._stream.closed:
             self._stream.flush()
+
+    def position(self) -> int:
+        """Position of the next byte, after all have been written to the disk."""
+        self.flush()
+        return self._stream.tell()
+
+    def move_to(self, position: int) -> None:
+        """Continue at a position."""
+        self._stream.seek(position)
 
     def close(self) -> None:
         """Flush and close; closing twice does nothing."""
@@ -311,6 +331,32 @@ class HomeFolder:
         for file in self._files:
             if owner is None or file.owner is owner:
                 file.close()
+
+    def snapshot(self) -> HomeSnapshot | None:
+        """Return the state of the files; None if the run has none, or they are too large."""
+        positions = tuple((one, one.position()) for one in self._files if not one.is_closed)
+        root = _real(self._folder)
+        if root is None or not root.is_dir():
+            return HomeSnapshot({}, positions)
+        files = [one for one in root.rglob("*") if one.is_file() and not one.is_symlink()]
+        if sum(one.stat().st_size for one in files) > _LARGEST_SNAPSHOT:
+            return None
+        return HomeSnapshot({one: one.read_bytes() for one in files}, positions)
+
+    def restore(self, snapshot: HomeSnapshot) -> None:
+        """Put the files back to an earlier state; files in it that are open stay open."""
+        root = _real(self._folder)
+        if root is not None and root.is_dir():
+            for one in root.rglob("*"):
+                if one.is_file() and one not in snapshot.content:
+                    one.unlink()
+        for place, data in snapshot.content.items():
+            if not place.is_file() or place.read_bytes() != data:
+                place.parent.mkdir(parents=True, exist_ok=True)
+                # Not replaced as a whole: it may be open.
+                place.write_bytes(data)
+        for file, position in snapshot.positions:
+            file.move_to(position)
 
     def written(self) -> tuple[tuple[str, int], ...]:
         """Path and size [bytes] of each file the program wrote, in order of opening."""

@@ -60,6 +60,11 @@ class Moment:
         assert self.instant.time is not None
         return self.instant.time + self.offset_s
 
+    @property
+    def earliest_s(self) -> float:
+        """Virtual time [s]; minus infinity if the instant is unknown."""
+        return self.time_s if self.is_known else -math.inf
+
 
 @value_class(frozen=True, slots=True)
 class ErrorMark:
@@ -129,6 +134,10 @@ class Journal:
     def noted(self) -> int:
         """The number of events of the cell and statements of this task so far."""
         return len(self._events) + len(self._lines)
+
+    def undated(self, begin: int) -> tuple[Event, ...]:
+        """The events of the cell from a position on; their times may be unknown, and are NaN."""
+        return tuple(one.event for one in self._events[begin:])
 
     def event(
         self, moment: Moment, kind: EventKind, place: Place | None, message: str, **details: object

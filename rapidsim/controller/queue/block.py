@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import field, replace
+from typing import TypeAlias
 
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.timing.time_scaling import TimeScaling
 from rapidsim.values import value_class
+
+Rows: TypeAlias = tuple[list[QueuedMove], ...]
+"""Moves of each robot of a queue, equally many: those of one index are made together."""
 
 
 @value_class(frozen=True, slots=True)
@@ -55,7 +59,7 @@ class BlockPlan:
 class MotionBlock:
     """The moves of one block with the state of planning that StorePath keeps."""
 
-    moves: list[QueuedMove] = field(default_factory=list)
+    rows: Rows
     commit: Commit = Commit(0.0, 0, 0.0, 0.0)
     plan: BlockPlan | None = None
     """Plan of the part that is not fixed yet; None if it has to be planned again."""
@@ -67,9 +71,23 @@ class MotionBlock:
     """Whether StopMove holds it until StartMove."""
 
     @property
+    def moves(self) -> list[QueuedMove]:
+        """The moves of the first robot; those of the others begin and end with them."""
+        return self.rows[0]
+
+    @property
     def is_open(self) -> bool:
         """Whether more moves may follow."""
-        return bool(self.moves) and not self.is_closed
+        return bool(self.rows[0]) and not self.is_closed
+
+    def index_of(self, number: int, queued: QueuedMove) -> int | None:
+        """Index of a move of the robot of this number; None for moves of other blocks."""
+        row = self.rows[number]
+        near = queued.number - row[0].number if row else -1
+        if 0 <= near < len(row) and row[near] is queued:
+            return near
+        # Between two of its moves, the robot may have moved along another path.
+        return next((index for index, move in enumerate(row) if move is queued), None)
 
     def forget(self, before_s: float) -> int:
         """Discard what was travelled before a time [s]; return the number of dropped moves.
@@ -81,8 +99,14 @@ class MotionBlock:
         plans = driven if self.plan is None else [*driven, self.plan]
         gone = max(0, min([self.commit.move - 1, *(one.first for one in plans)]))
         if gone:
-            del self.moves[:gone]
+            for row in self.rows:
+                del row[:gone]
             self.commit = replace(self.commit, move=self.commit.move - gone)
             self.plan = None if self.plan is None else self.plan.renumbered(gone)
         self.driven = [one.renumbered(gone) for one in driven]
         return gone
+
+
+def empty_block(count: int, *, is_halted: bool = False) -> MotionBlock:
+    """A block without moves of this many robots."""
+    return MotionBlock(tuple([] for _ in range(count)), is_halted=is_halted)

@@ -90,7 +90,7 @@ class PathMarks:
         key = (self.unit.version, len(self._pending))
         if self._due is None or self._due[:2] != key:
             key = (self.unit.version, len(self._pending))
-            self._due = (*key, self._worked_out(self.unit.queue.preview()))
+            self._due = (*key, self._worked_out(self.unit.preview()))
         return self._due[2]
 
     def _worked_out(self, preview: Trajectory) -> tuple[float, ...]:
@@ -106,13 +106,13 @@ class PathMarks:
 
     def _place(self, mark: PathMark) -> float:
         """Position [m] of a mark on the path of the whole run; infinite if it is not planned."""
-        places = self.unit.queue.places_of(mark.move)
+        places = self.unit.places_of(mark.move)
         if places is None:
             return math.inf
         start_m, end_m = places
         distance_m = mark.distance_m
         if distance_m:
-            distance_m *= self.unit.queue.path_ratio(mark.move)
+            distance_m *= self.unit.path_ratio(mark.move)
         if mark.from_start:
             return min(start_m + distance_m, end_m)
         return max(end_m - distance_m, start_m)

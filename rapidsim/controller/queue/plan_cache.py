@@ -23,33 +23,34 @@ _MOST_SEGMENTS = 200
 
 @dataclass(slots=True, eq=False)
 class PlanCache:
-    """The plans of a robot's most recent blocks."""
+    """The plans of the most recent blocks of one or more robots."""
 
     _plans: dict[Hashable, tuple[Path, TimeScaling]] = field(default_factory=dict)
 
     def plan(
         self,
-        segments: Sequence[Segment],
+        rows: Sequence[Sequence[Segment]],
         start: Hashable,
         make: Callable[[], tuple[Path, TimeScaling]],
     ) -> tuple[Path, TimeScaling]:
         """Return the plan of a block, from the cache if possible.
 
         Args:
-            segments: All segments of the block.
+            rows: All segments of the block, of each robot.
             start: All other values that determine the plan.
             make: Plans the block.
         """
-        if len(segments) > _MOST_SEGMENTS:
+        if len(rows[0]) > _MOST_SEGMENTS:
             return make()
-        key = (start, *map(_values, segments))
+        key = (start, *(_values(segment) for row in rows for segment in row))
         known = self._plans.pop(key, None)
         if known is not None:
             # Moved to the end: the plan used last is discarded last.
             self._plans[key] = known
             return known
         path, timing = make()
-        if all(map(operator.is_, path.segments, segments)):
+        parts = zip(path.parts, rows, strict=True)
+        if all(all(map(operator.is_, part.segments, row)) for part, row in parts):
             # Otherwise a move was changed to what can be made: that must be found and reported each
             # time.
             self._plans[key] = path, timing

@@ -53,7 +53,7 @@ class SpeedOutputs:
         """Time [s] at which outputs are next written; None while the robot is at rest."""
         if not self._followers:
             return None
-        ends_s = self.unit.queue.preview().duration
+        ends_s = self.unit.preview().duration
         return min(self._written_s + STEP_S, ends_s) if self._written_s < ends_s else None
 
     def dispatch_next(self, passed_s: float, until_s: float) -> float:
@@ -72,6 +72,6 @@ class SpeedOutputs:
         self._written_s = max(self._written_s, time_s - STEP_S)
 
     def _write(self, signal: str, follower: _Follower, time_s: float) -> None:
-        samples = self.unit.queue.preview().at(np.array([time_s + follower.lag_s]))
+        samples = self.unit.preview().at(np.array([time_s + follower.lag_s]))
         value = follower.per_mm_s * float(samples.tcp_speed[0]) / _MM
         self.cell.schedule(follower.cause, Moment(Instant(time_s)), {signal: value})

@@ -97,7 +97,7 @@ class WorldZoneTable:
         if not self.is_watching:
             return None
         if self._next is None or self._next[0] != self.unit.version:
-            preview = self.unit.queue.preview()
+            preview = self.unit.preview()
             zones = [zone for zone in self._zones.values() if zone.enabled]
             times = [self._crossing(zone, preview) for zone in zones]
             found = min((time_s for time_s in times if time_s is not None), default=None)
@@ -126,7 +126,7 @@ class WorldZoneTable:
     def _begin(self, zone: WatchedZone, now_s: float) -> None:
         self._next = None
         self._looked_to_s = max(now_s, self._looked_to_s)
-        samples = self.unit.queue.preview().at(np.array([now_s]))
+        samples = self.unit.preview().at(np.array([now_s]))
         zone.inside = bool(self._inside(zone, samples)[0])
         if zone.inside:
             zone.crossed(True, now_s)
@@ -170,10 +170,12 @@ def _sample_times(preview: Trajectory, start_s: float, end_s: float) -> Array:
         return np.zeros(0)
     cells = min(int((end_s - start_s) / _LOOK_S) + 1, _COARSE)
     times = np.linspace(start_s, end_s, cells + 1)
+    # Of robots that move together, the position is no length.
+    fastest = preview.fastest_rate(start_s)
     # If the arm hardly moves for long, no samples between are needed.
-    ways, widths = np.diff(preview.place_at(times)), np.diff(times)
+    ways, widths = fastest * np.diff(preview.place_at(times)), np.diff(times)
     times = _divided(times, np.where(ways > LOOK_M, np.ceil(widths / _LOOK_S), 1))
-    return _divided(times, np.ceil(np.diff(preview.place_at(times)) / LOOK_M))
+    return _divided(times, np.ceil(fastest * np.diff(preview.place_at(times)) / LOOK_M))
 
 
 def _divided(times: Array, counts: Array) -> Array:

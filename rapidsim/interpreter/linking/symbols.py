@@ -27,14 +27,14 @@ class TaskSymbols:
 
     def __init__(self, linked: LinkedProgram) -> None:
         """Provide access to a program and its memory."""
-        self._linked = linked
+        self.linked = linked
         self._found: deque[DataName] = deque()
 
     def read(self, name: str, of: Type, data_name: DataName | None) -> object:
         """A copy of a value."""
         symbol = self._symbol(name, data_name)
         _check_type(symbol, of)
-        return self._linked.value_of(symbol)
+        return self.linked.value_of(symbol)
 
     def write(self, name: str, of: Type, data_name: DataName | None, value: object) -> None:
         """Change a value."""
@@ -42,7 +42,7 @@ class TaskSymbols:
         _check_type(symbol, of)
         if symbol.storage is Storage.CONST:
             raise rapid_error(ERR_SYM_ACCESS, f"{symbol.name} is a constant")
-        home: Any = self._linked.memory.home(symbol)
+        home: Any = self.linked.memory.home(symbol)
         if isinstance(home, list):
             assert isinstance(value, list)
             if _sizes(home) != _sizes(value):
@@ -73,7 +73,7 @@ class TaskSymbols:
         return self._found.popleft() if self._found else None
 
     def _matching(self, search: DataSearch, pattern: re.Pattern[str]) -> Iterator[DataName]:
-        for symbol in module_data(self._linked.program):
+        for symbol in module_data(self.linked.program):
             assert symbol.module is not None
             element = symbol.type.element if isinstance(symbol.type, ArrayOf) else symbol.type
             is_local = symbol.scope is Scope.LOCAL
@@ -90,7 +90,7 @@ class TaskSymbols:
     def _symbol(self, name: str, data_name: DataName | None) -> DataSymbol:
         """Find data by name: the match of a search, otherwise global before local data."""
         key = name.strip().lower()
-        named = [one for one in module_data(self._linked.program) if one.name.lower() == key]
+        named = [one for one in module_data(self.linked.program) if one.name.lower() == key]
         if data_name is not None:
             named = [
                 one for one in named if one.module and one.module.name.text == data_name.module

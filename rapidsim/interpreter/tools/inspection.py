@@ -9,13 +9,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from types import FrameType
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from rapidsim.analysis.literals import Value, element_type
 from rapidsim.analysis.program import (
     CounterSymbol,
     DataSymbol,
     ParameterSymbol,
+    Program,
     RoutineSymbol,
     Scope,
     Storage,
@@ -60,6 +61,12 @@ def module_of(frame: FrameType) -> tree.Module:
     return origin.module
 
 
+def program_of(frame: FrameType) -> Program:
+    """The program that a frame belongs to, with its current modules."""
+    origin: Origin = frame.f_globals[GENERATED]
+    return origin.program()
+
+
 def place_of(frame: FrameType) -> str:
     """Describe the position of a frame: `weld`, `the ERROR clause of weld`, or `initial values`."""
     routine = routine_of(frame)
@@ -78,7 +85,7 @@ def rapid_text(path: str, frame: FrameType) -> str:
     Raises:
         NotShownError: If there is no such value now.
     """
-    value, of = _follow(path, frame)
+    value, of = value_at(path, frame)
     try:
         return value_text(value, of)
     except TypeError as error:
@@ -92,25 +99,71 @@ def parameters(frame: FrameType) -> Iterator[str]:
         yield from (parameter.name for parameter in routine.parameters)
 
 
-def _follow(path: str, frame: FrameType) -> tuple[Value, Type]:
+def local_names(frame: FrameType) -> tuple[str, ...]:
+    """The names of parameters and data of the routine that a frame executes, in source order."""
+    routine = routine_of(frame)
+    if routine is None:
+        return ()
+    return tuple(dict.fromkeys(symbol.name for symbol in _in_scope(routine, frame)))
+
+
+def module_names(frame: FrameType, storage: Storage | None = None) -> tuple[str, ...]:
+    """The names of the data of a frame's module; with a storage, of all modules' global data."""
+    origin: Origin = frame.f_globals[GENERATED]
+    return tuple(
+        dict.fromkeys(
+            symbol.name
+            for symbol in module_data(origin.program())
+            if (symbol.module is origin.module if storage is None else symbol.storage is storage)
+            and (symbol.module is origin.module or symbol.scope is not Scope.LOCAL)
+        )
+    )
+
+
+def value_at(path: str, frame: FrameType) -> tuple[Value, Type]:
+    """Return value and type of data with indices and components: `n`, `p10.trans.x`, `a{i,2}`.
+
+    Raises:
+        NotShownError: If there is no such value now.
+    """
+    _, _, value, of = _followed(path, frame)
+    return value, of
+
+
+def parts_of(path: str, frame: FrameType) -> tuple[str, tuple[int, ...]]:
+    """Return the name in a path, and the positions of the parts of its value, from 0.
+
+    Raises:
+        NotShownError: If there is no such value now.
+    """
+    name, parts, _, _ = _followed(path, frame)
+    return name, parts
+
+
+def _followed(path: str, frame: FrameType) -> tuple[str, tuple[int, ...], Value, Type]:
     match = _PATH.match(path)
     if match is None:
         raise NotShownError(
             f"`{path}` is not the name of data, such as `n`, `p10.trans` or `a{{i}}`"
         )
     name, steps = match.groups()
-    value, of = _data(name, frame)
+    parts: list[int] = []
+    value, of = data_of(name, frame)
     for indices, component in _STEP.findall(steps):
         if component:
-            value, of = _component(value, resolved(of), component)
+            part, found = _component(resolved(of), component)
+            parts.append(part)
+            value, of = value[part], found
         else:
-            for index in indices.split(","):
-                value, of = _element(value, of, _index(index.strip(), frame))
-    return value, of
+            for text in indices.split(","):
+                index = _index(text.strip(), frame)
+                value, of = _element(value, of, index)
+                parts.append(index - 1)
+    return name, tuple(parts), value, of
 
 
 def _index(text: str, frame: FrameType) -> int:
-    number = text if text.isdigit() else _follow(text, frame)[0]
+    number = text if text.isdigit() else value_at(text, frame)[0]
     try:
         return int(number)
     except (TypeError, ValueError) as error:
@@ -125,37 +178,83 @@ def _element(array: Value, of: Type, index: int) -> tuple[Value, Type]:
     return array[index - 1], element_type(of)
 
 
-def _component(record: Value, of: Type, name: str) -> tuple[Value, Type]:
+def _component(of: Type, name: str) -> tuple[int, Type]:
+    """Position and type of a component."""
     if isinstance(of, Record):
-        for value, component in zip(record, of.components, strict=True):
+        for number, component in enumerate(of.components):
             if component.name.lower() == name.lower():
-                return value, component.type
+                return number, component.type
     raise NotShownError(f"data of type {of.name} have no component `{name}`")
 
 
-def _data(name: str, frame: FrameType) -> tuple[Value, Type]:
-    """Value and type of the data that a name refers to in the scope of a frame."""
+def data_of(name: str, frame: FrameType) -> tuple[Value, Type]:
+    """Return value and type of the data that a name refers to in the scope of a frame.
+
+    Raises:
+        NotShownError: If there is no such value now.
+    """
     origin: Origin = frame.f_globals[GENERATED]
-    program = origin.program()
+    symbol = _local(name, frame)
+    if symbol is not None:
+        if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
+            return origin.value_of(symbol), symbol.type
+        owner, key, index = _variable(name, frame)
+        held = owner.f_locals[key]
+        of = NUM if isinstance(symbol, CounterSymbol) else symbol.type
+        if index is not None:
+            return held[index], of
+        value = held.value if isinstance(held, Box | Element | ComponentReference) else held
+        # Generated code keeps a num that is always whole as an integer.
+        return float(value) if isinstance(value, int) and not isinstance(value, bool) else value, of
+    known = global_data(name, frame)
+    if known is not None:
+        return origin.value_of(known), known.type
     key = name.lower()
-    routine = routine_of(frame)
-    if routine is not None:
-        symbols = [s for s in _in_scope(routine, frame) if s.name.lower() == key]
-        if symbols:
-            symbol = symbols[-1]
-            if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
-                return origin.value_of(symbol), symbol.type
-            value = _local_value(symbol.name, len(symbols), _locals(frame))
-            return value, NUM if isinstance(symbol, CounterSymbol) else symbol.type
-    named = [symbol for symbol in module_data(program) if symbol.name.lower() == key]
-    own = [symbol for symbol in named if symbol.module is origin.module]
-    for symbol in (*own, *(other for other in named if other.scope is not Scope.LOCAL)):
-        return origin.value_of(symbol), symbol.type
     if key in DATA:
         held = frame.f_globals.get(key)
         value = held.value if isinstance(held, Box) else DATA[key].value
         return value, DATA[key].type
     raise NotShownError(f"`{name}` is not the name of data here")
+
+
+def global_data(name: str, frame: FrameType) -> DataSymbol | None:
+    """Data that a module declares, as seen from a frame's module; None without any."""
+    origin: Origin = frame.f_globals[GENERATED]
+    key = name.lower()
+    named = [symbol for symbol in module_data(origin.program()) if symbol.name.lower() == key]
+    own = [symbol for symbol in named if symbol.module is origin.module]
+    seen = (*own, *(other for other in named if other.scope is not Scope.LOCAL))
+    return seen[0] if seen else None
+
+
+def local_variable(name: str, frame: FrameType) -> tuple[FrameType, str, int | None] | None:
+    """Python variable of local data: its frame, its name, and the index of an element in it.
+
+    Returns:
+        None if the name is not that of local data.
+
+    Raises:
+        NotShownError: If they are constant, or have no value now.
+    """
+    symbol = _local(name, frame)
+    if symbol is None:
+        return None
+    if isinstance(symbol, CounterSymbol):
+        raise NotShownError(f"`{name}` is the counter of a FOR")
+    if isinstance(symbol, DataSymbol) and symbol.storage is Storage.CONST:
+        raise NotShownError(f"`{name}` is a constant")
+    return _variable(name, frame)
+
+
+def _local(name: str, frame: FrameType) -> _Variable | None:
+    """The innermost local data of a name in scope."""
+    routine = routine_of(frame)
+    symbols = () if routine is None else tuple(_named(name, routine, frame))
+    return symbols[-1] if symbols else None
+
+
+def _named(name: str, routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
+    return (one for one in _in_scope(routine, frame) if one.name.lower() == name.lower())
 
 
 def _in_scope(routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
@@ -175,31 +274,34 @@ def _in_scope(routine: RoutineSymbol, frame: FrameType) -> Iterator[_Variable]:
             yield symbol
 
 
-def _locals(frame: FrameType) -> dict[str, Any]:
-    """Variables of a routine; for a clause's frame, also the variables of its routine."""
-    variables = dict(frame.f_locals)
-    outer = frame.f_back
+def _frames(frame: FrameType) -> Iterator[FrameType]:
+    """Yield a frame; for one of a clause, also that of its routine."""
+    yield frame
     if frame.f_code.co_name in CLAUSES:
         name = frame.f_code.co_qualname.partition(".")[0]
+        outer = frame.f_back
         while outer is not None and outer.f_code.co_qualname != name:
             outer = outer.f_back
         if outer is not None:
-            variables = {**outer.f_locals, **variables}
-    return variables
+            yield outer
 
 
-def _local_value(name: str, depth: int, variables: dict[str, Any]) -> Value:
-    """Return the value of a local variable; `depth` is the number of same-named locals up to it.
+def _variable(name: str, frame: FrameType) -> tuple[FrameType, str, int | None]:
+    """Python variable of local data: its frame, its name, and the index of an element in it.
 
-    `names.LocalNames` numbers these, and counts from 2 if a module has data of that name.
+    `names.LocalNames` numbers same-named locals, and counts from 2 if a module has data of that
+    name.
     """
-    key = name.lower()
+    routine = routine_of(frame)
+    assert routine is not None
+    key, depth = name.lower(), sum(1 for _ in _named(name, routine, frame))
     for number in (depth, depth + 1):
-        held = variables.get(key if number == 1 else f"{key}_{number}", _NOTHING)
-        if held is ABSENT:
-            raise NotShownError(f"the optional argument `{name}` was not given")
-        if position_of(key) in variables:
-            return held[variables[position_of(key)]]
-        if held is not _NOTHING:
-            return held.value if isinstance(held, Box | Element | ComponentReference) else held
+        variable = key if number == 1 else f"{key}_{number}"
+        for owner in _frames(frame):
+            held = owner.f_locals.get(variable, _NOTHING)
+            if held is ABSENT:
+                raise NotShownError(f"the optional argument `{name}` was not given")
+            if held is not _NOTHING:
+                index = owner.f_locals.get(position_of(key))
+                return owner, variable, index
     raise NotShownError(f"`{name}` has no value yet")

@@ -51,21 +51,21 @@ class StepPosition:
         line_before, instruction_before = before.reached.get(self.frame, (0, 0))
         return line != line_before or instruction <= instruction_before
 
-    def ends_step(self, begun: StepPosition, reach: StepGranularity) -> bool:
+    def ends_step(self, start: StepPosition, reach: StepGranularity) -> bool:
         """Whether a step from an earlier position of the same task ends here."""
-        if self.traps > begun.traps or not self.has_moved(begun):
+        if self.traps > start.traps or not self.has_moved(start):
             return False
         match reach:
             case StepGranularity.ANY:
                 return True
             case StepGranularity.SAME_ROUTINE:
-                return self.depth <= begun.depth
+                return self.depth <= start.depth
             case StepGranularity.CALLER:
-                return self.depth < begun.depth or self.cycle is not begun.cycle
+                return self.depth < start.depth or self.cycle is not start.cycle
 
 
 @dataclass(eq=False)
-class Positions:
+class FramePositions:
     """Positions of frames; the statements of each module are listed once."""
 
     _places: dict[tree.Module, dict[int, Place]] = field(default_factory=dict)
@@ -81,9 +81,16 @@ class Positions:
         """Return the position of the routine of a frame."""
         called = list(rapid_frames(frame))
         routines = [one for one in called if one.f_code.co_name not in CLAUSES]
-        traps = sum(_is_trap(routine_of(one)) for one in routines)
+        traps = self.traps(frame)
         reached = {one: (self.line(one), one.f_lasti) for one in called}
         return StepPosition(frame, reached, len(routines), traps, called[-1])
+
+    def traps(self, frame: FrameType) -> int:
+        """Number of traps among a frame's routine and its callers."""
+        return sum(
+            one.f_code.co_name not in CLAUSES and _is_trap(routine_of(one))
+            for one in rapid_frames(frame)
+        )
 
     def line(self, frame: FrameType) -> int:
         """Line on which the running statement begins."""

@@ -14,7 +14,7 @@ from typing import Any
 
 from rapidsim.interpreter.tools.inspection import is_rapid
 from rapidsim.interpreter.tools.step_positions import (
-    Positions,
+    FramePositions,
     StepGranularity,
     StepPosition,
     rapid_frames,
@@ -32,7 +32,7 @@ class Stepper:
     _is_enough: Callable[[], bool] | None = None
     _from: StepPosition | None = None
     """Position at the start of the step; None before the first statement."""
-    _positions: Positions = field(default_factory=Positions)
+    _positions: FramePositions = field(default_factory=FramePositions)
 
     def begin(self, reach: StepGranularity, is_enough: Callable[[], bool] | None = None) -> None:
         """Begin a step of the routines that have called this.
@@ -71,8 +71,8 @@ class Stepper:
                 sys.call_tracing(self.halt, (place,))
         return self._passed
 
-    def _ends_before(self, now: StepPosition, begun: StepPosition) -> bool:
+    def _ends_before(self, now: StepPosition, start: StepPosition) -> bool:
         """Whether the step ends before the current statement."""
         if self._is_enough is None:
-            return now.ends_step(begun, self._reach)
-        return now.ends_step(begun, StepGranularity.ANY) and self._is_enough()
+            return now.ends_step(start, self._reach)
+        return now.ends_step(start, StepGranularity.ANY) and self._is_enough()

@@ -29,7 +29,7 @@ from rapidsim.motion.robot.robot import Robot
 from rapidsim.reach.dataflow.written_moves import RunNotFollowedError
 from rapidsim.reach.valueless_persistents import doubt_valueless
 from rapidsim.simulation.options import RunOptions
-from rapidsim.simulation.progress import Progress
+from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.simulate import run_tasks
@@ -191,13 +191,13 @@ def prepared(loaded: LoadedJob) -> PreparedRun:
 
 
 def executed(
-    prepared: PreparedRun, watch: Callable[[Callable[[], Progress]], None] | None = None
+    prepared: PreparedRun, watch: Callable[[RunInProgress], None] | None = None
 ) -> FinishedRun:
     """Run a prepared run; the written files have names relative to the working directory.
 
     Args:
         prepared: The run.
-        watch: Receives the progress of the run; see `run_tasks`.
+        watch: Receives the run before it begins; see `run_tasks`.
 
     Raises:
         ProgramRejectedError: If a program cannot be translated to executable code.

@@ -18,6 +18,7 @@ from rapidsim.motion.interruption import Look, undisturbed
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.curve_following import FaultKind, PathFault, follow, limit_fault
 from rapidsim.motion.path.line_derivatives import lines_of
+from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
 from rapidsim.motion.path.path import Path
 from rapidsim.motion.robot.external_axes import Axes
 from rapidsim.motion.robot.robot import Robot
@@ -66,6 +67,11 @@ class Outline:
         lengths = np.zeros(len(self.segments))
         lengths[self.active] = self.curves.length
         return np.concatenate([[0.0], np.cumsum(lengths)])
+
+    @property
+    def nominal(self) -> NominalTimes:
+        """Times of the segments at the programmed speeds."""
+        return nominal_times(self.segments, self.curves, self.active)
 
 
 def outline_of(

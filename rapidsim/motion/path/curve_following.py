@@ -66,6 +66,8 @@ class PathFault:
     kind: FaultKind = FaultKind.REACH
     cure: str | None = None
     """Remedy, if that depends on the numbers; else None."""
+    robot: int = 0
+    """Index of the robot, if several share the path."""
 
 
 def follow(

@@ -31,6 +31,7 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.along_curves import Nodes
 from rapidsim.motion.path.joints_on_path import JointsOnPath, in_joint_space, joints_at_corners
 from rapidsim.motion.path.line_derivatives import Lines
+from rapidsim.motion.path.nominal_times import NominalTimes, nominal_times
 from rapidsim.motion.path.path_derivatives import PathPoints, PathRates, norms
 from rapidsim.motion.path.segment_columns import SegmentLimits, programmed_of, widths_of
 
@@ -56,6 +57,11 @@ class Path:
     model: MotionModel
     lines: Lines | None
     """Lines with closed-form joints and derivatives; None if there are none."""
+
+    @property
+    def parts(self) -> tuple[Path, ...]:
+        """Path of each robot, over the parameter of this one; of a robot alone, this one."""
+        return (self,)
 
     @property
     def axis_count(self) -> int:
@@ -98,6 +104,21 @@ class Path:
         return travel
 
     @property
+    def nominal(self) -> NominalTimes:
+        """Times of the segments at the programmed speeds."""
+        return nominal_times(self.segments, self.layout.curves, self.active)
+
+    @property
+    def slowest(self) -> Index | None:
+        """Robot (segments,) that sets the nominal time of each segment; None for a robot alone."""
+        return None
+
+    @property
+    def fastest_rate(self) -> float:
+        """Upper bound of the TCP travel per unit of s, apart from turning and joint moves."""
+        return 1.0
+
+    @property
     def breakpoints(self) -> Array:
         """Parameter s of zone edges, middles of corners, and both ends, ascending."""
         return self.layout.bounds
@@ -111,7 +132,7 @@ class Path:
         may_pass = np.flatnonzero(
             (corners.limit[sharp] != Limit.STOP_POINT)
             & (corners.limit[sharp] != Limit.TURN_ONLY)
-            # Progress of a team is computed before it is known whether the arm could pass.
+            # A shared parameter is computed before it is known whether the arm could pass.
             & (self.layout.carrier_axes is None)
         )
         if len(may_pass):
@@ -183,6 +204,11 @@ class Path:
             within = np.flatnonzero(corner >= 0)
             radius[within] = radii[corner[within]]
         return radius
+
+    @property
+    def zone_extent(self) -> Array:
+        """Radius (p,) of the zone that contains each piece, in units of s."""
+        return self.zone_radius
 
     @cached_property
     def zone_speed(self) -> Array:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from rapidsim.frames.transform import Array
@@ -25,7 +27,11 @@ def limiters_of(problem: Problem, motion: StageMotion) -> tuple[Limiter, ...]:
     cases = len(path.segments) * len(kinds)
     total = np.bincount(segment * len(kinds) + kind, motion.times, cases).reshape(-1, len(kinds))
     found = np.where(total.any(axis=1), total.argmax(axis=1), len(kinds) - 1)
-    return tuple(kinds[number] for number in found.tolist())
+    limiters = [kinds[number] for number in found.tolist()]
+    if path.slowest is not None:
+        of_robots = zip(limiters, path.slowest.tolist(), strict=True)
+        limiters = [replace(one, robot=n) if one.is_programmed else one for one, n in of_robots]
+    return tuple(limiters)
 
 
 def _most_used(problem: Problem, stages: Stages, x: Array) -> Index:

@@ -54,6 +54,13 @@ class Limiter:
     quantity: Quantity
     axis: int | None = None
     """Axis, counted from 1; None if the limit is not of a single axis."""
+    robot: int | None = None
+    """Robot whose programmed speed or time it is, if several share a path; counted from 0."""
+
+    @property
+    def is_programmed(self) -> bool:
+        """Whether it is a programmed speed of the TCP or a programmed time."""
+        return self.quantity in _OF_PACE
 
     def __str__(self) -> str:
         """Return a description such as `acceleration of axis 2`."""
@@ -232,11 +239,11 @@ def _more_in_zones(
     rotations of 22 deg on straight lines, where nothing else has to accelerate.
     """
     factors = np.ones(len(places.s))
-    radius = path.zone_radius[places.piece]
+    radius, extent = path.zone_radius[places.piece], path.zone_extent[places.piece]
     at = np.flatnonzero(radius > 0.0)
     model = path.model
     piece = places.piece[at]
-    wide = cycles * model.cycle / radius[at]
+    wide = cycles * model.cycle / extent[at]
     widest = max(_MOST_OF_ZONE, model.zone_share)
     share = np.minimum(model.zone_share + _GROWTH * np.maximum(radius[at] - _NARROW, 0.0), widest)
     share *= part
@@ -289,11 +296,8 @@ def _of_axes(quantity: Quantity, values: Array) -> tuple[Limiter, ...]:
     return tuple(Limiter(quantity, axis + 1) for axis in range(values.shape[-1]))
 
 
-_PROGRAMMED = (
-    Limiter(Quantity.TCP_SPEED),
-    Limiter(Quantity.REORIENTATION_SPEED),
-    Limiter(Quantity.DURATION),
-)
+_OF_PACE = (Quantity.TCP_SPEED, Quantity.REORIENTATION_SPEED, Quantity.DURATION)
+_PROGRAMMED = tuple(Limiter(quantity) for quantity in _OF_PACE)
 _SPEEDS: tuple[Callable[[Path, GridPoints, Limits], SpeedRows | None], ...] = (
     _axis_speeds,
     _zone_speeds,

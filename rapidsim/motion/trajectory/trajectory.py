@@ -405,6 +405,15 @@ class Trajectory:
         place: Array = self._command.starts(row)[1] + way
         return place
 
+    def fastest_rate(self, start_s: float) -> float:
+        """Return the upper bound of the TCP travel per change of S from a time [s] on."""
+        seen_s, fastest = start_s - self._windows.widest, 1.0
+        for piece in reversed(self._command.pieces):
+            fastest = max(fastest, piece.path.fastest_rate)
+            if piece.start_time < seen_s:
+                break
+        return fastest
+
     def speed_at(self, times: Array) -> Array:
         """Return the visible speed dS/dt (k,) [m/s] along the path at times (k,) [s]."""
         return self._visible(times)[2]

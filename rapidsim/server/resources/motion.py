@@ -55,7 +55,7 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
     """The fixed data of a robot (`resource=static`) and its state (`resource=dynamic`)."""
     name, task = _robot(context, unit)
     if request.query.get("resource") == "static":
-        axes = len(task.unit.solo_queue.robot.joints)
+        axes = len(task.unit.member.robot.joints)
         # A client raises an error at an empty text, and interprets these words as "none".
         fields = {
             "task-name": task.name,
@@ -63,7 +63,7 @@ def unit(context: RequestContext, request: Request, unit: str) -> Answer:
             "has-integrated-unit": "NoIntegratedUnit",
             "type": "TCPRobot",
             "axes": str(axes),
-            "axes-total": str(axes + len(task.unit.solo_queue.robot.external)),
+            "axes-total": str(axes + len(task.unit.member.robot.external)),
         }
     else:
         tool, wobj = position.active_frames(task)
@@ -122,7 +122,7 @@ def axes(context: RequestContext, request: Request, unit: str) -> Answer:
     """The axes of a robot."""
     del request
     name, task = _robot(context, unit)
-    count = len(task.unit.solo_queue.robot.joints)
+    count = len(task.unit.member.robot.joints)
     address = f"rw/motionsystem/mechunits/{name}/axes"
     items = (
         Item("ms-axis-li", str(number), href=f"{address}/{number}")

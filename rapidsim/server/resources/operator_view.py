@@ -94,7 +94,7 @@ def _task(task: LiveTask, state: TaskState) -> dict[str, object]:
         shown |= {
             "motion": None if now.move is None else _place(task, now.move),
             "joints": [_number(one) for one in now.joints.robax if one != UNUSED_AXIS],
-            "measures": [joint.measure for joint in task.unit.solo_queue.robot.joints],
+            "measures": [joint.measure for joint in task.unit.member.robot.joints],
             "external": {
                 f"eax_{letter}": _number(one) for letter, one in external if one != UNUSED_AXIS
             },

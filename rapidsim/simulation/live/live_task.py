@@ -205,20 +205,19 @@ class LiveTask:
         self.scheduler.remove(clock)
         self.run.controller.files.close_all()
         self.run.controller.sockets.close_all(now_s)
-        self.unit.solo_queue.end_guidance()
+        self.unit.end_guidance()
         self.run.controller.guidance.forget_all()
         self.cell.watchdog.forget(clock)
         # By identity: two tables without interrupts are equal.
         own, self._own_listeners = {id(one) for one in self._own_listeners}, ()
         self.cell.forget(own)
         self.unit.part()
-        queue = self.unit.solo_queue
         with suppress(MotionError):
-            if queue.is_open and not queue.is_halted:
-                queue.halt(now_s)
+            if self.unit.queue.is_open and not self.unit.queue.is_halted:
+                self.unit.halt(now_s)
         self.unit.drop_paths()
-        queue.clear()
-        queue.resume(now_s)
+        self.unit.clear()
+        self.unit.resume(now_s)
 
     def start(self, how: ExecutionMode = ExecutionMode.CONTINUE) -> None:
         """Start at main, or continue where the program stopped: for one step, or until it stops."""
@@ -253,7 +252,7 @@ class LiveTask:
         if self._execution is ExecutionMode.CONTINUE:
             self._stepper.end()
             return
-        given, moves = len(self.unit.solo_queue.moves), self.unit.solo_queue.moves
+        given, moves = len(self.unit.moves), self.unit.moves
         to_move = self._execution is ExecutionMode.STEP_MOTION and self.setup.robot is not None
         self._stepper.begin(
             _REACH[self._execution], (lambda: len(moves) > given) if to_move else None

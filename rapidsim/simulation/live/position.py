@@ -8,7 +8,6 @@ from typing import TypeVar
 import numpy as np
 
 from rapidsim.controller.moves.queued_move import MotionError
-from rapidsim.controller.queue.motion_queue import foreseen
 from rapidsim.frames.transform import Array
 from rapidsim.language.data import (
     WOBJ0,
@@ -83,13 +82,13 @@ class PositionSnapshot:
 
 def position_snapshot(task: LiveTask) -> PositionSnapshot:
     """Current position of a task's robot, without effect on the run."""
-    now_s, path = task.scheduler.now_s, foreseen(task.unit.queue)
+    now_s, path = task.scheduler.now_s, task.unit.foreseen()
     samples = path.at(np.array([now_s]))
     arm, external, move = samples.joints[0], samples.external[0], int(samples.move[0])
     resolver, motion = task.run.controller.coordination.resolver, task.run.controller.motion
     tool, wobj = motion.active_tool(), motion.active_wobj()
-    moves = task.unit.solo_queue.moves
-    moves_on = now_s < path.duration and task.unit.solo_queue.guided is None
+    moves = task.unit.moves
+    moves_on = now_s < path.duration and task.unit.member.guided is None
     clock = task.run.controller.clock
     return PositionSnapshot(
         resolver.joint_target(arm, external),
@@ -105,12 +104,12 @@ def active_frames(task: LiveTask) -> tuple[str, str]:
 
 def _joints_now(task: LiveTask) -> tuple[Array, Array]:
     """Current joints (n,) [rad] and external axes (e,) [m or rad]."""
-    now_s, queue = task.scheduler.now_s, task.unit.queue
+    now_s, unit = task.scheduler.now_s, task.unit
     try:
-        samples = queue.seen(now_s, np.array([now_s]))
+        samples = unit.seen(now_s, np.array([now_s]))
     except MotionError:
         # The program that queued the move gets the error; the arm is at the end of its path.
-        samples = queue.at_past(now_s)
+        samples = unit.at_past(now_s)
     return samples.joints[0], samples.external[0]
 
 

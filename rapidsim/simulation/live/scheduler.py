@@ -11,6 +11,7 @@ import math
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from types import FrameType
 
 from greenlet import greenlet
 
@@ -130,6 +131,11 @@ class LiveScheduler:
         """Return False: no wait is a deadlock, since a client may end it."""
         del task
         return False
+
+    def frame_of(self, task: object) -> FrameType | None:
+        """Python frame at which a task is suspended; None if it runs, or has ended."""
+        entry = self._entries.get(task)
+        return None if entry is None else entry.greenlet.gr_frame
 
     def _first(self) -> _Entry | None:
         return min(self._entries.values(), key=lambda one: one.rank, default=None)

@@ -18,6 +18,7 @@ from rapidsim.frames.rotation_vectors import vector_from_rotation
 from rapidsim.frames.transform import Array
 from rapidsim.simulation.results.sampling import SampledRun, sampled
 from rapidsim.simulation.results.simulation import RobotRun, Simulation
+from rapidsim.simulation.results.team_pace import pace_setters
 from rapidsim.values import value_class
 
 _STEP_S = 0.012
@@ -49,7 +50,8 @@ class SlowSection:
     reached_mm_s: float
     """Mean speed in the section."""
     limit: str
-    """Active limit, such as `acceleration of axis 2`."""
+    """Active limit, such as `acceleration of axis 2`; where a robot of a team sets the pace of all,
+    such as `TCP speed of T_ROB2, 200 mm/s`."""
 
     @property
     def seconds(self) -> float:
@@ -82,7 +84,7 @@ def _of_robot(simulation: Simulation, robot_run: RobotRun, offset: int) -> Itera
     share = samples.tcp_speed / np.maximum(programmed, 1e-9)
     moving = np.abs(run.joint_speed).max(axis=1) > 0.0
     below = moving & (share < _REACHED)
-    limits, names = _limits(run, turning)
+    limits, names = _limits(run, turning, np.array(pace_setters(simulation, robot_run))[move])
     # Samples at rest are omitted.
     widths = np.minimum(np.gradient(times), step_s)
     kinds = limits // run.joint_speed.shape[1]
@@ -138,18 +140,29 @@ def _mode(kinds: Array) -> int:
     return int(np.bincount(kinds).argmax())
 
 
-def _limits(run: SampledRun, turning: Array) -> tuple[Array, tuple[str, ...]]:
-    """Return the active limit (k,) of each sample, as an index into the names."""
+def _limits(run: SampledRun, turning: Array, paces: Array) -> tuple[Array, tuple[str, ...]]:
+    """Return the active limit (k,) of each sample, as an index into the names.
+
+    Args:
+        run: The samples.
+        turning: Programmed reorientation speeds (k,) [rad/s].
+        paces: Texts (k,) of what sets the pace of a team; empty if nothing does.
+    """
     speeds, accelerations = np.abs(run.speed_shares), np.abs(run.acceleration_shares)
     count = speeds.shape[1]
+    setters, setter = np.unique(paces, return_inverse=True)
     names = (
         *(f"speed of axis {k + 1}" for k in range(count)),
         *(f"acceleration of axis {k + 1}" for k in range(count)),
         "reorientation speed",
+        *setters.tolist(),
     )
     fast = np.nan_to_num(speeds) / 100.0
-    held = count + np.nan_to_num(accelerations).argmax(axis=1)
-    turns = _turning(run) >= _AT_LIMIT * np.maximum(turning, 1e-9)
+    loads = np.nan_to_num(accelerations)
+    held = count + loads.argmax(axis=1)
+    paced = (paces != "") & (loads.max(axis=1) < 100.0 * _AT_LIMIT)
+    held = np.where(paced, 2 * count + 1 + setter, held)
+    turns = (_turning(run) >= _AT_LIMIT * np.maximum(turning, 1e-9)) & ~paced
     held = np.where(turns, 2 * count, held)
     held = np.where(fast.max(axis=1) >= _AT_LIMIT, fast.argmax(axis=1), held)
     return held.astype(np.int64), names

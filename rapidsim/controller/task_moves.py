@@ -1,4 +1,4 @@
-"""Appending the moves of a task to its robot's own path."""
+"""Appending the moves of a task to the path of its robot, alone or in a team."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from rapidsim.controller.moves.executed_move import CornerKind
 from rapidsim.controller.moves.queued_move import QueuedMove
 from rapidsim.controller.moves.resolve import Resolver
 from rapidsim.controller.queue.mechanical_unit import MechanicalUnit
+from rapidsim.controller.queue.motion_queue import MAX_OPEN_MOVES
 from rapidsim.controller.queue.path_marks import PathMarks
-from rapidsim.controller.queue.path_planner import MAX_OPEN_MOVES
-from rapidsim.controller.queue.solo_queue import SoloQueue
 from rapidsim.controller.queue.zone_table import WorldZoneTable
+from rapidsim.controller.synchronisation import TaskSynchronisation
 from rapidsim.findings.levels import MoveWithoutStorePath
 from rapidsim.findings.ramps import RampWaits
 from rapidsim.language.error_log import CORNER_PATH_FAILURE
@@ -29,6 +29,8 @@ from rapidsim.language.errors import NotAllowed
 from rapidsim.language.moves import Move, SensorInfluence
 from rapidsim.values import value_class
 
+_NO_OTHER_LIMITS = "robots that move together keep the limits of their axes and of their TCPs alone"
+_ONE_RAMP = "the lowest ramp since the last stop point counts for all"
 MAX_CONCURRENT_MOVES = 5
 r"""Maximum number of moves with \Conc in succession."""
 
@@ -54,8 +56,8 @@ class EnqueueMove(Protocol):
 
 
 @value_class(frozen=True, slots=True)
-class SoloMoves:
-    """Appends moves to the path of a robot that moves alone."""
+class TaskMoves:
+    """Appends the moves of a task to the path of its robot."""
 
     clock: TaskClock
     unit: MechanicalUnit
@@ -67,29 +69,27 @@ class SoloMoves:
     journal: Journal
     state: MotionState
     interrupts: TaskInterrupts
+    synchronisation: TaskSynchronisation
 
     def put(self, move: Move, before: Callable[[QueuedMove], None], *, wait: bool = True) -> None:
-        """Append a move to the path; see `EnqueueMove`."""
+        r"""Append a move to the path, in a team together with the moves of the other tasks.
+
+        Raises:
+            RapidError: ERR_ARGVALERR, if the task has no robot or the numbers \ID do not agree.
+        """
+        self.synchronisation.require_id(move)
         self.clock.note_line()
         self._count_concurrent(move)
         self._note_level(move)
-        queue = self.unit.solo_queue
-        if queue.guided is not None:
+        member = self.unit.member
+        if member.guided is not None:
             raise NotAllowed(
                 f"{move.instruction}: a sensor guides the robot; EGMStop, or EGMWaitCond, ends that"
             )
-        if queue.corrected is not None and move.sensed is SensorInfluence.NEVER:
-            queue.corrected.end()
-        queued = self._resolved(move, queue)
-        if self.clock.is_compute_bound() or not queue.is_open:
-            self.clock.resolve_time()
-        moment = self.clock.moment()
-        now_s = moment.time_s if moment.instant.time is not None else -math.inf
-        last = queue.moves[-1] if queue.is_open else None
-        queue.append(queued, now_s)
-        self.journal.moves_given = len(queue.moves)
-        if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
-            self.table.error_logged(CORNER_PATH_FAILURE, now_s)
+        if member.corrected is not None and move.sensed is SensorInfluence.NEVER:
+            member.corrected.end()
+        queued = self._append(move)
+        self.journal.moves_given = len(self.unit.moves)
         before(queued)
         self._note_ramp(queued)
         self.state.use(move, self.clock.place.arguments)
@@ -102,25 +102,56 @@ class SoloMoves:
             or self.cell.has_clients
             or self.zones.is_watching
             or self.marks.may_interrupt
-            or queue.open_moves > MAX_OPEN_MOVES
+            or self.unit.queue.open_moves > MAX_OPEN_MOVES
         ):
             self.keep_up()
 
-    def _resolved(self, move: Move, queue: SoloQueue) -> QueuedMove:
+    def _append(self, move: Move) -> QueuedMove:
+        """Resolve a move and append it, in a team when the other tasks have submitted theirs."""
+        if self.unit.team is not None:
+            queued = self.synchronisation.submit(move)
+            self._report_ignored_options(move, queued)
+            return queued
+        queued = self._resolved(move)
+        if self.clock.is_compute_bound() or not self.unit.queue.is_open:
+            self.clock.resolve_time()
+        last = self.unit.moves[-1] if self.unit.queue.is_open else None
+        now_s = self.clock.moment().earliest_s
+        self.unit.queue.append((queued,), now_s)
+        if last is not None and last.corner is CornerKind.STOP_CORNER_PATH_FAILURE:
+            self.table.error_logged(CORNER_PATH_FAILURE, now_s)
+        return queued
+
+    def _report_ignored_options(self, move: Move, queued: QueuedMove) -> None:
+        """Report the options of a move that do not count for robots that move together."""
+        segment, place = queued.segment, self.clock.place
+        limits = (segment.tcp_acceleration, segment.tcp_deceleration, segment.world_acceleration)
+        if math.isfinite(min(limits)):
+            name = f"PathAccLim or WorldAccLim with {move.instruction} \\ID"
+            self.journal.unsimulated(name, _NO_OTHER_LIMITS, place)
+        own_speeds = segment.external_speeds[: len(segment.start.external)]
+        if any(math.isfinite(speed) for speed in own_speeds):
+            name = f"the programmed speed of external axes with {move.instruction} \\ID"
+            self.journal.unsimulated(name, _NO_OTHER_LIMITS, place)
+
+    def _resolved(self, move: Move) -> QueuedMove:
         """The move from the end of the queue; the first may choose where the arm starts."""
-        place, settings = self.clock.place, self.state.settings
-        is_first = not len(queue.moves)
-        is_free = is_first and queue.start_is_free and move.sensed is SensorInfluence.NEVER
+        place, settings, member = self.clock.place, self.state.settings, self.unit.member
+        is_first = not len(member.moves)
+        is_free = is_first and member.start_is_free and move.sensed is SensorInfluence.NEVER
         if is_free:
-            start = self.resolver.first_start(move, place, queue.end, settings)
+            start = self.resolver.first_start(move, place, member.end, settings)
             if start is not None:
-                queue.begin_at(start)
+                self.unit.begin_at(start)
         return self.resolver.resolve(
-            move, place, queue.end, settings, is_first=is_first, starts_free=is_free
+            move, place, member.end, settings, is_first=is_first, starts_free=is_free
         )
 
     def _wait_for_stop(self, move: Move) -> None:
         self.clock.drive_to_stop()
+        if self.unit.team is not None:
+            # Another task may have stopped the robots before, and this one has waited for that.
+            self.clock.pass_time(max(self.clock.resolve_time(), self.unit.trajectory.duration))
         if move.stop and move.stop.program_waits:
             with self.clock.waiting(f"{move.stop.seconds:g} s") as waiting:
                 self.clock.pass_time(self.clock.resolve_time() + move.stop.seconds)
@@ -147,15 +178,20 @@ class SoloMoves:
             self.clock.go_to(fixed_s)
 
     def _note_ramp(self, queued: QueuedMove) -> None:
-        """Report once a ramp above that of the moves before, which takes effect only later."""
-        wanted, kept = self.state.settings.ramp_percent, queued.segment.ramp
-        if kept < wanted / 100.0:
-            found = RampWaits(wanted, 100.0 * kept)
+        """Report a ramp above that of the moves before, or of the team, which does not count."""
+        requested, used = self.state.settings.ramp_percent, queued.segment.ramp
+        if used >= requested / 100.0:
+            return
+        if self.unit.team is None:
+            found = RampWaits(requested, 100.0 * used)
             self.journal.finding(found, self.clock.place, once=RampWaits)
+        else:
+            name = "different ramps of robots that move together"
+            self.journal.unsimulated(name, _ONE_RAMP, self.clock.place)
 
     def _note_level(self, move: Move) -> None:
         """Report a move that a controller requires to be on a path of its own."""
-        if not self.interrupts.in_trap or self.unit.solo_queue.stored:
+        if not self.interrupts.in_trap or self.unit.member.level:
             return
         place = self.clock.place
         found = MoveWithoutStorePath(move.instruction)
@@ -168,7 +204,7 @@ class SoloMoves:
             RapidError: ERR_CONC_MAX.
         """
         state = self.state
-        if move.concurrent and self.unit.solo_queue.stored:
+        if move.concurrent and self.unit.member.level:
             raise NotAllowed(
                 rf"{move.instruction} \Conc between StorePath and RestoPath is not allowed"
             )

@@ -1,4 +1,4 @@
-"""Building of one path from the segments of several robots, also with carried work objects.
+"""Building of one path from the segments of one or more robots, also with carried work objects.
 
 The path of a robot whose work object another carries (`CarrierRobot`) depends on the carrier's
 position, which is known from the carrier's path. Paths are therefore built in that order; the
@@ -22,19 +22,10 @@ from rapidsim.motion.model import MotionModel
 from rapidsim.motion.path.building import Outline, build_path, outline_of, path_along
 from rapidsim.motion.path.curve_following import FaultKind, PathFault
 from rapidsim.motion.path.path import Path
-from rapidsim.motion.path.synchronised_path import TeamPath, joined, team_path
-from rapidsim.motion.path.team_progress import MemberProgress, team_progress
+from rapidsim.motion.path.shared_path import joined, shared_path
+from rapidsim.motion.path.shared_progress import MemberProgress, shared_progress
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.values import value_class
-
-
-@value_class(frozen=True, slots=True)
-class TeamFault:
-    """First point where the path of a team is infeasible."""
-
-    number: int
-    """Index of the robot in the team."""
-    fault: PathFault
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -78,13 +69,13 @@ class CarrierPathAxes:
         return self.own.place(places, self.own.piece_at(places))
 
 
-def build_team(
+def build_shared_path(
     robots: Sequence[Robot],
     rows: Sequence[Sequence[Segment]],
     model: MotionModel,
     check_deadline: Look = undisturbed,
-) -> TeamPath | TeamFault:
-    """Join the segments of several robots, equally many each, to a path.
+) -> Path | PathFault:
+    """Join the segments of robots, equally many each, to a path.
 
     Args:
         robots: The arms.
@@ -93,14 +84,14 @@ def build_team(
         check_deadline: Called regularly.
 
     Returns:
-        The path, or the first point where one of the arms cannot follow it.
+        The path, for a robot alone its own; or the first point where one of the arms cannot follow.
     """
     leaders = [_leaders(row) for row in rows]
     order = _order(leaders)
-    if isinstance(order, TeamFault):
+    if isinstance(order, PathFault):
         return order
     stopping = _stopping(robots, rows, leaders, model, check_deadline) if order else rows
-    if isinstance(stopping, TeamFault):
+    if isinstance(stopping, PathFault):
         return stopping
     rows = stopping
     paths: dict[int, Path] = {}
@@ -112,28 +103,29 @@ def build_team(
         else:
             found = build_path(robot, row, model, check_deadline)
         if isinstance(found, PathFault):
-            return TeamFault(number, found)
+            return replace(found, robot=number)
         if isinstance(found, Path):
             paths[number] = found
         else:
             outlines[number] = found
     if not outlines:
-        return team_path(list(paths.values()))
+        return shared_path(list(paths.values()))
     stops = [_stops(path) for path in paths.values()] + [*map(_led_stops, outlines.values())]
     all_of_them = [paths.get(number) or outlines[number] for number in range(len(rows))]
-    team = team_progress(
+    progress = shared_progress(
         [one.segments for one in all_of_them],
         [one.segment_bounds for one in all_of_them],
+        [one.nominal for one in all_of_them],
         np.any(stops, axis=0),
     )
     for number in order:
-        pairs = ((paths[leader], team.members[leader]) for leader in leaders[number])
-        led = CarrierPathAxes(team.members[number], tuple(pairs))
+        pairs = ((paths[leader], progress.members[leader]) for leader in leaders[number])
+        led = CarrierPathAxes(progress.members[number], tuple(pairs))
         path = path_along(outlines[number], check_deadline, led, led.breakpoints)
         if isinstance(path, PathFault):
-            return TeamFault(number, path)
+            return replace(path, robot=number)
         paths[number] = path
-    return joined([paths[number] for number in range(len(rows))], team)
+    return joined([paths[number] for number in range(len(rows))], progress)
 
 
 def _leaders(row: Sequence[Segment]) -> tuple[int, ...]:
@@ -142,15 +134,15 @@ def _leaders(row: Sequence[Segment]) -> tuple[int, ...]:
     return tuple(sorted({one.robot.number for one in carriers if one.robot is not None}))
 
 
-def _order(leaders: Sequence[Sequence[int]]) -> list[int] | TeamFault:
+def _order(leaders: Sequence[Sequence[int]]) -> list[int] | PathFault:
     """Return the robots with carriers, each after its carriers."""
     order: list[int] = []
     waiting = [number for number, one in enumerate(leaders) if one]
     while waiting:
         ready = [n for n in waiting if not set(leaders[n]) & set(waiting)]
         if not ready:
-            fault = PathFault(0, 0.0, 0.0, 0.0, _IN_A_CIRCLE, FaultKind.SET_UP)
-            return TeamFault(waiting[0], fault)
+            circle = PathFault(0, 0.0, 0.0, 0.0, _IN_A_CIRCLE, FaultKind.SET_UP)
+            return replace(circle, robot=waiting[0])
         order += ready
         waiting = [number for number in waiting if number not in ready]
     return order
@@ -196,7 +188,7 @@ def _stopping(
     leaders: Sequence[Sequence[int]],
     model: MotionModel,
     check_deadline: Look,
-) -> Sequence[Sequence[Segment]] | TeamFault:
+) -> Sequence[Sequence[Segment]] | PathFault:
     """Return the segments, with stops of all other robots where one with a carrier has to stop.
 
     It stops where its programmed point is while the carriers are at their programmed points.
@@ -208,7 +200,7 @@ def _stopping(
                 robots[number], _wide(row, leaders[number], rows), model, check_deadline
             )
             if isinstance(found, PathFault):
-                return TeamFault(number, found)
+                return replace(found, robot=number)
             own[number] = _led_stops(found)
     others = own.any(axis=0) & ~own
     return [

@@ -1,9 +1,13 @@
-"""Progress of each robot of a team on its own path as a function of the common parameter.
+"""Progress of each robot on its own path as a function of a common parameter.
 
-Segment k of all paths begins and ends at the same time. In between, the robots' positions are
-functions of the common parameter s: proportional within a segment, with a smooth transition around
-fly-by points, where the ratio of their speeds may change. The common length of a segment is the
-longest of the robots' own.
+Segment k of all paths begins and ends at the same time. The common parameter is nominal time: along
+segment k it grows by the time of the robot that needs longest at its own programmed speeds. In
+between, each robot's position is proportional to it; around fly-by points, where the ratio may
+change, the robots' rates change linearly and the parameter keeps its pace.
+
+Source: logs of two synchronised arms (docs/fidelity.md). Moves of equal nominal time take equal
+time however much the lengths and speeds of the single robots jump, so the programmed speed of one
+robot is no limit at an instant in a zone.
 """
 
 from __future__ import annotations
@@ -17,7 +21,12 @@ from rapidsim.frames.transform import Array
 from rapidsim.motion.geometry.curves import Index
 from rapidsim.motion.geometry.segments import Segment, Speed, Zone
 from rapidsim.motion.kinematics.arm import Mask
+from rapidsim.motion.path.nominal_times import NominalTimes
 from rapidsim.values import value_class
+
+PACE = 0.25
+"""Rate [m/s] of the common parameter at the programmed speeds: nominal time as a length, on the
+scale of the paths of single robots."""
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -96,58 +105,70 @@ class MemberProgress:
 
 
 @value_class(frozen=True, slots=True, eq=False)
-class TeamProgress:
-    """Segments of a team, and the progress of each robot."""
+class SharedProgress:
+    """Common segments, and the progress of each robot."""
 
     segments: tuple[Segment, ...]
     """Common segments, with the data for timing and the path queue."""
     ends: Array
     """Shape (segments + 1,): common parameter [m] at their ends."""
+    zones: Array
+    """Shape (segments - 1,): extent [m] of the zone on either side of each inner end."""
     members: tuple[MemberProgress, ...]
+    slowest: Index
+    """Shape (segments,): number of the robot that determines the nominal time of each segment."""
+    turns: Mask
+    """Shape (segments,): whether that is its reorientation, not its TCP speed."""
 
 
-def team_progress(
-    rows: Sequence[Sequence[Segment]], own: Sequence[Array], stops: Mask
-) -> TeamProgress:
+def shared_progress(
+    rows: Sequence[Sequence[Segment]],
+    own: Sequence[Array],
+    nominal: Sequence[NominalTimes],
+    stops: Mask,
+) -> SharedProgress:
     """Return the progress of several robots in synchronised motion.
 
     Args:
         rows: The segments of each robot.
         own: Segment ends on the robot's own path, (segments + 1,) [m].
-        stops: Shape (segments - 1,): mask of the segment ends where a robot, and thus the team,
-            stops.
+        nominal: Times of the robot's segments.
+        stops: Shape (segments - 1,): mask of the segment ends where a robot, and thus all of
+            them, stop.
     """
     lengths = np.array([np.diff(one) for one in own])
-    longest: Array = lengths.max(axis=0)
-    slopes = lengths / np.where(longest > 0.0, longest, 1.0)
+    times = np.array([one.times for one in nominal])
+    slowest = times.argmax(axis=0)
+    common: Array = PACE * times.max(axis=0)
+    # Where nothing that has a programmed speed moves, the parameter only needs some extent.
+    common = np.where(common > 0.0, common, lengths.max(axis=0))
+    slopes = lengths / np.where(common > 0.0, common, 1.0)
     segments = tuple(
-        _common_segment([row[k] for row in rows], slopes[:, k]) for k in range(len(longest))
+        _common_segment([row[k] for row in rows], slopes[:, k], float(common[k]) / PACE)
+        for k in range(len(common))
     )
-    passages = _passages(segments, longest, slopes, stops)
-    short = passages.before - passages.half
-    common = longest - np.append(short, 0.0) - np.append(0.0, short)
+    zones = np.array([one.zone.position if one.zone else 0.0 for one in segments[:-1]])
+    # A zone takes at most half of either segment.
+    half = np.where(stops, 0.0, np.minimum(zones, 0.5 * np.minimum(common[:-1], common[1:])))
     ends = np.concatenate([[0.0], np.cumsum(common)])
-    members = (
-        _progress(ends, places, slope, passages) for places, slope in zip(own, slopes, strict=True)
+    members = tuple(
+        _progress(ends, places, slope, half) for places, slope in zip(own, slopes, strict=True)
     )
-    return TeamProgress(segments, ends, tuple(members))
+    turns = np.array([one.turns for one in nominal])[slowest, np.arange(len(slowest))]
+    return SharedProgress(segments, ends, half, members, slowest, turns)
 
 
-def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
+def _common_segment(segments: Sequence[Segment], slopes: Array, time_s: float) -> Segment:
     """Return the data of one segment of all robots for timing and the path queue."""
-    moving = [(one, rate) for one, rate in zip(segments, slopes, strict=True) if rate > 0.0]
-    durations = [one.duration for one in segments if one.duration is not None]
-    zones = [one.zone.position / rate for one, rate in moving if one.zone]
+    pairs = zip(segments, slopes.tolist(), strict=True)
+    zones = [one.zone.position / rate for one, rate in pairs if one.zone and rate > 0.0]
     stops = any(one.zone is None for one in segments)
-    first = segments[0]
+    is_timed = any(one.duration is not None for one in segments)
     return replace(
-        first,
-        speed=Speed(
-            max((one.speed.tcp / rate for one, rate in moving), default=first.speed.tcp),
-            first.speed.reorientation,
-        ),
+        segments[0],
+        speed=Speed(PACE, PACE),
         zone=None if stops else Zone(max(zones, default=0.0), max(zones, default=0.0), 0.0),
-        duration=max(durations, default=None),
+        duration=time_s if is_timed else None,
         acceleration_share=min(one.acceleration_share for one in segments),
         load=max(one.load for one in segments),
         tcp_acceleration=np.inf,
@@ -156,56 +177,24 @@ def _common_segment(segments: Sequence[Segment], slopes: Array) -> Segment:
     )
 
 
-@value_class(frozen=True, slots=True, eq=False)
-class _Passages:
-    """Transition of the robots' rates at each inner end of a segment.
+def _progress(ends: Array, own: Array, slope: Array, half: Array) -> MemberProgress:
+    """Return one robot's progress: linear pieces, with a parabola around each inner end.
 
-    Between a rate a before and b after, each robot passes through a rate c, with linear
-    transitions. With c = (a + b) / M, M the largest a + b of all robots, the fastest of them is
-    always near rate 1: the common parameter remains a length along which all of them can move at
-    constant speed.
+    Around the end of a segment its rate changes linearly from that of the segment to that of the
+    next, which takes as long as both rates one after the other: half (a + b) of its own path.
     """
-
-    before: Array
-    """Shape (segments - 1,) [m]: extent before and after the end, for constant rates."""
-    half: Array
-    """Half the length [m] of the transition in the common parameter."""
-    largest: Array
-    """M."""
-
-
-def _passages(segments: Sequence[Segment], longest: Array, slopes: Array, stops: Mask) -> _Passages:
-    zones = np.array([one.zone.position if one.zone else 0.0 for one in segments[:-1]])
-    before = np.where(stops, 0.0, np.minimum(zones, 0.5 * np.minimum(longest[:-1], longest[1:])))
-    largest = np.maximum((slopes[:, :-1] + slopes[:, 1:]).max(axis=0), 1e-12)
-    # The travel of each robot equals that at its rates before and after:
-    # half (a + 2 c + b) / 2 = before (a + b).
-    return _Passages(before, 2.0 * before * largest / (largest + 2.0), largest)
-
-
-def _progress(ends: Array, own: Array, slope: Array, passages: _Passages) -> MemberProgress:
-    """Return one robot's progress: linear pieces, with two parabolas around each inner end."""
-    before, half = passages.before, passages.half
     into, out = slope[:-1], slope[1:]
-    between = (into + out) / passages.largest
     inner, at = ends[1:-1], own[1:-1]
-    steep = np.where(half > 0.0, half, 1.0)
+    steep = np.where(half > 0.0, 2.0 * half, 1.0)
     straight = (
         np.append(0.0, inner + half),
-        np.append(own[0], at + out * before),
+        np.append(own[0], at + out * half),
         slope,
         np.zeros(len(slope)),
     )
-    first = (inner - half, at - into * before, into, (between - into) / steep)
-    second = (
-        inner,
-        at - into * before + 0.5 * half * (into + between),
-        between,
-        (out - between) / steep,
-    )
+    corner = (inner - half, at - into * half, into, (out - into) / steep)
     bounds, start, rate, bend = (
-        np.insert(s, np.repeat(np.arange(1, len(s)), 2), np.column_stack([one, other]).ravel())
-        for s, one, other in zip(straight, first, second, strict=True)
+        np.insert(s, np.arange(1, len(s)), one) for s, one in zip(straight, corner, strict=True)
     )
     bounds = np.append(bounds, ends[-1])
     kept = np.diff(bounds) > 0.0

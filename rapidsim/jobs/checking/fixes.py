@@ -1,14 +1,13 @@
-"""`--fix` and `--diff`: apply the edits that findings carry, or show them."""
+"""The edits that findings carry: the ones that apply together, and that leave no more errors."""
 
 from __future__ import annotations
 
-import difflib
 from bisect import bisect_left, insort
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from rapidsim.diagnostics import Diagnostic, Edit, Severity
-from rapidsim.files import SourceFile
+from rapidsim.jobs.checking.check_files import check_tasks
 from rapidsim.module_files import TaskFiles
 from rapidsim.text_edits import TextEdit, edited_text
 from rapidsim.values import value_class
@@ -129,9 +128,6 @@ def harmless_fixes(
 
 def _errors(tasks: Sequence[TaskFiles]) -> int:
     """Number of errors, whichever are shown, without those of reach."""
-    # Most checks fix nothing, and some know what they would find.
-    from rapidsim.jobs.checking.check_files import check_tasks
-
     found = check_tasks(tasks).diagnostics
     return sum(one.severity is Severity.ERROR for one in found)
 
@@ -151,21 +147,6 @@ def _edited(
         )
         for task in tasks
     )
-
-
-def difference(edits: Mapping[str, Iterable[TextEdit]], files: Iterable[SourceFile]) -> str:
-    """Changes of the edits as a unified difference with LF at all line ends."""
-    parts: list[str] = []
-    for file in files:
-        if file.name not in edits:
-            continue
-        before = file.text.splitlines()
-        after = edited_text(file.text, edits[file.name]).splitlines()
-        lines = list(difflib.unified_diff(before, after, file.name, file.name, lineterm=""))
-        if not lines:
-            lines = [f"--- {file.name}", f"+++ {file.name}", "(line ends alone change)"]
-        parts += lines
-    return "".join(f"{line}\n" for line in parts)
 
 
 def _as_text_edit(edit: Edit) -> TextEdit:

@@ -1,0 +1,1 @@
+"""Tools for agents that write RAPID, under the Model Context Protocol."""

@@ -1,0 +1,1 @@
+"""Names in a text with their symbols: at an offset, all of one symbol, in scope, renamed."""

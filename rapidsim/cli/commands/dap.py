@@ -1,0 +1,25 @@
+"""`rapidsim dap`: a debug adapter for editors."""
+
+from __future__ import annotations
+
+import sys
+
+import click
+
+from rapidsim.cli.exit_codes import ExitCode
+from rapidsim.cli.terminal import terminal_options
+
+
+@click.command()
+@terminal_options
+def dap() -> int:
+    """Debug RAPID from an editor: a debug adapter on standard input and output.
+
+    It speaks the Debug Adapter Protocol. Arguments of `launch`: `program` (a module, a folder, a
+    .pgf file, or a list), `cwd`, `home`, `station`, `robot`, `answers`, `replay` (a journal of
+    `rapidsim serve`), `stopOnEntry`. Arguments of `attach`: `port` of a served controller.
+    """
+    from rapidsim.dap.adapter import Adapter
+
+    Adapter(sys.stdin.buffer, sys.stdout.buffer).run()
+    return ExitCode.CLEAN

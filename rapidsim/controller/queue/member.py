@@ -1,0 +1,158 @@
+"""A robot as a member of a motion queue: its arm, its moves and the fixed part of its motion."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import field
+from typing import Protocol
+
+import numpy as np
+
+from rapidsim.controller.moves.executed_move import ExecutedMove
+from rapidsim.controller.moves.queued_move import executed_move
+from rapidsim.controller.queue.move_log import MoveLog
+from rapidsim.controller.queue.plan_cache import PlanCache
+from rapidsim.frames.rotation_vectors import vector_from_rotation
+from rapidsim.frames.transform import Array
+from rapidsim.motion.geometry.segments import Segment, Waypoint
+from rapidsim.motion.model import MotionModel
+from rapidsim.motion.robot.robot import Robot
+from rapidsim.motion.timing.axis_limits import Limits, limits_of, model_of
+from rapidsim.motion.trajectory.guided_section import GuidedSection
+from rapidsim.motion.trajectory.trajectory import Samples, Trajectory
+from rapidsim.values import value_class
+
+REGAINED_M = 0.010
+"""Distance [m] of the TCP from where it left its path up to which it returns by itself."""
+REGAINED = np.radians(20.0)
+"""Rotation [rad] of the tool up to which the robot returns by itself."""
+_OTHER_STANCE = np.radians(90.0)
+"""An axis that differs by this much has another configuration, even if the tool is close."""
+
+
+class GuidedMotion(Protocol):
+    """A robot guided by a sensor."""
+
+    @property
+    def section(self) -> GuidedSection:
+        """Recorded motion so far; it grows."""
+        ...
+
+    def release(self) -> None:
+        """Brake now and rest until the end of the section."""
+        ...
+
+
+class CorrectedMotion(Protocol):
+    """A robot whose path is corrected by a sensor."""
+
+    def end(self) -> None:
+        """Bring the robot to rest; its path continues from there."""
+        ...
+
+    def settle(self) -> None:
+        """Leave the robot at rest where it is; its path continues from there."""
+        ...
+
+
+@value_class(slots=True, eq=False)
+class Member:
+    """A robot, whatever queue it moves through, alone or with others."""
+
+    robot: Robot
+    model: MotionModel
+    """Motion model of its controller."""
+    limits: Limits
+    """Axis speeds and accelerations for timing."""
+    trajectory: Trajectory
+    """Its motion as far as it is fixed."""
+    end: Waypoint
+    """End of its last queued move."""
+    moves: MoveLog = field(default_factory=MoveLog)
+    """All moves that it ever got."""
+    repeats: PlanCache = field(default_factory=PlanCache)
+    """Plans of blocks that it made alone."""
+    ready_s: float = 0.0
+    """Earliest command time at which its next block may start."""
+    settled_s: float = -math.inf
+    """Time [s] at which it comes to rest at the end of its last block."""
+    level: int = 0
+    """Number of stored paths."""
+    guided: GuidedMotion | None = None
+    """Guidance that moves the robot now; None while it follows its path."""
+    corrected: CorrectedMotion | None = None
+    """Path correction that offsets the robot from its path; None if there is none."""
+    start_is_free: bool = False
+    """Whether the arm may begin elsewhere: it has not moved, and its position is not known to the
+    station or the program."""
+
+    @property
+    def is_guided(self) -> bool:
+        """Whether a sensor guides the robot or corrects its path."""
+        return self.guided is not None or self.corrected is not None
+
+    def guide(self, guided: GuidedMotion) -> None:
+        """Let a guidance, not the path, move a robot at rest."""
+        self.guided = guided
+        self.trajectory.guide(guided.section)
+
+    def at_past(self, time_s: float) -> Samples:
+        """The arm at a time [s] that is past, one sample."""
+        return self.trajectory.at(np.array([time_s]))
+
+    def standing(self) -> Waypoint:
+        """Waypoint at the end of the command, of the flange without a tool."""
+        samples = self.at_past(self.trajectory.duration)
+        joints: Array = samples.joints[0]
+        return Waypoint(joints, self.robot.forward(joints), samples.external[0])
+
+    def settle_correction(self) -> None:
+        """End a path correction of a robot at rest; its path continues where it is."""
+        if self.corrected is not None:
+            self.corrected.settle()
+
+    def distance_from(self, left_at: Waypoint, segment: Segment) -> str:
+        """Distance of the arm from where it left a segment, as text; empty if it can return."""
+        tool = segment.tcp_from_flange.inverse()
+        stands = self.standing()
+        here, there = (one.base_from_tcp @ tool for one in (stands, left_at))
+        way = float(np.linalg.norm(there.translation - here.translation))
+        turn = float(np.linalg.norm(vector_from_rotation(there.rotation @ here.rotation.T)))
+        if way > REGAINED_M or turn > REGAINED:
+            return f"{1e3 * way:.1f} mm and {np.degrees(turn):.1f} deg"
+        off = np.abs(stands.joints - left_at.joints)
+        axis = int(np.argmax(off))
+        return (
+            f"with axis {axis + 1} {np.degrees(off[axis]):.0f} {self.robot.joints[axis].measure}"
+            if off[axis] > _OTHER_STANCE
+            else ""
+        )
+
+    def executed(self, task: str) -> tuple[ExecutedMove, ...]:
+        """All planned moves, with the times at which the arm makes them, lag included."""
+        done = [
+            (index, queued)
+            for index, queued in self.moves.numbered()
+            if queued.ended_s is not None and queued.started.time is not None
+        ]
+        both = np.array([[queued.start_place_m, queued.end_place_m] for _, queued in done])
+        # Most moves begin where the previous one ends.
+        places, row = np.unique(both.reshape(-1), return_inverse=True)
+        seen_s = self.trajectory.time_at_place(places)[row].reshape(-1, 2)
+        return tuple(
+            executed_move(index, task, queued, float(start_s), float(end_s))
+            for (index, queued), (start_s, end_s) in zip(done, seen_s, strict=True)
+        )
+
+
+def member_at_rest(robot: Robot, model: MotionModel, start: Waypoint) -> Member:
+    """A robot at rest at time zero.
+
+    Args:
+        robot: The arm.
+        model: Motion model of its controller.
+        start: Its position.
+    """
+    model = model_of(robot, model)
+    trajectory = Trajectory(start, model.window, model.smoothing, model.filter_averages)
+    return Member(robot, model, limits_of(robot, model), trajectory, start)

@@ -1,0 +1,1 @@
+"""The debug adapter: a run under the Debug Adapter Protocol, forwards and backwards."""

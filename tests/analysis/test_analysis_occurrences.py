@@ -1,0 +1,165 @@
+"""Names and their symbols: each name is found at its place, and a rename keeps the program."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from laws import cases, some
+
+from rapidsim.analysis.names.name_violations import DuplicateName
+from rapidsim.analysis.occurrences.locate import locate, name_at, names_in
+from rapidsim.analysis.occurrences.names import NamesOfNodes, Occurrence, declared_name
+from rapidsim.analysis.occurrences.rename import RenameRefusedError, plan_rename
+from rapidsim.analysis.occurrences.scopes import symbols_in_scope
+from rapidsim.analysis.occurrences.search import occurrences
+from rapidsim.files import SourceFile
+from rapidsim.module_files import TaskFiles
+from rapidsim.text_edits import edited_text
+from rapidsim.workspace.workspace import Workspace
+
+ROOT = Path(__file__).parents[2]
+FILES = sorted([*(ROOT / "programs").rglob("*.mod"), *(ROOT / "tests" / "rapid").rglob("*.mod")])
+ABOUT_NAMES = ("E108", "E121", "N202", "N203", "N204", "N206")
+"""Findings that a rename removes, because they are about the old name."""
+
+
+def workspace_of(text: str) -> Workspace:
+    return Workspace([TaskFiles(None, (SourceFile("m.mod", text, "utf-8"),))])
+
+
+def names_of(workspace: Workspace) -> tuple[list[Occurrence], NamesOfNodes]:
+    names = NamesOfNodes(workspace.facts("m.mod"))
+    modules = workspace.file("m.mod").modules
+    return [one for module in modules for one in names_in(module, module, names)], names
+
+
+def read(path: Path) -> str:
+    return path.read_bytes().decode("latin-1")
+
+
+@pytest.mark.parametrize("path", some(FILES, 10), ids=lambda path: path.stem)
+def test_every_name_is_found_at_its_place(path: Path) -> None:
+    workspace = workspace_of(read(path))
+    found, names = names_of(workspace)
+    file = workspace.file("m.mod")
+    for one in found:
+        assert name_at(file, one.name.start, names) == one
+        assert name_at(file, one.name.end, names) == one
+        declared = None if one.symbol is None else declared_name(one.symbol, names.facts)
+        if one.is_declaration and declared is not None and not _is_repeated(one, found):
+            assert declared[1] is one.name
+    for symbol in {one.symbol for one in found if one.symbol is not None}:
+        listed = [one for one in found if one.symbol == symbol and _is_spelled(one)]
+        assert sorted(one.name.start for one in occurrences(symbol, names)) == sorted(
+            one.name.start for one in listed
+        )
+
+
+def _is_repeated(one: Occurrence, found: list[Occurrence]) -> bool:
+    """Whether a component or module is declared twice, which is an error."""
+    same = [other for other in found if other.is_declaration and other.symbol == one.symbol]
+    return len(same) > 1
+
+
+def _is_spelled(one: Occurrence) -> bool:
+    """Whether the text has the name, which a repair may have corrected."""
+    return one.module.span(one.name).text == one.name.text
+
+
+def test_a_rename_changes_no_finding_and_can_be_taken_back() -> None:
+    chance = random.Random(5)
+    renamed = 0
+    for path in chance.sample(FILES, min(len(FILES), cases(250))):
+        text = read(path)
+        workspace = workspace_of(text)
+        found, names = names_of(workspace)
+        symbols = sorted(
+            {one.symbol for one in found if one.symbol is not None}, key=lambda one: one.name
+        )
+        for symbol in chance.sample(symbols, min(4, len(symbols))):
+            new = f"zq_{symbol.name[:20]}_k"
+            try:
+                plan = plan_rename(symbol, new, names)
+            except RenameRefusedError:
+                continue
+            after = workspace_of(
+                edited_text(text, [(span.start, span.end, new) for span in plan.spans])
+            )
+            assert _lines(after) == _lines(workspace), (path, symbol.name)
+            renamed += 1
+            place = plan.spans[0].start
+            address = after.file("m.mod").source.address(place)
+            again = NamesOfNodes(after.facts("m.mod"))
+            there = name_at(after.file("m.mod"), address, again)
+            assert there is not None
+            try:
+                back = plan_rename(there.symbol, symbol.name, again)
+            except RenameRefusedError:
+                # The old name hid another one, or was the name of something else, too.
+                continue
+            edits = [(span.start, span.end, symbol.name) for span in back.spans]
+            taken_back = edited_text(after.text("m.mod"), edits)
+            assert taken_back.lower() == text.lower()
+    assert renamed > cases(250)
+
+
+def _lines(workspace: Workspace) -> Counter[tuple[str, int | None]]:
+    """Codes and lines of the findings, but for those about names."""
+    return Counter(
+        (one.code, one.line)
+        for one in workspace.findings("m.mod")
+        if one.code not in ABOUT_NAMES and not isinstance(one.violation, DuplicateName)
+    )
+
+
+def test_scopes_are_from_the_inside_outwards() -> None:
+    text = (
+        "MODULE m\n  VAR num a;\n  VAR num b;\n  PROC p(num a)\n    VAR num c;\n"
+        "    FOR i FROM 1 TO 2 DO\n      c:=a;\n    ENDFOR\n  ENDPROC\nENDMODULE\n"
+    )
+    workspace = workspace_of(text)
+    file, facts = workspace.file("m.mod"), workspace.facts("m.mod")
+    location = locate(file, file.source.address(text.index("c:=a")))
+    assert location is not None
+    found = list(symbols_in_scope(location, facts))
+    assert [one.name for one in found] == ["i", "a", "c", "b", "p"]
+    assert type(found[1]).__name__ == "ParameterSymbol"
+
+
+@pytest.mark.parametrize(
+    ("text", "new", "reason"),
+    [
+        # A loop elsewhere may have a counter of that name, one around may not.
+        ("FOR k FROM 1 TO 2 DO\nENDFOR\nFOR i FROM 1 TO 2 DO\nENDFOR", "i", None),
+        ("FOR i FROM 1 TO 2 DO\nFOR k FROM 1 TO 2 DO\nENDFOR\nENDFOR", "i", "is declared"),
+        ("FOR k FROM 1 TO 2 DO\nx:=1;\nENDFOR", "x", "name of a variable"),
+    ],
+)
+def test_counters(text: str, new: str, reason: str | None) -> None:
+    program = f"MODULE m\nVAR num x;\nPROC main()\n{text}\nENDPROC\nENDMODULE\n"
+    found, names = names_of(workspace_of(program))
+    symbol = next(one.symbol for one in found if one.name.text == "k")
+    if reason is None:
+        assert len(plan_rename(symbol, new, names).spans) == 1
+        return
+    with pytest.raises(RenameRefusedError, match=reason):
+        plan_rename(symbol, new, names)
+
+
+def test_a_rename_in_several_modules() -> None:
+    one = "MODULE a\n  PERS num total:=1;\nENDMODULE\n"
+    other = "MODULE b\n  PROC main()\n    total:=TOTAL+1;\n  ENDPROC\nENDMODULE\n"
+    files = (SourceFile("a.mod", one, "utf-8"), SourceFile("b.mod", other, "utf-8"))
+    workspace = Workspace([TaskFiles(None, files)])
+    names = NamesOfNodes(workspace.facts("a.mod"))
+    symbol = next(
+        found.symbol
+        for module in workspace.file("a.mod").modules
+        for found in names_in(module, module, names)
+        if found.name.text == "total"
+    )
+    plan = plan_rename(symbol, "sum", names)
+    assert [span.file for span in plan.spans] == ["a.mod", "b.mod", "b.mod"]
