@@ -62,27 +62,14 @@ class Source:
         """Position in this text of an offset in the file."""
         return offset
 
+    def offset(self, address: int) -> int:
+        """Offset in the file of a position in this text."""
+        return address
+
     def position(self, offset: int) -> tuple[int, int]:
         """Line and column of an offset, both counted from 1."""
         line = bisect_right(self.line_starts, offset)
         return line, offset - self.line_starts[line - 1] + 1
-
-    @cached_property
-    def written(self) -> Source:
-        """The file as it is written; a workspace has trees of texts with room for edits."""
-        return self
-
-    def address(self, offset: int) -> int:
-        """Position in this text of an offset in the file as it is written."""
-        return offset
-
-    def offset(self, address: int) -> int:
-        """Offset in the file as it is written of a position in this text."""
-        return address
-
-    def offsets(self, start: int, end: int) -> tuple[int, int]:
-        """Offsets in the file as it is written of a range of positions in this text."""
-        return start, end
 
     def __repr__(self) -> str:
         """Short form of one line."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import fields
+from operator import attrgetter
 
 from rapidsim.syntax import tree
 
@@ -26,6 +27,7 @@ _FIELDS_WITH_NODES: dict[type[tree.Node], tuple[str, ...]] = {
     if isinstance(kind, type) and issubclass(kind, tree.Node)
 }
 
+_start = attrgetter("start")
 _WITH_BLOCKS = (tree.If, tree.CompactIf, tree.For, tree.While, tree.Test)
 
 
@@ -119,7 +121,3 @@ def child_at(node: tree.Node, offset: int) -> tree.Node | None:
         if isinstance(value, tree.Node) and value.start <= offset <= value.end:
             return value
     return None
-
-
-def _start(node: tree.Node) -> int:
-    return node.start

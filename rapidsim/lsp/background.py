@@ -55,7 +55,7 @@ class Background:
             if number != self._number:
                 return None
             found = await self._call(findings_of_moves, job)
-        return found if number == self._number else None
+        return found or () if number == self._number else None
 
     async def run(self, job: Job, entry: str, recording: str) -> RunAnswer:
         """Run a procedure; with a path, write a recording."""

@@ -163,7 +163,7 @@ class EditorSession:
         if found is None:
             return frozenset()
         workspace, path = found.program.workspace, found.path
-        edits = text_changes(workspace.text(path), changes, self.encoding)
+        edits = text_changes(found.document.lines, changes)
         changed = workspace.change(path, edits)
         if not changed.is_local:
             found.program.encoder.forget()
@@ -227,6 +227,16 @@ class EditorSession:
         """Whether the client has a document open."""
         return uri in self._opened
 
+    def is_save(self, change: lsp.FileEvent) -> bool:
+        """Whether a change on the disk is only that an open text was saved."""
+        if change.type is lsp.FileChangeType.Deleted or not self.is_open(change.uri):
+            return False
+        text = self.text(change.uri)
+        try:
+            return text is not None and Path(path_of(change.uri)).read_bytes() == text.encode()
+        except OSError:
+            return False
+
     def _program_of(self, uri: str) -> OpenProgram | None:
         path = self.uris.path(uri)
         for program in self.programs:
@@ -251,19 +261,24 @@ class EditorSession:
 
 
 def text_changes(
-    text: str, changes: Sequence[lsp.TextDocumentContentChangeEvent], encoding: Encoding
+    table: LineTable, changes: Sequence[lsp.TextDocumentContentChangeEvent]
 ) -> list[TextChange]:
-    """Return the changes of a client by offset; each refers to the text that the last one left."""
+    """Return the changes of a client by offset; each refers to the text that the last one left.
+
+    Args:
+        table: The text before them.
+        changes: Changes in their order.
+    """
     edits: list[TextChange] = []
     for change in changes:
+        if edits:
+            table = LineTable(changed_text(table.text, edits[-1:]), table.encoding)
         if isinstance(change, lsp.TextDocumentContentChangePartial):
-            table = LineTable(text, encoding)
             start = table.offset(change.range.start)
             end = max(start, table.offset(change.range.end))
         else:
-            start, end = 0, len(text)
+            start, end = 0, len(table.text)
         edits.append(TextChange(start, end, change.text))
-        text = changed_text(text, edits[-1:])
     return edits
 
 

@@ -48,6 +48,14 @@ class RunSummary:
     recording: str = ""
     """Path of the recording; empty without one."""
 
+    @property
+    def sentence(self) -> str:
+        """The run in a sentence."""
+        if self.problem:
+            return f"{self.entry}: {self.problem}"
+        text = f"{self.entry}: {self.end} after {self.time_s:.3f} s, {self.moves} moves"
+        return f"{text}; recorded: rerun {self.recording}" if self.recording else text
+
 
 @value_class(frozen=True, slots=True)
 class RunResults:

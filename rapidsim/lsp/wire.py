@@ -29,6 +29,7 @@ from rapidsim.analysis.occurrences.rename import RenameRefusedError
 from rapidsim.files import InputError
 from rapidsim.lsp import call_hierarchy, code_actions, code_lenses, completion, outline
 from rapidsim.lsp.background import Background
+from rapidsim.lsp.diagnostic_reports import document_report, workspace_report
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import EditorSession, OpenDocument, OpenProgram
 from rapidsim.lsp.positions import Encoding
@@ -92,9 +93,13 @@ class RapidServer(LanguageServer):
         if program is None or program.job is None or not self.checks_moves:
             return
         self.background.discard_check()
+        self._check_later(program)
+
+    def _check_later(self, program: OpenProgram) -> None:
         if (waiting := self._checking.pop(program, None)) is not None:
             waiting.cancel()
         check = partial(self._start, self._check_moves, program)
+        loop = asyncio.get_running_loop()
         self._checking[program] = loop.call_later(_CHECK_DELAY_S, check)
 
     def close(self) -> None:
@@ -107,7 +112,7 @@ class RapidServer(LanguageServer):
         self._publishing = None
         dirty, self._dirty = self._dirty, set()
         if self.pulls:
-            self._refresh()
+            # A client asks by itself after its own changes.
             return
         for path in sorted(dirty):
             uri = self.session.uris.uri(path)
@@ -120,7 +125,7 @@ class RapidServer(LanguageServer):
                 lsp.PublishDiagnosticsParams(uri, items, version)
             )
 
-    def _refresh(self) -> None:
+    def refresh(self) -> None:
         """Let the client ask again for what late results have changed."""
         client = self.client_capabilities.workspace
         if client is None:
@@ -129,7 +134,7 @@ class RapidServer(LanguageServer):
             self.workspace_diagnostic_refresh(None)
 
     def _refresh_results(self) -> None:
-        self._refresh()
+        self.refresh()
         client = self.client_capabilities.workspace
         if client is None:
             return
@@ -153,7 +158,11 @@ class RapidServer(LanguageServer):
             return
         async with self._progress("Checking moves"):
             found = await self.background.check(job)
-        if found is None or generation != program.generation:
+        if generation != program.generation or program not in self.session.programs:
+            return
+        if found is None:
+            # The text of another program changed meanwhile.
+            self._check_later(program)
             return
         program.take_findings(found)
         self._dirty.update(program.paths)
@@ -317,23 +326,13 @@ def _add_documents(server: RapidServer) -> None:
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def did_change_files(params: lsp.DidChangeWatchedFilesParams) -> None:
-        if all(_is_save_of_open_text(session, change) for change in params.changes):
+        if all(session.is_save(change) for change in params.changes):
             return
         before = {path for program in session.programs for path in program.paths}
         session.reload()
         for program in session.programs:
             server.changed(program, {*program.paths, *before})
-
-
-def _is_save_of_open_text(session: EditorSession, change: lsp.FileEvent) -> bool:
-    """Whether a change on the disk is only that an open text was saved."""
-    if change.type is lsp.FileChangeType.Deleted or not session.is_open(change.uri):
-        return False
-    text = session.text(change.uri)
-    try:
-        return text is not None and Path(path_of(change.uri)).read_bytes() == text.encode()
-    except OSError:
-        return False
+        server.refresh()
 
 
 def _report(server: RapidServer, uri: str, paths: Iterable[str]) -> None:
@@ -366,38 +365,18 @@ def _add_diagnostics(server: RapidServer) -> None:
     )
 
     @server.feature(lsp.TEXT_DOCUMENT_DIAGNOSTIC, options)
-    def diagnostic(
-        params: lsp.DocumentDiagnosticParams,
-    ) -> lsp.DocumentDiagnosticReport:
+    def diagnostic(params: lsp.DocumentDiagnosticParams) -> lsp.DocumentDiagnosticReport:
         found = server.session.find(params.text_document.uri)
         if found is None:
             return lsp.RelatedFullDocumentDiagnosticReport([])
-        identifier = _result_id(found)
-        if params.previous_result_id == identifier:
-            return lsp.RelatedUnchangedDocumentDiagnosticReport(identifier)
-        items = diagnostics_of(found.document, found.findings)
-        return lsp.RelatedFullDocumentDiagnosticReport(items, result_id=identifier)
+        return document_report(found, params.previous_result_id)
 
     @server.feature(lsp.WORKSPACE_DIAGNOSTIC)
     def workspace_diagnostic(
         params: lsp.WorkspaceDiagnosticParams,
     ) -> lsp.WorkspaceDiagnosticReport:
         known = {one.uri: one.value for one in params.previous_result_ids}
-        reports: list[lsp.WorkspaceDocumentDiagnosticReport] = []
-        for of in server.session.documents():
-            uri, identifier = of.document.uri, _result_id(of)
-            if known.get(uri) == identifier:
-                reports.append(lsp.WorkspaceUnchangedDocumentDiagnosticReport(uri, identifier))
-                continue
-            items = diagnostics_of(of.document, of.findings)
-            reports.append(
-                lsp.WorkspaceFullDocumentDiagnosticReport(uri, items, result_id=identifier)
-            )
-        return lsp.WorkspaceDiagnosticReport(reports)
-
-
-def _result_id(of: OpenDocument) -> str:
-    return f"{id(of.program)}.{of.program.generation}"
+        return workspace_report(server.session, known)
 
 
 def _add_workspace(server: RapidServer) -> None:
@@ -455,7 +434,7 @@ async def _run(server: RapidServer, uri: str, entry: str, *, records: bool) -> o
         server.warn(error.message)
         return None
     kind = lsp.MessageType.Warning if summary.problem else lsp.MessageType.Info
-    server.window_show_message(lsp.ShowMessageParams(kind, _sentence(summary)))
+    server.window_show_message(lsp.ShowMessageParams(kind, summary.sentence))
     return {
         "end": summary.end,
         "time_s": summary.time_s,
@@ -463,12 +442,3 @@ async def _run(server: RapidServer, uri: str, entry: str, *, records: bool) -> o
         "problem": summary.problem or None,
         "recording": summary.recording or None,
     }
-
-
-def _sentence(summary: RunSummary) -> str:
-    if summary.problem:
-        return f"{summary.entry}: {summary.problem}"
-    text = f"{summary.entry}: {summary.end} after {summary.time_s:.3f} s, {summary.moves} moves"
-    if summary.recording:
-        text += f"; recorded: rerun {summary.recording}"
-    return text

@@ -15,7 +15,6 @@ from rapidsim.lsp.background import RunAnswer
 from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import OpenDocument, text_changes
-from rapidsim.lsp.positions import Encoding
 from rapidsim.lsp.run_results import RunMove, RunResults, RunSummary
 from rapidsim.lsp.semantic_tokens import MODIFIERS, TYPES, SemanticTokenEncoder, difference
 from rapidsim.report.pages.rules import programs
@@ -183,7 +182,7 @@ def test_times_follow_an_edit() -> None:
     at_start = lsp.Range(lsp.Position(1, 0), lsp.Position(1, 0))
     event = lsp.TextDocumentContentChangePartial(at_start, "  ! new\n")
     program, text = document.program, document.document.text
-    edits = text_changes(text, [event], Encoding.UTF16)
+    edits = text_changes(document.document.lines, [event])
     changed = changed_text(text, edits)
     moves = program.results.after(document.path, edits, changed).moves[document.path]
     assert [changed[one.start : one.end] for one in moves] == ["MoveL p1,v100,z10,tool0"] * 2
@@ -287,8 +286,8 @@ def test_tokens_after_an_edit_are_those_of_a_new_document() -> None:
     workspace = document.program.workspace
     for new in ("count:=1; ", "! note\n    ", '"'):
         change = lsp.TextDocumentContentChangePartial(place, new)
-        text = workspace.text(document.path)
-        workspace.change(document.path, text_changes(text, [change], Encoding.UTF16))
+        lines = document.program.view.lines(document.path)
+        workspace.change(document.path, text_changes(lines, [change]))
         now = document.program.view.document(document.path)
         fresh = SemanticTokenEncoder().full(opened(now.text)[0].document)[1]
         identifier, edits = encoder.delta(now, identifier)

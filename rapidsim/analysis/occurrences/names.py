@@ -54,6 +54,11 @@ class NamesOfNodes:
             module: Its module.
         """
         match node:
+            # The commonest come first.
+            case (
+                tree.DataReference(name=name) | tree.Call(name=name) | tree.FunctionCall(name=name)
+            ):
+                yield Occurrence(module, name, self._symbol_of.get(node))
             case tree.Module(name=name):
                 yield Occurrence(module, name, ModuleSymbol(node), True)
             case tree.Data(type=of, name=name) | tree.ParameterDeclaration(type=of, name=name):
@@ -78,10 +83,6 @@ class NamesOfNodes:
             case tree.Goto(name=name):
                 yield Occurrence(module, name, _label(name, parents))
             case tree.Connect(trap=tree.Name() as name):
-                yield Occurrence(module, name, self._symbol_of.get(node))
-            case (
-                tree.Call(name=name) | tree.FunctionCall(name=name) | tree.DataReference(name=name)
-            ):
                 yield Occurrence(module, name, self._symbol_of.get(node))
             case tree.ComponentAccess(record=record, name=name):
                 of_record = self.facts.analysis.type_of.get(record)

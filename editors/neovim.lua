@@ -1,0 +1,32 @@
+-- RAPID in Neovim 0.7 or later: copy to ~/.config/nvim/plugin/rapid.lua.
+-- Needs `pip install "rapidsim[edit]"` in a place that is on the PATH of Neovim.
+
+local extensions = { "mod", "modx", "sys", "sysx", "prg" }
+local group = vim.api.nvim_create_augroup("rapidsim", {})
+
+vim.api.nvim_create_autocmd({ "BufRead", "BufNewFile" }, {
+  group = group,
+  pattern = vim.tbl_map(function(one) return "*." .. one end, extensions),
+  callback = function() vim.bo.filetype = "rapid" end,
+})
+
+vim.api.nvim_create_autocmd("FileType", {
+  group = group,
+  pattern = "rapid",
+  callback = function(event)
+    vim.bo[event.buf].commentstring = "! %s"
+    local found = vim.fs and vim.fs.find("rapidsim.toml", { upward = true, path = event.file })[1]
+    local client = vim.lsp.start_client({
+      name = "rapidsim",
+      cmd = { "rapidsim", "lsp" },
+      root_dir = vim.fn.fnamemodify(found or event.file, ":p:h"),
+    })
+    vim.lsp.buf_attach_client(event.buf, client)
+    local function map(keys, action) vim.keymap.set("n", keys, action, { buffer = event.buf }) end
+    map("K", vim.lsp.buf.hover)
+    map("gd", vim.lsp.buf.definition)
+    map("gr", vim.lsp.buf.references)
+    map("<leader>rn", vim.lsp.buf.rename)
+    map("<leader>ca", vim.lsp.buf.code_action)
+  end,
+})
