@@ -132,7 +132,10 @@ class EditorSession:
         self._opened: set[str] = set()
 
     def open_folder(self, path: str) -> None:
-        """Load the program of a folder, if it is one."""
+        """Load the program of a folder, if it is one and not loaded yet."""
+        loaded = {path for one in self.programs if one.job for path in one.job.request.paths}
+        if path in loaded:
+            return
         try:
             found = job_of_folder(path)
             if found is not None:

@@ -388,6 +388,15 @@ def _add_workspace(server: RapidServer) -> None:
         views = [program.view for program in session.programs]
         return [one for view in views for one in outline.workspace_symbols(view, params.query)]
 
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def change_folders(params: lsp.DidChangeWorkspaceFoldersParams) -> None:
+        before = list(session.programs)
+        for folder in params.event.added:
+            session.open_folder(path_of(folder.uri))
+        for program in session.programs:
+            if program not in before:
+                server.changed(program, program.paths)
+
     @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
     async def incoming(
         params: lsp.CallHierarchyIncomingCallsParams,

@@ -87,6 +87,7 @@ def test_a_folder_is_opened_as_a_program(tmp_path: Path) -> None:
     session.open_folder(str(tmp_path))
     assert sorted(Path(of.path).name for of in session.documents()) == ["helper.mod", "main.mod"]
     session.open_folder(str(tmp_path / "absent"))
+    session.open_folder(str(tmp_path))
     assert len(session.programs) == 1
 
 
