@@ -12,7 +12,7 @@ from rapidsim.lsp.editor_session import EditorSession, OpenDocument
 
 def document_report(of: OpenDocument, previous: str | None) -> lsp.DocumentDiagnosticReport:
     """Return the findings in a document, or that they are those of the previous report."""
-    identifier = _identifier(of)
+    identifier = of.program.state
     if previous == identifier:
         return lsp.RelatedUnchangedDocumentDiagnosticReport(identifier)
     items = diagnostics_of(of.document, of.findings)
@@ -30,14 +30,10 @@ def workspace_report(
     """
     reports: list[lsp.WorkspaceDocumentDiagnosticReport] = []
     for of in session.documents():
-        uri, identifier = of.document.uri, _identifier(of)
+        uri, identifier = of.document.uri, of.program.state
         if previous.get(uri) == identifier:
             reports.append(lsp.WorkspaceUnchangedDocumentDiagnosticReport(uri, identifier))
             continue
         items = diagnostics_of(of.document, of.findings)
         reports.append(lsp.WorkspaceFullDocumentDiagnosticReport(uri, items, result_id=identifier))
     return lsp.WorkspaceDiagnosticReport(reports)
-
-
-def _identifier(of: OpenDocument) -> str:
-    return f"{id(of.program)}.{of.program.generation}"

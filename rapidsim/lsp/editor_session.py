@@ -44,8 +44,14 @@ class OpenProgram:
         self.view = View(self.workspace, uris, encoding)
         self.results: RunResults = NO_RESULTS
         self.encoder = SemanticTokenEncoder()
-        self.generation = 0
-        """Number of changes of any text, and of late results."""
+        self.edit_count = 0
+        """Number of changes of any text."""
+        self._result_count = 0
+
+    @property
+    def state(self) -> str:
+        """Identifier of the present texts and late results."""
+        return f"{id(self)}.{self.edit_count}.{self._result_count}"
 
     @property
     def paths(self) -> tuple[str, ...]:
@@ -85,12 +91,12 @@ class OpenProgram:
                 and (one.code, one.order) not in known
             )
         self.results = RunResults(by_path, self.results.moves, self.results.summary)
-        self.generation += 1
+        self._result_count += 1
 
     def take_run(self, answer: RunAnswer) -> None:
         """Take the moves of a run on the present texts."""
         self.results = RunResults(self.results.findings, answer.moves, answer.summary)
-        self.generation += 1
+        self._result_count += 1
 
 
 @value_class(frozen=True, slots=True, eq=False)
@@ -132,7 +138,10 @@ class EditorSession:
         self._opened: set[str] = set()
 
     def open_folder(self, path: str) -> None:
-        """Load the program of a folder, if it is one."""
+        """Load the program of a folder, if it is one and not loaded yet."""
+        loaded = {path for one in self.programs if one.job for path in one.job.request.paths}
+        if path in loaded:
+            return
         try:
             found = job_of_folder(path)
             if found is not None:
@@ -151,7 +160,7 @@ class EditorSession:
         if is_known and program.workspace.text(path) == text:
             return frozenset(program.paths)
         program.workspace.open(path, text)
-        program.generation += 1
+        program.edit_count += 1
         program.encoder.forget()
         return frozenset(program.paths)
 
@@ -169,7 +178,7 @@ class EditorSession:
             found.program.encoder.forget()
         program = found.program
         program.results = program.results.after(path, edits, workspace.text(path))
-        program.generation += 1
+        program.edit_count += 1
         return changed.paths
 
     def close(self, uri: str) -> frozenset[str]:
@@ -183,7 +192,7 @@ class EditorSession:
         changed = found.program.workspace.close(found.path)
         found.program.encoder.close(found.path)
         found.program.encoder.forget()
-        found.program.generation += 1
+        found.program.edit_count += 1
         if not found.program.paths:
             self.programs.remove(found.program)
         return changed.paths | {found.path}

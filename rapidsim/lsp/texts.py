@@ -106,7 +106,8 @@ def remark(symbol: NamedSymbol, facts: Facts) -> str:
         case ComponentSymbol(record=record):
             return f"Component of {record.name}."
         case InstalledParameterSymbol(routine=of):
-            return f"Argument of {of.name}."
+            unit = unit_of(symbol.parameter, of.routine)
+            return f"Argument of {of.name}{f' [{unit}]' if unit else ''}."
         case UnknownSymbol():
             of_signal = facts.analysis.signals.get(symbol.name.lower())
             if of_signal is not None:
@@ -123,16 +124,21 @@ def remark(symbol: NamedSymbol, facts: Facts) -> str:
 
 
 def value_text(symbol: NamedSymbol) -> str:
-    """Return the initial value of data as written; empty without one or if it is long."""
+    """Return the initial value of data as written; empty without one, cut if it is long."""
     match symbol:
         case DataSymbol(node=tree.Data(value=tree.Node() as value), module=tree.Module() as home):
             text = " ".join(home.span(value).text.split())
-            return text if len(text) <= _LONGEST_VALUE else f"{text[:_LONGEST_VALUE]} ..."
-        case DataSymbol(module=None, value=value) if value is not None:
-            text = repr(value) if not isinstance(value, float) else f"{value:g}"
-            return text if len(text) <= _LONGEST_VALUE else f"{text[:_LONGEST_VALUE]} ..."
+        case DataSymbol(module=None, value=float() as number):
+            text = f"{number:g}"
+        case DataSymbol(module=None, value=str() as characters):
+            text = f'"{characters}"'
+        case DataSymbol(module=None, value=tuple() as record):
+            # A record is shown with the name of its class before the bracket.
+            text = repr(record)
+            text = text[text.find("[") :]
         case _:
             return ""
+    return text if len(text) <= _LONGEST_VALUE else f"{text[:_LONGEST_VALUE]} ..."
 
 
 def documentation(symbol: NamedSymbol) -> str:

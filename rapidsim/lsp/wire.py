@@ -153,12 +153,12 @@ class RapidServer(LanguageServer):
 
     async def _check_moves(self, program: OpenProgram) -> None:
         self._checking.pop(program, None)
-        job, generation = program.frozen_job(), program.generation
+        job, edits = program.frozen_job(), program.edit_count
         if job is None:
             return
         async with self._progress("Checking moves"):
             found = await self.background.check(job)
-        if generation != program.generation or program not in self.session.programs:
+        if edits != program.edit_count or program not in self.session.programs:
             return
         if found is None:
             # The text of another program changed meanwhile.
@@ -182,10 +182,10 @@ class RapidServer(LanguageServer):
         recording = ""
         if records:
             recording = str(Path(found.path).with_suffix(".rrd"))
-        generation = found.program.generation
+        edits = found.program.edit_count
         async with self._progress(f"Running {entry}"):
             answer = await self.background.run(job, entry, recording)
-        if generation == found.program.generation:
+        if edits == found.program.edit_count:
             found.program.take_run(answer)
             self._refresh_results()
         return answer.summary
@@ -250,9 +250,9 @@ def _handler(server: RapidServer, request: DocumentRequest) -> Callable[[Any], A
         found = server.session.find(params.text_document.uri)
         if found is None:
             return None
-        generation = found.program.generation
+        edits = found.program.edit_count
         await asyncio.sleep(_MOMENT_S)
-        if found.program.generation != generation:
+        if found.program.edit_count != edits:
             raise JsonRpcContentModified("the text has changed")
         # Nothing of the document has been read before the moment passed.
         return _answer(request, found, params)
@@ -387,6 +387,15 @@ def _add_workspace(server: RapidServer) -> None:
         await asyncio.sleep(_MOMENT_S)
         views = [program.view for program in session.programs]
         return [one for view in views for one in outline.workspace_symbols(view, params.query)]
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def change_folders(params: lsp.DidChangeWorkspaceFoldersParams) -> None:
+        before = list(session.programs)
+        for folder in params.event.added:
+            session.open_folder(path_of(folder.uri))
+        for program in session.programs:
+            if program not in before:
+                server.changed(program, program.paths)
 
     @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
     async def incoming(

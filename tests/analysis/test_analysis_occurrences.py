@@ -65,8 +65,10 @@ def _is_repeated(one: Occurrence, found: list[Occurrence]) -> bool:
 
 
 def _is_spelled(one: Occurrence) -> bool:
-    """Whether the text has the name, which a repair may have corrected."""
-    return one.module.span(one.name).text == one.name.text
+    """Whether the text has the name as a word, which a repair may have corrected."""
+    span = one.module.span(one.name)
+    before = span.source.text[span.start - 1 : span.start]
+    return span.text == one.name.text and not before.isalnum()
 
 
 def test_a_rename_changes_no_finding_and_can_be_taken_back() -> None:

@@ -30,6 +30,7 @@ ASKED = (
     ("yourdfpy", ("kin", "fk", "--robot", URDF, "--joints", "0,0,0,0,0,0")),
     ("yourdfpy", ("run", PROGRAM, "--no-record", "--robot", URDF)),
     ("yourdfpy", ("check", PROGRAM, "--robot", URDF)),
+    ("pygls", ("lsp",)),
 )
 
 

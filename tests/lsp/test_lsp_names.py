@@ -130,7 +130,7 @@ def test_highlights_tell_writing_from_reading() -> None:
         ("PERS pa^rt", ("RECORD part", "- `string label`")),
         ("ha^lf(gear", ("FUNC num half(num x)", "Function of module cell.")),
         ("pla^ce n", ("PROC place(num count, \\robtarget where)",)),
-        ("v1^00", ("CONST speeddata v100", "Predefined")),
+        ("v1^00", ("CONST speeddata v100 := [100,500,5000,1000]", "Predefined")),
         ("VAR nu^m n", ("num", "Predefined type.")),
         ("VAR milli^metres gap", ("ALIAS num millimetres",)),
         ("FOR ^i", ("num i", "counter")),

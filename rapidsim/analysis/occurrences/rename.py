@@ -119,6 +119,10 @@ def _all_places(symbol: NamedSymbol, names: NamesOfNodes) -> Iterator[Occurrence
         for found in names_spelled(key, file, names):
             if found.symbol == symbol:
                 yield found
+            elif found.is_declaration and _is_in_same_scope(found, symbol, names.facts):
+                raise RenameRefusedError(
+                    f"`{symbol.name}` is declared twice, so which one is meant is not known"
+                )
             elif found.symbol is None:
                 line = found.module.span(found.name).line
                 raise RenameRefusedError(
@@ -225,6 +229,15 @@ def _is_inside(occurrence: Occurrence, facts: Facts) -> bool:
     assert occurrence.symbol is not None
     routine = _home_routine(occurrence.symbol, facts)
     return routine is not None and routine.start <= occurrence.name.start < routine.end
+
+
+def _is_in_same_scope(found: Occurrence, symbol: NamedSymbol, facts: Facts) -> bool:
+    """Whether a declaration is next to that of a symbol, which is an error."""
+    inner = (DataSymbol, ParameterSymbol)
+    if not isinstance(found.symbol, inner) or not isinstance(symbol, inner):
+        return False
+    routine = _home_routine(symbol, facts)
+    return routine is not None and routine is _home_routine(found.symbol, facts)
 
 
 def _is_local(symbol: NamedSymbol) -> bool:
