@@ -36,6 +36,11 @@ def _session(link: AdapterLink, first: Message, alive: int) -> None:
     launch, state = first["launch"], first["state"]
     arguments: dict[str, Any] = launch.get("arguments") or {}
     try:
+        if launch["command"] == "attach":
+            raise LaunchError(
+                "attaching to a served controller is not supported; launch the program, or replay "
+                "the journal of the controller with `replay`"
+            )
         program = DebuggedProgram.launched(arguments)
     except LaunchError as error:
         link.output(str(error), "stderr")

@@ -32,6 +32,10 @@ from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.values import value_class
 
 
+_RUN_S, _REPLAY_S = 3600.0, 1e9
+"""Virtual time [s] at which a run and a replay end."""
+
+
 class LaunchError(Exception):
     """A program that cannot be run; the message has the reasons, one a line."""
 
@@ -60,6 +64,8 @@ class DebuggedProgram:
         paths = [program] if isinstance(program, str) else program
         if not isinstance(paths, list) or not paths or not all(isinstance(p, str) for p in paths):
             raise LaunchError("`program` names a module, a folder, a .pgf file, or a list of them")
+        # A served controller may have been on for days.
+        limit_s = _REPLAY_S if arguments.get("replay") else _RUN_S
         try:
             request = RunRequest(
                 paths=tuple(_shortened(one) for one in paths),
@@ -69,7 +75,7 @@ class DebuggedProgram:
                 home=arguments.get("home"),
                 entry=arguments.get("proc") or DEFAULT_ENTRY,
                 answers=answers_of_file(file) if (file := arguments.get("answers")) else None,
-                max_time_s=float(arguments.get("maxTime") or 3600.0),
+                max_time_s=float(arguments.get("maxTime") or limit_s),
             )
             # One statement after the other: no move may be a row of a loop.
             ready = loaded(job(request))

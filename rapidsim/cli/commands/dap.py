@@ -17,7 +17,7 @@ def dap() -> int:
 
     It speaks the Debug Adapter Protocol. Arguments of `launch`: `program` (a module, a folder, a
     .pgf file, or a list), `cwd`, `home`, `station`, `robot`, `answers`, `replay` (a journal of
-    `rapidsim serve`), `stopOnEntry`. Arguments of `attach`: `port` of a served controller.
+    `rapidsim serve`), `stopOnEntry`. `attach` is not supported.
     """
     from rapidsim.dap.adapter import Adapter
 
