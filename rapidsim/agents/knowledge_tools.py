@@ -36,8 +36,8 @@ def reach(target: str, robot: str, tool: str = "tool0", wobj: str = "wobj0") -> 
         wobj: `wobj0`, or a wobjdata as RAPID writes it.
 
     Returns:
-        `reachable`, `configurations` with `joints_deg` and `conf`, `why` if none, with the mm that
-        are short.
+        `reachable`, `configurations` with `joints_deg` and `conf`, `reason` if there are none, with
+        the mm that are short.
 
     Raises:
         InputError: If one of them cannot be read.
@@ -67,12 +67,12 @@ def reach(target: str, robot: str, tool: str = "tool0", wobj: str = "wobj0") -> 
             }
             for one in within
         ],
-        "why": found.reason,
+        "reason": found.reason,
     }
 
 
 def explain(code: str) -> Answer:
-    """What a rule means: its code or name, severity, why it matters, an example.
+    """Explain a rule: its code or name, severity, why it matters, an example.
 
     Raises:
         InputError: If there is no such rule.

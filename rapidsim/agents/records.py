@@ -10,7 +10,7 @@ from typing import Any
 from typing_extensions import TypedDict
 
 
-class ErrorRecord(TypedDict):
+class InputErrorAnswer(TypedDict):
     """Reason why the input cannot be used."""
 
     message: str
@@ -62,16 +62,16 @@ class ConfigurationRecord(TypedDict):
     is_stored: bool
 
 
-class RoutineRecord(TypedDict, total=False):
+class RoutineAnswer(TypedDict, total=False):
     """An instruction or function of RAPID."""
 
     name: str
     signature: str
     simulated: bool
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class CheckRecord(TypedDict, total=False):
+class CheckAnswer(TypedDict, total=False):
     """Answer of `check`."""
 
     ok: bool
@@ -80,10 +80,10 @@ class CheckRecord(TypedDict, total=False):
     coverage: CoverageRecord
     qualifications: list[str]
     next_cursor: int | None
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class RunRecord(TypedDict, total=False):
+class RunToolAnswer(TypedDict, total=False):
     """Answer of `run`."""
 
     ok: bool
@@ -94,10 +94,10 @@ class RunRecord(TypedDict, total=False):
     findings: list[FindingRecord]
     texts: list[TextRecord]
     next_cursor: int | None
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class FixRecord(TypedDict, total=False):
+class FixAnswer(TypedDict, total=False):
     """Answer of `fix`."""
 
     ok: bool
@@ -105,42 +105,42 @@ class FixRecord(TypedDict, total=False):
     fixed: int
     findings: list[FindingRecord]
     next_cursor: int | None
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class DiffRecord(TypedDict, total=False):
+class DiffAnswer(TypedDict, total=False):
     """Answer of `diff`."""
 
     same: bool
     changes: list[dict[str, Any]]
     next_cursor: int | None
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class ReachRecord(TypedDict, total=False):
+class ReachAnswer(TypedDict, total=False):
     """Answer of `reach`."""
 
     robot: str
     reachable: bool
     configurations: list[ConfigurationRecord]
-    why: str | None
-    error: ErrorRecord
+    reason: str | None
+    error: InputErrorAnswer
 
 
-class ExplainRecord(TypedDict, total=False):
+class ExplainAnswer(TypedDict, total=False):
     """Answer of `explain`."""
 
     code: str
     name: str
     severity: str
     explanation: str
-    error: ErrorRecord
+    error: InputErrorAnswer
 
 
-class SearchRecord(TypedDict, total=False):
+class SearchAnswer(TypedDict, total=False):
     """Answer of `search_library`."""
 
     count: int
-    routines: list[RoutineRecord]
+    routines: list[RoutineAnswer]
     next_cursor: int | None
-    error: ErrorRecord
+    error: InputErrorAnswer

@@ -23,14 +23,14 @@ _INSTRUCTIONS = (
 )
 _TOOLS: Mapping[str, tuple[Callable[..., Answer], type]] = MappingProxyType(
     {
-        "check": (program_tools.check, records.CheckRecord),
-        "run": (program_tools.run, records.RunRecord),
-        "fix": (program_tools.fix, records.FixRecord),
-        "diff": (program_tools.diff, records.DiffRecord),
-        "reach": (knowledge_tools.reach, records.ReachRecord),
-        "explain": (knowledge_tools.explain, records.ExplainRecord),
-        "signature": (knowledge_tools.signature, records.RoutineRecord),
-        "search_library": (knowledge_tools.search_library, records.SearchRecord),
+        "check": (program_tools.check, records.CheckAnswer),
+        "run": (program_tools.run, records.RunToolAnswer),
+        "fix": (program_tools.fix, records.FixAnswer),
+        "diff": (program_tools.diff, records.DiffAnswer),
+        "reach": (knowledge_tools.reach, records.ReachAnswer),
+        "explain": (knowledge_tools.explain, records.ExplainAnswer),
+        "signature": (knowledge_tools.signature, records.RoutineAnswer),
+        "search_library": (knowledge_tools.search_library, records.SearchAnswer),
     }
 )
 """Tools with the records of their answers."""

@@ -19,6 +19,7 @@ from rapidsim.analysis.syntax_violations import (
     UnfinishedDeclaration,
 )
 from rapidsim.analysis.tree_walk import descendants
+from rapidsim.diagnostics import Edit, Fix
 from rapidsim.syntax import tree
 
 # Placeholders of declarations; the others replace statements, expressions and arguments.
@@ -42,15 +43,23 @@ def check_lenient_marks(items: Iterable[tree.Item], context: Context) -> None:
         match node:
             case tree.Assignment(equals_sign=True):
                 written = tree.Node(node.operator_start, node.operator_start + 1)
-                context.report(EqualsForAssignment(_text(context, node.target)), written)
-            case tree.Data(equals_sign=True):
-                context.report(EqualsForAssignment(node.name.text), node)
+                fix = _replacement(context, written.start, written.end, ":=")
+                context.report(EqualsForAssignment(_text(context, node.target)), written, fix=fix)
+            case tree.Data(equals_sign=True, value=tree.Node() as value):
+                sign = text.rfind("=", node.name.end, value.start)
+                fix = _replacement(context, sign, sign + 1, ":=")
+                context.report(EqualsForAssignment(node.name.text), node, fix=fix)
             case tree.Call(in_parentheses=True):
-                context.report(CallInParentheses(node.name.text), node)
+                fix = _without_parentheses(context, node)
+                context.report(CallInParentheses(node.name.text), node, fix=fix)
             case tree.Branch(then_missing=True):
-                context.report(MissingWord("ELSEIF", "THEN"), node.condition)
+                end = node.condition.end
+                fix = _replacement(context, end, end, " THEN")
+                context.report(MissingWord("ELSEIF", "THEN"), node.condition, fix=fix)
             case tree.While(do_missing=True):
-                context.report(MissingWord("WHILE", "DO"), node.condition)
+                end = node.condition.end
+                fix = _replacement(context, end, end, " DO")
+                context.report(MissingWord("WHILE", "DO"), node.condition, fix=fix)
             case tree.Case(range_to=tree.Node() as last):
                 context.report(CaseRange(), tree.Node(node.values[0].start, last.end))
             case tree.LateFunctionCall():
@@ -64,7 +73,9 @@ def check_lenient_marks(items: Iterable[tree.Item], context: Context) -> None:
             case tree.Proc(parentheses_missing=True) | tree.Func(parentheses_missing=True) if (
                 node.name.text  # Without a name the whole header has been reported.
             ):
-                context.report(MissingParameterList(node.name.text), node.name)
+                end = node.name.end
+                fix = _replacement(context, end, end, "()")
+                context.report(MissingParameterList(node.name.text), node.name, fix=fix)
             case tree.Placeholder() if text[node.start : node.start + 1] not in ("<", "*"):
                 # Inserted by the parser for unreadable text, and reported there.
                 pass
@@ -76,6 +87,23 @@ def check_lenient_marks(items: Iterable[tree.Item], context: Context) -> None:
                 context.report(UnfinishedCode(f"<{kind.upper()}>"), node)
             case _:
                 pass
+
+
+def _replacement(context: Context, start: int, end: int, text: str) -> Fix:
+    """Return the fix that replaces a part of the text, or inserts into it."""
+    edit = Edit(context.module.span(tree.Node(start, end)), text)
+    title = f"write `{text.strip()}`" if end > start else f"insert `{text.strip()}`"
+    return Fix(title, (edit,))
+
+
+def _without_parentheses(context: Context, call: tree.Call) -> Fix:
+    """Return the fix that takes the arguments of a call out of parentheses."""
+    opening = context.module.source.text.index("(", call.name.end)
+    first = Edit(
+        context.module.span(tree.Node(call.name.end, opening + 1)), " " if call.arguments else ""
+    )
+    last = Edit(context.module.span(tree.Node(call.end - 1, call.end)), "")
+    return Fix("take the parentheses away", (first, last))
 
 
 def _text(context: Context, node: tree.Node) -> str:

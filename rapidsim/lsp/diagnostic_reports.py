@@ -10,28 +10,28 @@ from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import EditorSession, OpenDocument
 
 
-def document_report(of: OpenDocument, known: str | None) -> lsp.DocumentDiagnosticReport:
-    """Return the findings in a document, or that they are those of a known report."""
+def document_report(of: OpenDocument, previous: str | None) -> lsp.DocumentDiagnosticReport:
+    """Return the findings in a document, or that they are those of the previous report."""
     identifier = of.program.state
-    if known == identifier:
+    if previous == identifier:
         return lsp.RelatedUnchangedDocumentDiagnosticReport(identifier)
     items = diagnostics_of(of.document, of.findings)
     return lsp.RelatedFullDocumentDiagnosticReport(items, result_id=identifier)
 
 
 def workspace_report(
-    session: EditorSession, known: Mapping[str, str]
+    session: EditorSession, previous: Mapping[str, str]
 ) -> lsp.WorkspaceDiagnosticReport:
     """Return the findings in all documents of all programs.
 
     Args:
         session: The programs.
-        known: Identifiers of the reports that the client has, by URI.
+        previous: Identifiers of the reports that the client has, by URI.
     """
     reports: list[lsp.WorkspaceDocumentDiagnosticReport] = []
     for of in session.documents():
         uri, identifier = of.document.uri, of.program.state
-        if known.get(uri) == identifier:
+        if previous.get(uri) == identifier:
             reports.append(lsp.WorkspaceUnchangedDocumentDiagnosticReport(uri, identifier))
             continue
         items = diagnostics_of(of.document, of.findings)

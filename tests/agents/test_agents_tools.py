@@ -93,15 +93,21 @@ BREAKS: list[tuple[str, str]] = [
 ]
 
 
-def test_most_broken_programs_are_repaired_by_fixes_alone() -> None:
-    repaired = []
+NOT_REPAIRED = {
+    *("NEXT", "", "\n", "count=>5", '"few', "VelSet 80;", "else:", "AccSet 50 50;", "z11"),
+    *("= 1 TO", "END", "if (count"),
+}
+"""What no fix can know, or none does yet."""
+
+
+def test_fixes_alone_repair_what_they_can() -> None:
+    left = set()
     for old, new in BREAKS:
         assert old in GOOD, old
-        text = GOOD.replace(old, new, 1)
-        answer = fix({"Main.mod": text}, robot="irb1600")
-        if answer["ok"]:
-            repaired.append(new)
-    assert len(repaired) >= 16, sorted({new for _, new in BREAKS} - set(repaired))
+        answer = fix({"Work.mod": GOOD.replace(old, new, 1)}, robot="irb1600")
+        if not answer["ok"]:
+            left.add(new)
+    assert left == NOT_REPAIRED
 
 
 def test_nothing_outside_of_what_was_sent_is_read() -> None:
@@ -138,7 +144,7 @@ def test_reach_names_configurations_or_what_is_short() -> None:
     assert near["reachable"]
     assert [one["conf"] for one in near["configurations"] if one["is_stored"]] == [[0, 0, 0, 1]]
     far = reach(f"[[3000,0,400],[1,0,0,0],[0,0,0,0],{NO_AXES}]", "irb120")
-    assert (far["reachable"], far["why"]) == (False, "wrist centre 2420.2 mm beyond reach")
+    assert (far["reachable"], far["reason"]) == (False, "wrist centre 2420.2 mm beyond reach")
     for target, robot in (("[[1,2]]", "irb120"), ("", "irb120"), ("p10", "irb120"), ("[]", "nope")):
         with pytest.raises(InputError):
             reach(target, robot)

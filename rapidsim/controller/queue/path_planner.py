@@ -75,7 +75,7 @@ class PathPlanner:
             for own in segments:
                 own[lost_corner] = replace(own[lost_corner], zone=None)
 
-        def made() -> tuple[Path, TimeScaling]:
+        def make_plan() -> tuple[Path, TimeScaling]:
             path = self._path(rows, segments)
             timing = plan(
                 path,
@@ -88,9 +88,9 @@ class PathPlanner:
             return path, timing
 
         if lost_corner is not None:
-            return made()
+            return make_plan()
         of_start = (start.move, start.distance_m, start.speed_m_s, start.spent_s)
-        return self._repeats.plan(segments, of_start, made)
+        return self._repeats.plan(segments, of_start, make_plan)
 
     def _path(
         self, rows: Sequence[Sequence[QueuedMove]], segments: Sequence[Sequence[Segment]]
