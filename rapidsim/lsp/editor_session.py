@@ -161,7 +161,6 @@ class EditorSession:
             return frozenset(program.paths)
         program.workspace.open(path, text)
         program.edit_count += 1
-        program.encoder.forget()
         return frozenset(program.paths)
 
     def change(
@@ -171,12 +170,10 @@ class EditorSession:
         found = self.find(uri)
         if found is None:
             return frozenset()
-        workspace, path = found.program.workspace, found.path
+        program, path = found.program, found.path
+        workspace = program.workspace
         edits = text_changes(found.document.lines, changes)
         changed = workspace.change(path, edits)
-        if not changed.is_local:
-            found.program.encoder.forget()
-        program = found.program
         program.results = program.results.after(path, edits, workspace.text(path))
         program.edit_count += 1
         return changed.paths
@@ -191,7 +188,6 @@ class EditorSession:
             return frozenset()
         changed = found.program.workspace.close(found.path)
         found.program.encoder.close(found.path)
-        found.program.encoder.forget()
         found.program.edit_count += 1
         if not found.program.paths:
             self.programs.remove(found.program)

@@ -22,8 +22,8 @@ from rapidsim.lsp import (
     navigation,
     outline,
     renaming,
-    semantic_tokens,
     signature_help,
+    token_pieces,
 )
 from rapidsim.lsp.editor_session import OpenDocument
 from rapidsim.values import value_class
@@ -187,13 +187,13 @@ REQUESTS: Mapping[str, DocumentRequest] = MappingProxyType(
             ),
         ),
         lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL: DocumentRequest(
-            _tokens, semantic_tokens.LEGEND, is_long=True
+            _tokens, token_pieces.LEGEND, is_long=True
         ),
         lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL_DELTA: DocumentRequest(
-            _token_delta, semantic_tokens.LEGEND, is_long=True
+            _token_delta, token_pieces.LEGEND, is_long=True
         ),
         lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE: DocumentRequest(
-            _tokens_in_range, semantic_tokens.LEGEND
+            _tokens_in_range, token_pieces.LEGEND
         ),
     }
 )

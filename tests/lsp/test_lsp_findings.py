@@ -16,7 +16,8 @@ from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import OpenDocument, text_changes
 from rapidsim.lsp.run_results import RunMove, RunResults, RunSummary
-from rapidsim.lsp.semantic_tokens import MODIFIERS, TYPES, SemanticTokenEncoder, difference
+from rapidsim.lsp.semantic_tokens import SemanticTokenEncoder, difference
+from rapidsim.lsp.token_pieces import MODIFIERS, TYPES
 from rapidsim.report.pages.rules import programs
 from rapidsim.workspace.changes import changed_text
 
@@ -295,6 +296,30 @@ def test_tokens_after_an_edit_are_those_of_a_new_document() -> None:
             assert isinstance(one, lsp.SemanticTokensEdit)
             before[one.start : one.start + one.delete_count] = one.data or []
         assert before == fresh
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("CONST robtarget p1", "PERS robtarget p1"),
+        ("CONST robtarget p1", "CONST robtarget q1"),
+        ("PROC work", "PROC job"),
+        ("SetDO do1,1;", "VAR num p1;"),
+        ("PROC main", "TRAP main"),
+        ("MODULE m", "MODULE other"),
+        ("ENDMODULE", "  VAR signaldo do1;\nENDMODULE"),
+        ("  CONST robtarget p1", "  ALIAS num robtarget;\n  CONST robtarget p1"),
+    ],
+)
+def test_tokens_follow_declarations(old: str, new: str) -> None:
+    document, _ = opened(MOVES)
+    encoder = SemanticTokenEncoder()
+    encoder.full(document.document)
+    changed = MOVES.replace(old, new)
+    document.program.workspace.open(document.path, changed)
+    now = document.program.view.document(document.path)
+    fresh = SemanticTokenEncoder().full(opened(changed)[0].document)[1]
+    assert encoder.full(now)[1] == fresh
 
 
 def test_tokens_of_an_unknown_answer_are_sent_whole() -> None:
