@@ -31,7 +31,6 @@ from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.values import value_class
 
-
 _RUN_S, _REPLAY_S = 3600.0, 1e9
 """Virtual time [s] at which a run and a replay end."""
 
