@@ -152,13 +152,12 @@ class Adapter:
         return None if self._is_over else next_state
 
     def _requests(self, *, wait: bool) -> list[Message]:
-        found = []
-        if wait:
-            found.append(self._waiting.get())
-        with suppress(Empty):
-            while True:
-                found.append(self._waiting.get_nowait())
-        return [{"command": "disconnect", "seq": 0} if one is None else one for one in found]
+        """The next request, if there is one: a debuggee that hands over must not have more."""
+        try:
+            request = self._waiting.get(block=wait)
+        except Empty:
+            return []
+        return [{"command": "disconnect", "seq": 0} if request is None else request]
 
     def _answer_rest(self) -> None:
         """Answer what is left once the program has ended."""

@@ -25,7 +25,10 @@ class AdapterLink:
     outgoing: IO[bytes]
 
     def requests(self, *, wait: bool) -> list[Message]:
-        """Return the requests that have arrived, with `wait` at least one.
+        """Return the next request in a list, which is empty if there is none yet.
+
+        Args:
+            wait: Whether to wait for one.
 
         Raises:
             AdapterEnded: If nobody will send any.

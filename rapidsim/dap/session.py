@@ -180,8 +180,9 @@ class DebugSession:
         """Handle the requests that have arrived while the program runs."""
         if self.search is not None:
             return
-        for request in self.link.requests(wait=False):
-            self._handle(request)
+        while requests := self.link.requests(wait=False):
+            for request in requests:
+                self._handle(request)
 
     def _stop(self, stop: Stop) -> None:
         """Handle requests until the program may go on."""
