@@ -62,7 +62,7 @@ def load(
         home=None if home is None else fspath(home),
         assume_missing=assume_missing,
         strict=strict,
-        texts={fspath(path): text for path, text in (texts or {}).items()},
+        texts=tuple((fspath(path), text) for path, text in (texts or {}).items()),
     )
     return Cell(asked)
 

@@ -128,6 +128,14 @@ def echo(text: str, *, palette: Palette = PLAIN, nl: bool = True, err: bool = Fa
     click.echo(palette.map_plain_text(printable_lines, text), nl=nl, err=err)
 
 
+def print_result(text: str) -> None:
+    """Print a text that another program reads, as it is; on a terminal as `echo` does."""
+    if sys.stdout.isatty():
+        echo(text, nl=False)
+    else:
+        click.echo(text.encode(), nl=False)
+
+
 def print_json(report: dict[str, object]) -> None:
     """Print one object when the command ends; the boundary adds what goes wrong until then."""
     current_terminal().report = report

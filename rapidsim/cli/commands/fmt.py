@@ -8,7 +8,7 @@ import click
 
 from rapidsim.cli.exit_codes import ExitCode
 from rapidsim.cli.options.declared import argument, option, options_of
-from rapidsim.cli.terminal import current_terminal, echo, terminal_options
+from rapidsim.cli.terminal import current_terminal, echo, print_result, terminal_options
 from rapidsim.cli.tools.differences import difference
 from rapidsim.diagnostics import Diagnostic, Severity, Source
 from rapidsim.export.edited_files import write_edits
@@ -105,7 +105,7 @@ def _apply(
         )
         for file in files:
             if file.name == STANDARD_INPUT:
-                click.echo(edited_text(file.text, edits.get(file.name, ())), nl=False)
+                print_result(edited_text(file.text, edits.get(file.name, ())))
 
 
 def _summary(changed: int, broken: int, total: int, options: FmtOptions) -> str:

@@ -237,11 +237,11 @@ def _read_tasks(request: RunRequest, station: Station) -> tuple[TaskFiles, ...]:
     if not request.texts:
         return tasks
     names = {os.path.realpath(file.name): file.name for task in tasks for file in task.files}
-    for path in request.texts:
+    for path, _ in request.texts:
         if os.path.realpath(path) not in names:
             help = did_you_mean(path, names.values()) or "texts= names files of the program"
             raise InputError(f"{path} is no file of the program", help)
-    texts = {names[os.path.realpath(path)]: text for path, text in request.texts.items()}
+    texts = {names[os.path.realpath(path)]: text for path, text in request.texts}
     return tuple(
         replace(
             task,

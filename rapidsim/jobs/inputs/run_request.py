@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import field
 from typing import TYPE_CHECKING
 
 from rapidsim.diagnostics import Severity
@@ -25,7 +23,7 @@ class RunRequest:
     """Files, cell, and options of a check or run; None if not specified."""
 
     paths: tuple[str, ...]
-    texts: Mapping[str, str] = field(default_factory=dict)
+    texts: tuple[tuple[str, str], ...] = ()
     """Texts by path that are used in place of those on the disk."""
     station: str | None = None
     """Station file; None for the nearest one."""
