@@ -382,12 +382,18 @@ def test_pause_stops_a_program_that_never_ends(tmp_path: Path) -> None:
     )
     (tmp_path / "cell.mod").write_text(text)
     with Client(tmp_path) as client:
-        client.launch("cell.mod")
+        # Far from the first statement, however soon the pause comes.
+        client.launch("cell.mod", {"line": 5, "hitCondition": "= 200"})
+        client.stopped()
+        client.breaks("cell.mod")
+        client.request("continue")
         with pytest.raises(RefusedError, match="pause it first"):
             client.request("stackTrace", threadId=1)
         assert client.go("pause")["reason"] == "pause"
-        client.go("stepBack")
-        client.go("stepBack")
+        before = client.value("n")
+        for _ in range(4):
+            client.go("stepBack")
+        assert float(client.value("n")) == float(before) - 2
 
 
 def test_what_is_asked_wrongly_is_refused(client: Client) -> None:
