@@ -98,7 +98,11 @@ class Client:
                 return self._others.pop(index)
         while True:
             received = self._incoming.get(timeout=_TIMEOUT_S)
-            assert received is not None, "the server has ended"
+            if received is None:
+                code = self._process.wait(_TIMEOUT_S)
+                assert self._process.stderr is not None
+                errors = self._process.stderr.read().decode()
+                raise AssertionError(f"the server has ended with {code}: {errors}")
             if is_meant(received):
                 return received
             self._others.append(received)
