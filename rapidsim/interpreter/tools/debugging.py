@@ -25,7 +25,12 @@ import greenlet
 
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, GENERATED
 from rapidsim.interpreter.tools.inspection import is_rapid
-from rapidsim.interpreter.tools.step_positions import FramePositions, StepGranularity, StepPosition
+from rapidsim.interpreter.tools.step_positions import (
+    FramePositions,
+    StatementStarts,
+    StepGranularity,
+    StepPosition,
+)
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
@@ -206,8 +211,8 @@ class Debugger:
         del event, argument
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        mark = self._mark(frame)
-        return _FrameTracer(self, self._positions.places(frame), self.number + 1, mark).trace
+        starts = StatementStarts(self._positions.places(frame))
+        return _FrameTracer(self, starts, self.number + 1, self._mark(frame)).trace
 
     def _mark(self, frame: FrameType) -> int:
         """Number of the running task and number of traps that it is in, as one number."""
@@ -311,30 +316,18 @@ class Debugger:
 
 
 class _FrameTracer:
-    """The trace function of one frame: it recognises where statements begin."""
+    """The trace function of one frame."""
 
-    __slots__ = ("_debugger", "_instruction", "_line", "_mark", "_places", "first")
+    __slots__ = ("_debugger", "_mark", "_starts", "first")
 
-    def __init__(
-        self, debugger: Debugger, places: Mapping[int, Place], first: int, mark: int
-    ) -> None:
-        self._debugger = debugger
-        self._mark = mark
+    def __init__(self, debugger: Debugger, starts: StatementStarts, first: int, mark: int) -> None:
+        self._debugger, self._starts, self._mark = debugger, starts, mark
         self.first = first
-        self._places = places
-        self._line = self._instruction = 0
 
     def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
         if event == "line":
-            line = frame.f_lineno
-            place = self._places.get(line)
-            if place is not None:
-                before, self._instruction = self._instruction, frame.f_lasti
-                # A statement that runs once continues with later instructions of its line, also in
-                # the search for an ERROR clause; a retried one begins with an earlier one.
-                if line != self._line or frame.f_lasti <= before:
-                    self._line = line
-                    self._debugger.at(frame, place, self._mark)
+            if (place := self._starts.begun(frame)) is not None:
+                self._debugger.at(frame, place, self._mark)
         elif event == "exception":
             self._debugger.failed(frame, argument[1])
         return self.trace
