@@ -74,9 +74,12 @@ class Checkpoints:
             self._add(_Copy(number, wake))
             self._last_copy_s = time.process_time()
             return None
+        # Ctrl-C at a terminal is meant for the process that runs.
+        on_interrupt = signal.signal(signal.SIGINT, signal.SIG_IGN)
         while True:
             message = self._awaited(own)
             if os.fork() == 0:
+                signal.signal(signal.SIGINT, on_interrupt)
                 os.close(own)
                 self._add(_Copy(number, wake))
                 self._last_copy_s = time.process_time()

@@ -18,6 +18,8 @@ _STEPS = MappingProxyType(
         "next": StepGranularity.SAME_ROUTINE,
         "stepIn": StepGranularity.ANY,
         "stepOut": StepGranularity.CALLER,
+        # No request of the protocol: a prompt sends it.
+        "stepIntoTraps": StepGranularity.ANY_WITH_TRAPS,
     }
 )
 

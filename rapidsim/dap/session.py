@@ -10,11 +10,12 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import FrameType
+from typing import TypeVar
 
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.dap.breakpoints import Breakpoints, InvalidBreakpointError
 from rapidsim.dap.checkpoints import HAS_COPIES, Checkpoints, ObservationError
-from rapidsim.dap.link import AdapterLink
+from rapidsim.dap.link import ClientLink
 from rapidsim.dap.program import DebuggedProgram, LaunchError
 from rapidsim.dap.state import Change, SessionState
 from rapidsim.dap.stopped import StoppedRun
@@ -22,12 +23,15 @@ from rapidsim.dap.time_search import TimeSearch
 from rapidsim.dap.wire import Message
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.interpreter.tools.debugging import Debugger, Stop, StopReason
-from rapidsim.interpreter.tools.inspection import NotShownError
+from rapidsim.interpreter.tools.inspection import NotShownError, module_of
+from rapidsim.interpreter.tools.step_positions import rapid_frames
 from rapidsim.language.error_numbers import NUMBERS, name_of
 from rapidsim.language.errors import RapidError
 from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.verdict import run_verdict
+
+T = TypeVar("T")
 
 _EXIT_OF_ERROR = 1
 _MOST_STEPS = 1000
@@ -42,7 +46,7 @@ class DapRequestError(Exception):
 class DebugSession:
     """One session, in the process that has the program."""
 
-    link: AdapterLink
+    link: ClientLink
     program: DebuggedProgram
     state: SessionState
     checkpoints: Checkpoints
@@ -89,15 +93,12 @@ class DebugSession:
 
     def execute(self) -> None:
         """Run the program to its end, and say how it ended."""
-        self._restore()
         try:
-            finished = self.debugger.run(lambda: self.program.run(self._watch))
+            finished = self.follow(self.program.run)
         except LaunchError as error:
             self.link.output(str(error), "stderr")
             self._finish(_EXIT_OF_ERROR)
             return
-        if self.search is not None:
-            self.search.end()
         self._print_events()
         self._stop_at_last_error(finished)
         run = finished.simulation
@@ -108,6 +109,19 @@ class DebugSession:
         verdict = run_verdict(run)
         self.link.output(f"{run.title} {verdict.headline}")
         self._finish(0 if verdict.failure is None else _EXIT_OF_ERROR)
+
+    def follow(self, run: Callable[[Callable[[RunInProgress], None]], T]) -> T:
+        """Run the program to its end.
+
+        Args:
+            run: Runs it, and first calls a function with the run.
+        """
+        self._restore()
+        try:
+            return self.debugger.run(lambda: run(self._watch))
+        finally:
+            if self.search is not None:
+                self.search.end()
 
     def _finish(self, code: int) -> None:
         self.link.event("exited", exitCode=code)
@@ -190,6 +204,9 @@ class DebugSession:
             self._note(stop)
             return
         assert self.run is not None
+        taken = [self.program.take(module_of(frame)) for frame in rapid_frames(stop.frame)]
+        if any(taken):
+            self.breakpoints.restore(self.state.breakpoints)
         self._print_events()
         if stop.reason is StopReason.STEP and self.stepped_from:
             self.state.steps = [*self.state.steps[-_MOST_STEPS:], [stop.number, self.stepped_from]]
@@ -280,6 +297,11 @@ class DebugSession:
             else:
                 self.link.respond(request, body)
 
+    @property
+    def is_running(self) -> bool:
+        """Whether the program runs."""
+        return self._stopped is None
+
     def stopped(self) -> StoppedRun:
         """The stop.
 
@@ -295,6 +317,7 @@ class DebugSession:
         condition = self.state.filters.get("all")
         wanted = None if condition is None else _wanted_errors(condition)
         self.debugger.stops_at_error = wanted
+        self.debugger.errors_end_steps = "steps" in self.state.filters
 
     def resume(self) -> None:
         """Let the run go on after the present request."""

@@ -129,6 +129,8 @@ class Debugger:
     """Functions that return the value of data or signals as text, by name."""
     stops_at_error: Callable[[RapidError], bool] | None = None
     """Whether the program stops at an error when it occurs; None if it never does."""
+    errors_end_steps: bool = False
+    """Whether a step ends where an error occurs, or passes a routine."""
     number: int = 0
     """Number of statements so far, the current one included."""
     _marks: array[int] = field(default_factory=lambda: array("H"))
@@ -195,7 +197,11 @@ class Debugger:
 
     def place(self, frame: FrameType) -> Place:
         """The statement that a frame executes."""
-        return self._positions.places(frame)[self._positions.line(frame)]
+        return self._positions.places(frame)[self.line(frame)]
+
+    def line(self, frame: FrameType) -> int:
+        """Line on which the statement that a frame executes begins."""
+        return self._positions.line(frame)
 
     def first_number(self, frame: FrameType) -> int:
         """Number of the first statement that a frame has executed."""
@@ -259,16 +265,19 @@ class Debugger:
     def failed(self, frame: FrameType, error: BaseException) -> None:
         """Note that a statement failed, and stop there if errors like it are stopped at."""
         # An error passes through the frames of all callers without a clause.
-        if not isinstance(error, ERRORS) or error is self._error:
+        if not isinstance(error, ERRORS):
             return
-        self._error, self.last_error = error, self.number
+        is_new = error is not self._error
+        if is_new:
+            self._error, self.last_error = error, self.number
         place = self._positions.places(frame).get(self._positions.line(frame))
-        if self._target is not None or self.stops_at_error is None or place is None:
+        if self._target is not None or place is None:
             return
         # Its traceback, from which `as_rapid_error` would know, is not complete yet.
         division = rapid_error(ERR_DIVZERO, "division by zero")
         known = error if isinstance(error, RapidError) else division
-        if self.stops_at_error(known):
+        ends_step = self.errors_end_steps and self._reach is not None and self._ends_step(frame)
+        if ends_step or (is_new and self.stops_at_error is not None and self.stops_at_error(known)):
             self._stop(StopReason.ERROR, frame, place, error_text(known), known)
 
     def _stop(
@@ -326,7 +335,7 @@ class _FrameTracer:
 
     def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
         if event == "line":
-            if (place := self._starts.begun(frame)) is not None:
+            if (place := self._starts.start(frame)) is not None:
                 self._debugger.at(frame, place, self._mark)
         elif event == "exception":
             self._debugger.failed(frame, argument[1])

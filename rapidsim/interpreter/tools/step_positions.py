@@ -23,6 +23,8 @@ from rapidsim.syntax import tree
 class StepGranularity(Enum):
     """Granularity of a step: the statement before which it ends."""
 
+    ANY_WITH_TRAPS = auto()
+    """The next statement, in any routine or trap."""
     ANY = auto()
     """The next statement, in any routine."""
     SAME_ROUTINE = auto()
@@ -44,6 +46,8 @@ class StepPosition:
 
     def ends_step(self, start: StepPosition, reach: StepGranularity) -> bool:
         """Whether a step from an earlier statement of the same task ends here."""
+        if reach is StepGranularity.ANY_WITH_TRAPS:
+            return True
         if self.traps > start.traps:
             return False
         match reach:
@@ -71,7 +75,7 @@ class StatementStarts:
         self._places, self._line, self._seen = places, line, line
         self._before = self._start = instruction
 
-    def begun(self, frame: FrameType) -> Place | None:
+    def start(self, frame: FrameType) -> Place | None:
         """The statement that begins with a line event; None if another one continues."""
         line, instruction = frame.f_lineno, frame.f_lasti
         seen, self._seen = self._seen, line

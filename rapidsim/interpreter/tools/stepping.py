@@ -65,7 +65,7 @@ class Stepper:
 
         def passed(frame: FrameType, event: str, argument: object) -> Any:
             del argument
-            place = starts.begun(frame) if event == "line" else None
+            place = starts.start(frame) if event == "line" else None
             if place is not None:
                 now = self._positions.of(frame)
                 if self._from is None:
