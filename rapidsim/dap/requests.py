@@ -204,7 +204,8 @@ def _change(session: DebugSession, arguments: Message, name: str, text: str) -> 
     stopped = session.stopped()
     change = stopped.change(name.strip(), text.strip(), arguments.get("frameId"))
     shown = stopped.assign(change)
-    session.checkpoints.forget_after(stopped.stop.number)
+    if session.checkpoints is not None:
+        session.checkpoints.forget_after(stopped.stop.number)
     session.state.changes.append(change)
     return shown
 

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.dap.breakpoints import Breakpoints, InvalidBreakpointError
-from rapidsim.dap.checkpoints import HAS_COPIES, Checkpoints, ObservationError
+from rapidsim.dap.checkpoints import Checkpoints, ObservationError
 from rapidsim.dap.link import ClientLink
 from rapidsim.dap.program import DebuggedProgram, LaunchError
 from rapidsim.dap.state import Change, SessionState
@@ -49,7 +49,8 @@ class DebugSession:
     link: ClientLink
     program: DebuggedProgram
     state: SessionState
-    checkpoints: Checkpoints
+    checkpoints: Checkpoints | None
+    """None if there are no copies of the process: the system or the run has none."""
     handlers: Mapping[str, Callable[[DebugSession, Message], object]]
     """Functions for the requests, by command."""
     debugger: Debugger = field(init=False)
@@ -156,18 +157,18 @@ class DebugSession:
             return
         if self.state.survey_until and number >= self.state.survey_until:
             self._end_survey()
-        if number == 1 or self.checkpoints.is_due():
-            self._take_checkpoint(number)
+        if self.checkpoints is not None and (number == 1 or self.checkpoints.is_due()):
+            self._take_checkpoint(self.checkpoints, number)
         for change in self.state.changes:
             if change.number == number:
                 self._apply(change, frame)
 
-    def _take_checkpoint(self, number: int) -> None:
-        if not HAS_COPIES or self.run is None:
+    def _take_checkpoint(self, checkpoints: Checkpoints, number: int) -> None:
+        if self.run is None:
             return
         home = self.run.cell.home
         files = home.snapshot()
-        message = self.checkpoints.take(number)
+        message = checkpoints.take(number)
         if message is None:
             return
         if files is not None:
@@ -265,7 +266,7 @@ class DebugSession:
 
     def hand_over(self, number: int) -> None:
         """Continue in the last copy that is not after a statement; this process ends."""
-        if HAS_COPIES and self.checkpoints.before(number):
+        if self.checkpoints is not None and self.checkpoints.before(number):
             self.checkpoints.go_back(number, self.state.message())
         self.link.restart(self.state.message())
         os._exit(0)

@@ -70,7 +70,7 @@ def debug(
         was shown behind the last prompt; the exit code.
     """
     (folder / "cell.mod").write_text(text)
-    options = [word for place in breaks for word in ("--break", place)]
+    options = [word for one in breaks for word in ((one,) if "--" in one else ("--break", one))]
     arguments = [sys.executable, "-m", "rapidsim", "run", "cell.mod", "--no-record", *options]
     process, terminal = pty.fork()
     if process == 0:
@@ -332,6 +332,15 @@ def test_ctrl_c_stops_a_program_that_never_ends(tmp_path: Path) -> None:
     )
     assert "in main\n-> " in answers[2]
     assert answers[4:6] == ["> cell.mod:5 in main\n-> Incr n;", "TRUE"]
+    assert code == 130
+
+
+@pytest.mark.process
+def test_a_run_on_the_network_does_not_go_back(tmp_path: Path) -> None:
+    place = [str(LINE["risky;"]), "--allow-network"]
+    answers, _, code = debug(tmp_path, place, "back", "until 9", "n")
+    refusal = "*** not on Windows, and not in a run with --allow-network"
+    assert answers[1:] == [refusal, refusal, at('%"risky"%;', "main")]
     assert code == 130
 
 

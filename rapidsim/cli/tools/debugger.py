@@ -74,7 +74,9 @@ def debugged(
     prompt = _Prompt(program)
     for text in breaks:
         prompt.set_first(text)
-    checkpoints = Checkpoints(continue_in_successor() if HAS_COPIES else -1)
+    # What goes over the network cannot be taken back, nor done twice.
+    can_go_back = HAS_COPIES and program.prepared.options.network is None
+    checkpoints = Checkpoints(continue_in_successor()) if can_go_back else None
     session = prompt.session = DebugSession(prompt, program, prompt.state, checkpoints, HANDLERS)
     on_interrupt = signal.getsignal(signal.SIGINT)
     if on_interrupt is signal.default_int_handler:
@@ -85,7 +87,7 @@ def debugged(
         raise click.Abort from None
     finally:
         signal.signal(signal.SIGINT, on_interrupt)
-        if HAS_COPIES:
+        if can_go_back:
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
 
 
@@ -270,19 +272,21 @@ class _Prompt(cmd.Cmd):
 
     def do_back(self, arg: str) -> None:
         """Go back to where the last step came from, else to the statement before."""
-        self._send_back("stepBack")
+        self._require_copies()
+        self._send("stepBack")
 
     def do_reverse(self, arg: str) -> None:
         """Go back to the breakpoint before."""
-        self._send_back("reverseContinue")
+        self._require_copies()
+        self._send("reverseContinue")
 
-    def _send_back(self, command: str) -> None:
-        if not HAS_COPIES:
-            raise NotShownError("this system has no copies of processes to go back to")
-        self._send(command)
+    def _require_copies(self) -> None:
+        if self.session.checkpoints is None:
+            raise NotShownError("not on Windows, and not in a run with --allow-network")
 
     def do_until(self, arg: str) -> None:
         """Run to a virtual time [s]: `until 2.5`."""
+        self._require_copies()
         self._send("evaluate", expression=f"until {arg}", context="repl")
 
     def do_quit(self, arg: str) -> None:
