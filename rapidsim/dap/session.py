@@ -209,7 +209,7 @@ class DebugSession:
         if any(taken):
             self.breakpoints.restore(self.state.breakpoints)
         self._print_events()
-        if stop.reason is StopReason.STEP and self.stepped_from:
+        if stop.reason in (StopReason.STEP, StopReason.ERROR) and self.stepped_from:
             self.state.steps = [*self.state.steps[-_MOST_STEPS:], [stop.number, self.stepped_from]]
         self.stepped_from = 0
         text = stop.text or self.state.text

@@ -344,6 +344,16 @@ def test_a_run_on_the_network_does_not_go_back(tmp_path: Path) -> None:
     assert code == 130
 
 
+@pytest.mark.process
+def test_the_exit_code_is_that_of_the_run(tmp_path: Path) -> None:
+    text = CELL.replace("    d := sizes{2};\n    TRYNEXT;\n", "    RAISE;\n")
+    answers, end, code = debug(tmp_path, [str(LINE["risky;"])], "n", "back", "c", text=text)
+    assert answers[1].startswith("error: division by zero\n> cell.mod:")
+    assert answers[2] == at("risky;", "main")
+    assert "stopped with an error" in end
+    assert code == 1
+
+
 TASKS = """[[task]]
 modules = ["cell.mod"]
 
