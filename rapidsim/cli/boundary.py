@@ -26,6 +26,7 @@ from rapidsim.cli.machine_output import (
     output_to_stderr,
     print_object,
 )
+from rapidsim.cli.successors import send_exit_code
 from rapidsim.cli.terminal import PLAIN_CHARACTERS, Terminal, echo
 from rapidsim.files import InputError, did_you_mean
 from rapidsim.syntax.garbage_collection import gc_rarely
@@ -49,6 +50,12 @@ def run_commands(arguments: Sequence[str]) -> int:
     Returns:
         One of `ExitCode`, whatever happens.
     """
+    code = _run_commands(arguments)
+    send_exit_code(code)
+    return code
+
+
+def _run_commands(arguments: Sequence[str]) -> int:
     _require_streams()
     try:
         with _terminable():

@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from types import FrameType
 
+from rapidsim.analysis.program import Program
 from rapidsim.dap.checkpoints import ObservationError, observed_in_copy
 from rapidsim.dap.program import DebuggedProgram
 from rapidsim.dap.wire import Message
@@ -14,8 +15,12 @@ from rapidsim.interpreter.linking.linker import LinkedProgram
 from rapidsim.interpreter.linking.loader import Task
 from rapidsim.interpreter.tools.called_expressions import called_value
 from rapidsim.interpreter.tools.debugging import Breakpoint, Debugger, hit_condition
-from rapidsim.interpreter.tools.frame_expressions import CallNeededError, FrameExpressions
-from rapidsim.interpreter.tools.inspection import NotShownError
+from rapidsim.interpreter.tools.frame_expressions import (
+    CallNeededError,
+    FrameExpression,
+    FrameExpressions,
+)
+from rapidsim.interpreter.tools.inspection import NotShownError, program_of
 from rapidsim.language.types import NUM
 from rapidsim.library.text import value_text
 from rapidsim.simulation.progress import RunInProgress
@@ -101,11 +106,16 @@ class Breakpoints:
         )
 
     def _condition(self, text: str) -> Callable[[FrameType], bool]:
+        # A program has other modules once it loads one.
+        known: dict[Program, FrameExpression] = {}
+
         def holds(frame: FrameType) -> bool:
+            program = program_of(frame)
             try:
-                checked = self.expressions.condition(text, frame)
+                if program not in known:
+                    known[program] = self.expressions.condition(text, frame)
                 try:
-                    return bool(checked.value(frame).value)
+                    return bool(known[program].value(frame).value)
                 except CallNeededError:
                     return self._called(text, frame) == "TRUE"
             except (NotShownError, ObservationError) as error:

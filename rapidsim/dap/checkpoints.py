@@ -56,7 +56,7 @@ class Checkpoints:
 
     def is_due(self) -> bool:
         """Whether enough has happened since the last copy."""
-        return HAS_COPIES and time.process_time() - self._last_copy_s > _INTERVAL_S
+        return time.process_time() - self._last_copy_s > _INTERVAL_S
 
     def take(self, number: int) -> Any:
         """Make a copy before a statement.
@@ -74,9 +74,12 @@ class Checkpoints:
             self._add(_Copy(number, wake))
             self._last_copy_s = time.process_time()
             return None
+        # Ctrl-C at a terminal is meant for the process that runs.
+        on_interrupt = signal.signal(signal.SIGINT, signal.SIG_IGN)
         while True:
             message = self._awaited(own)
             if os.fork() == 0:
+                signal.signal(signal.SIGINT, on_interrupt)
                 os.close(own)
                 self._add(_Copy(number, wake))
                 self._last_copy_s = time.process_time()

@@ -7,7 +7,7 @@ import sys
 import traceback
 from typing import Any
 
-from rapidsim.dap.checkpoints import Checkpoints
+from rapidsim.dap.checkpoints import HAS_COPIES, Checkpoints
 from rapidsim.dap.link import AdapterEnded, AdapterLink
 from rapidsim.dap.program import DebuggedProgram, LaunchError
 from rapidsim.dap.requests import HANDLERS
@@ -48,7 +48,8 @@ def _session(link: AdapterLink, first: Message, alive: int) -> None:
         link.event("terminated")
         return
     state_then = SessionState() if state is None else SessionState.read(state)
-    session = DebugSession(link, program, state_then, Checkpoints(alive), HANDLERS)
+    checkpoints = Checkpoints(alive) if HAS_COPIES else None
+    session = DebugSession(link, program, state_then, checkpoints, HANDLERS)
     if state is None:
         link.respond(launch)
         if not session.configure(stops_on_entry=bool(arguments.get("stopOnEntry"))):

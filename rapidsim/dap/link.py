@@ -7,14 +7,49 @@ the process that takes over finds no half-read request, and none is lost.
 from __future__ import annotations
 
 from contextlib import suppress
-from typing import IO, Any
+from typing import IO, Any, Protocol
 
 from rapidsim.dap.wire import Message, WireError, read_message, write_message
 from rapidsim.values import value_class
 
 
 class AdapterEnded(BaseException):
-    """The adapter has closed the link."""
+    """The client has ended the session."""
+
+
+class ClientLink(Protocol):
+    """The link from a session to its client."""
+
+    def requests(self, *, wait: bool) -> list[Message]:
+        """Return the next request in a list, which is empty if there is none yet.
+
+        Args:
+            wait: Whether to wait for one.
+
+        Raises:
+            AdapterEnded: If there will be none.
+        """
+        ...
+
+    def event(self, event: str, **body: Any) -> None:
+        """Send an event to the client; raises as `requests` does."""
+        ...
+
+    def output(self, text: str, category: str = "console") -> None:
+        """Print a line in the client's console."""
+        ...
+
+    def respond(self, request: Message, body: object = None) -> None:
+        """Answer a request."""
+        ...
+
+    def refuse(self, request: Message, reason: str) -> None:
+        """Answer a request that cannot be fulfilled."""
+        ...
+
+    def restart(self, state: object) -> None:
+        """Begin again in a new process with a state."""
+        ...
 
 
 @value_class(frozen=True, slots=True)
@@ -25,14 +60,7 @@ class AdapterLink:
     outgoing: IO[bytes]
 
     def requests(self, *, wait: bool) -> list[Message]:
-        """Return the next request in a list, which is empty if there is none yet.
-
-        Args:
-            wait: Whether to wait for one.
-
-        Raises:
-            AdapterEnded: If nobody will send any.
-        """
+        """See `ClientLink`."""
         try:
             write_message(self.outgoing, {"poll": True, "wait": wait})
             answer = read_message(self.incoming)
@@ -44,15 +72,15 @@ class AdapterLink:
         return found
 
     def event(self, event: str, **body: Any) -> None:
-        """Send an event to the client; raises as `requests` does."""
+        """See `ClientLink`."""
         self._send({"type": "event", "event": event, "body": body})
 
     def output(self, text: str, category: str = "console") -> None:
-        """Print a line in the client's console."""
+        """See `ClientLink`."""
         self.event("output", category=category, output=f"{text}\n")
 
     def respond(self, request: Message, body: object = None) -> None:
-        """Answer a request."""
+        """See `ClientLink`."""
         self._send(
             {
                 "type": "response",
@@ -64,7 +92,7 @@ class AdapterLink:
         )
 
     def refuse(self, request: Message, reason: str) -> None:
-        """Answer a request that cannot be fulfilled."""
+        """See `ClientLink`."""
         self._send(
             {
                 "type": "response",
@@ -77,7 +105,7 @@ class AdapterLink:
         )
 
     def restart(self, state: object) -> None:
-        """Ask the adapter for a new process that begins with a state."""
+        """See `ClientLink`."""
         write_message(self.outgoing, {"restart": state})
 
     def ended(self) -> None:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from dataclasses import field
 from pathlib import Path
 
 from rapidsim.dap.wire import Message
@@ -29,6 +30,7 @@ from rapidsim.server.loading import with_cell
 from rapidsim.server.replay import replay_journal, replayed
 from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
+from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _RUN_S, _REPLAY_S = 3600.0, 1e9
@@ -47,10 +49,12 @@ class DebuggedProgram:
     prepared: PreparedRun
     replay: str | None
     """A journal of `serve` to repeat; None to run main."""
-    lines: Mapping[str, frozenset[int]]
+    lines: dict[str, frozenset[int]] = field(default_factory=dict)
     """Lines at which a program can stop, by file as the user named it."""
-    paths: Mapping[str, str]
+    paths: dict[str, str] = field(default_factory=dict)
     """Absolute path of each file."""
+    modules: list[tree.Module] = field(default_factory=list)
+    """Modules of the program, and those that it has loaded."""
 
     @classmethod
     def launched(cls, arguments: Message) -> DebuggedProgram:
@@ -84,13 +88,28 @@ class DebuggedProgram:
         except ProgramRejectedError as error:
             errors = [one for one in error.diagnostics if one.severity is Severity.ERROR]
             raise LaunchError(concise(merged(errors), PLAIN).strip()) from None
-        modules = [module for program in ready.programs.values() for module in program.modules]
-        lines: dict[str, frozenset[int]] = {}
-        for module in modules:
-            file = module.source.file
-            lines[file] = lines.get(file, frozenset()) | places_to_stop(module).keys()
-        paths_of = {file: str(Path(file).absolute()) for file in lines}
-        return cls(ready, made, arguments.get("replay"), lines, paths_of)
+        return cls.of(ready, made, arguments.get("replay"))
+
+    @classmethod
+    def of(
+        cls, loaded: LoadedJob, prepared: PreparedRun, replay: str | None = None
+    ) -> DebuggedProgram:
+        """A program that has been loaded."""
+        found = cls(loaded, prepared, replay)
+        for program in loaded.programs.values():
+            for module in program.modules:
+                found.take(module)
+        return found
+
+    def take(self, module: tree.Module) -> bool:
+        """Take a module, which the program may have loaded; return whether it is new."""
+        if module in self.modules:
+            return False
+        self.modules.append(module)
+        file = module.source.file
+        self.lines[file] = self.lines.get(file, frozenset()) | places_to_stop(module).keys()
+        self.paths[file] = str(Path(file).absolute())
+        return True
 
     def run(self, watch: Callable[[RunInProgress], None]) -> FinishedRun:
         """Run to the end.

@@ -18,6 +18,8 @@ _STEPS = MappingProxyType(
         "next": StepGranularity.SAME_ROUTINE,
         "stepIn": StepGranularity.ANY,
         "stepOut": StepGranularity.CALLER,
+        # No request of the protocol: a prompt sends it.
+        "stepIntoTraps": StepGranularity.ANY_WITH_TRAPS,
     }
 )
 
@@ -202,7 +204,8 @@ def _change(session: DebugSession, arguments: Message, name: str, text: str) -> 
     stopped = session.stopped()
     change = stopped.change(name.strip(), text.strip(), arguments.get("frameId"))
     shown = stopped.assign(change)
-    session.checkpoints.forget_after(stopped.stop.number)
+    if session.checkpoints is not None:
+        session.checkpoints.forget_after(stopped.stop.number)
     session.state.changes.append(change)
     return shown
 

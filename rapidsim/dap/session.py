@@ -10,11 +10,12 @@ import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import FrameType
+from typing import TypeVar
 
 from rapidsim.controller.journal.events import EventKind
 from rapidsim.dap.breakpoints import Breakpoints, InvalidBreakpointError
-from rapidsim.dap.checkpoints import HAS_COPIES, Checkpoints, ObservationError
-from rapidsim.dap.link import AdapterLink
+from rapidsim.dap.checkpoints import Checkpoints, ObservationError
+from rapidsim.dap.link import ClientLink
 from rapidsim.dap.program import DebuggedProgram, LaunchError
 from rapidsim.dap.state import Change, SessionState
 from rapidsim.dap.stopped import StoppedRun
@@ -22,12 +23,15 @@ from rapidsim.dap.time_search import TimeSearch
 from rapidsim.dap.wire import Message
 from rapidsim.findings.runs import UncaughtError
 from rapidsim.interpreter.tools.debugging import Debugger, Stop, StopReason
-from rapidsim.interpreter.tools.inspection import NotShownError
+from rapidsim.interpreter.tools.inspection import NotShownError, module_of
+from rapidsim.interpreter.tools.step_positions import rapid_frames
 from rapidsim.language.error_numbers import NUMBERS, name_of
 from rapidsim.language.errors import RapidError
 from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.verdict import run_verdict
+
+T = TypeVar("T")
 
 _EXIT_OF_ERROR = 1
 _MOST_STEPS = 1000
@@ -42,10 +46,11 @@ class DapRequestError(Exception):
 class DebugSession:
     """One session, in the process that has the program."""
 
-    link: AdapterLink
+    link: ClientLink
     program: DebuggedProgram
     state: SessionState
-    checkpoints: Checkpoints
+    checkpoints: Checkpoints | None
+    """None if there are no copies of the process: the system or the run has none."""
     handlers: Mapping[str, Callable[[DebugSession, Message], object]]
     """Functions for the requests, by command."""
     debugger: Debugger = field(init=False)
@@ -89,15 +94,12 @@ class DebugSession:
 
     def execute(self) -> None:
         """Run the program to its end, and say how it ended."""
-        self._restore()
         try:
-            finished = self.debugger.run(lambda: self.program.run(self._watch))
+            finished = self.follow(self.program.run)
         except LaunchError as error:
             self.link.output(str(error), "stderr")
             self._finish(_EXIT_OF_ERROR)
             return
-        if self.search is not None:
-            self.search.end()
         self._print_events()
         self._stop_at_last_error(finished)
         run = finished.simulation
@@ -108,6 +110,19 @@ class DebugSession:
         verdict = run_verdict(run)
         self.link.output(f"{run.title} {verdict.headline}")
         self._finish(0 if verdict.failure is None else _EXIT_OF_ERROR)
+
+    def follow(self, run: Callable[[Callable[[RunInProgress], None]], T]) -> T:
+        """Run the program to its end.
+
+        Args:
+            run: Runs it, and first calls a function with the run.
+        """
+        self._restore()
+        try:
+            return self.debugger.run(lambda: run(self._watch))
+        finally:
+            if self.search is not None:
+                self.search.end()
 
     def _finish(self, code: int) -> None:
         self.link.event("exited", exitCode=code)
@@ -142,18 +157,18 @@ class DebugSession:
             return
         if self.state.survey_until and number >= self.state.survey_until:
             self._end_survey()
-        if number == 1 or self.checkpoints.is_due():
-            self._take_checkpoint(number)
+        if self.checkpoints is not None and (number == 1 or self.checkpoints.is_due()):
+            self._take_checkpoint(self.checkpoints, number)
         for change in self.state.changes:
             if change.number == number:
                 self._apply(change, frame)
 
-    def _take_checkpoint(self, number: int) -> None:
-        if not HAS_COPIES or self.run is None:
+    def _take_checkpoint(self, checkpoints: Checkpoints, number: int) -> None:
+        if self.run is None:
             return
         home = self.run.cell.home
         files = home.snapshot()
-        message = self.checkpoints.take(number)
+        message = checkpoints.take(number)
         if message is None:
             return
         if files is not None:
@@ -190,8 +205,11 @@ class DebugSession:
             self._note(stop)
             return
         assert self.run is not None
+        taken = [self.program.take(module_of(frame)) for frame in rapid_frames(stop.frame)]
+        if any(taken):
+            self.breakpoints.restore(self.state.breakpoints)
         self._print_events()
-        if stop.reason is StopReason.STEP and self.stepped_from:
+        if stop.reason in (StopReason.STEP, StopReason.ERROR) and self.stepped_from:
             self.state.steps = [*self.state.steps[-_MOST_STEPS:], [stop.number, self.stepped_from]]
         self.stepped_from = 0
         text = stop.text or self.state.text
@@ -248,7 +266,7 @@ class DebugSession:
 
     def hand_over(self, number: int) -> None:
         """Continue in the last copy that is not after a statement; this process ends."""
-        if HAS_COPIES and self.checkpoints.before(number):
+        if self.checkpoints is not None and self.checkpoints.before(number):
             self.checkpoints.go_back(number, self.state.message())
         self.link.restart(self.state.message())
         os._exit(0)
@@ -280,6 +298,11 @@ class DebugSession:
             else:
                 self.link.respond(request, body)
 
+    @property
+    def is_running(self) -> bool:
+        """Whether the program runs."""
+        return self._stopped is None
+
     def stopped(self) -> StoppedRun:
         """The stop.
 
@@ -295,6 +318,7 @@ class DebugSession:
         condition = self.state.filters.get("all")
         wanted = None if condition is None else _wanted_errors(condition)
         self.debugger.stops_at_error = wanted
+        self.debugger.errors_end_steps = "steps" in self.state.filters
 
     def resume(self) -> None:
         """Let the run go on after the present request."""

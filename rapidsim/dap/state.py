@@ -47,6 +47,8 @@ class SessionState:
     none."""
     steps: list[list[int]] = field(default_factory=list)
     """Pairs of numbers: a step led to the first statement from the second."""
+    client: Message = field(default_factory=dict)
+    """State of a client that is in the same process."""
     unhandled_error: int = 0
     """Number of the statement whose error, which ends the program, has been shown."""
 

@@ -80,7 +80,7 @@ class StoppedRun:
 
     def innermost(self, thread: int) -> FrameType | None:
         """The innermost frame of a task; None if it does not run."""
-        return next(iter(self._frames_of(self.task(thread))), None)
+        return next(iter(self.frames_of(self.task(thread))), None)
 
     def frame(self, number: int) -> FrameType:
         """The frame that the client knows by a number.
@@ -92,12 +92,13 @@ class StoppedRun:
             raise LookupError("this routine is of an earlier stop")
         return self._frames[number - 1]
 
-    def _frames_of(self, task: TaskRun) -> Sequence[FrameType]:
+    def frames_of(self, task: TaskRun) -> Sequence[FrameType]:
         """Frames of the routines of a task, the innermost first."""
         outermost = self.stop.frame if task is self.run.current else self.run.frame_of(task)
         return list(rapid_frames(outermost))
 
-    def _number(self, frame: FrameType) -> int:
+    def number(self, frame: FrameType) -> int:
+        """The number by which the client knows a frame."""
         if frame not in self._frames:
             self._frames.append(frame)
         return self._frames.index(frame) + 1
@@ -105,7 +106,7 @@ class StoppedRun:
     def stack_trace(self, arguments: Message) -> Message:
         """The routines of a task, the innermost first, and a line about time and robot."""
         task = self.task(int(arguments.get("threadId") or self.thread))
-        lines = [self._line_of(frame) for frame in self._frames_of(task)]
+        lines = [self._line_of(frame) for frame in self.frames_of(task)]
         if lines:
             lines.append({"id": 0, "name": self._label(task), "line": 0, "column": 0})
             lines[-1]["presentationHint"] = "label"
@@ -118,7 +119,7 @@ class StoppedRun:
         assert span is not None
         path = self.program.paths.get(span.file) or str(Path(span.file).absolute())
         return {
-            "id": self._number(frame),
+            "id": self.number(frame),
             "name": place_of(frame),
             "source": {"name": Path(path).name, "path": path},
             **_positions(span),
@@ -173,7 +174,7 @@ class StoppedRun:
 
     def _task_of(self, frame: FrameType) -> TaskRun:
         tasks = self.run.tasks()
-        return next((one for one in tasks if frame in self._frames_of(one)), self.run.current)
+        return next((one for one in tasks if frame in self.frames_of(one)), self.run.current)
 
     def _signals(self) -> Iterable[Variable]:
         for signal in self.run.cell.declared:
@@ -235,7 +236,7 @@ class StoppedRun:
         """The change of data, a part of them, or a signal."""
         frame = self.frame(int(str(frame_number))) if frame_number else self.stop.frame
         task = self._task_of(frame)
-        depth = list(self._frames_of(task)).index(frame)
+        depth = list(self.frames_of(task)).index(frame)
         return Change(self.stop.number, task.setup.name, depth, name, text)
 
     def assign(self, change: Change) -> str:
@@ -247,7 +248,7 @@ class StoppedRun:
         task = next(one for one in self.run.tasks() if one.setup.name == change.task)
         if change.name.startswith("signal:"):
             return self._set_signal(task, change.name.partition(":")[2], change.text)
-        frame = self._frames_of(task)[change.depth]
+        frame = self.frames_of(task)[change.depth]
         return assign(change.name, change.text, frame, task.controller.concerns.symbols)
 
     def _set_signal(self, task: TaskRun, name: str, text: str) -> str:

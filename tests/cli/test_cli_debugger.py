@@ -2,6 +2,7 @@
 
 import os
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ if sys.platform == "win32":
 import pty
 
 PROMPT = b"(rapid) "
+CTRL_C = "\x03"
 
 CELL = """MODULE cell
   RECORD part
@@ -68,7 +70,7 @@ def debug(
         was shown behind the last prompt; the exit code.
     """
     (folder / "cell.mod").write_text(text)
-    options = [word for place in breaks for word in ("--break", place)]
+    options = [word for one in breaks for word in ((one,) if "--" in one else ("--break", one))]
     arguments = [sys.executable, "-m", "rapidsim", "run", "cell.mod", "--no-record", *options]
     process, terminal = pty.fork()
     if process == 0:
@@ -91,6 +93,9 @@ def debug(
         while shown.count(PROMPT) > asked:
             asked += 1
             os.write(terminal, (waiting.pop(0) if waiting else "q").encode() + b"\n")
+            if waiting and waiting[0] == CTRL_C:
+                time.sleep(0.3)
+                os.write(terminal, waiting.pop(0).encode())
     os.close(terminal)
     _, status = os.waitpid(process, 0)
     parts = shown.decode().replace("\r\n", "\n").split(PROMPT.decode())
@@ -134,7 +139,7 @@ def test_it_stops_on_the_line_and_shows_rapid_values(tmp_path: Path) -> None:
         "4",
         "0.1",
         "*** index 4 is outside the array, which has 1 to 3",
-        "*** `1 + 1` is not the name of data, such as `n`, `p10.trans` or `a{i}`",
+        "2",
         "*** `nope` is not the name of data here",
     ]
     assert code == 130
@@ -166,10 +171,12 @@ def test_an_error_is_seen_and_its_clause_can_be_entered(tmp_path: Path) -> None:
     answers, _, code = debug(
         tmp_path,
         [f"CELL.MOD:{LINE['d := 1 / d;']}"],
-        *("n", "n", "p d", "b 35", "c", "n", "w", "p d"),
+        *("n", "n", "n", "n", "p d", "c"),
     )
-    assert answers[1:4] == [
+    assert answers[1:6] == [
         f"error: division by zero\n{at('d := 1 / d;', 'risky')}",
+        at("d := sizes{2};", "the ERROR clause of risky"),
+        at("TRYNEXT;", "the ERROR clause of risky"),
         at('TPWrite "behind";', "risky"),
         "2",
     ]
@@ -209,9 +216,9 @@ def test_breakpoints_are_set_by_routine_and_by_line(tmp_path: Path) -> None:
         *("b RISKY", "b nothing", f"b cell.mod:{handler - 1}", "b other.mod:1", "b 99"),
         *("c", "c", "w", "p d", "ll"),
     )
-    first = LINE["VAR num d;"]
+    first = LINE["d := 1 / d;"]
     assert f"cell.mod:{LINE['PROC main()']} holds no statement" in answers[0]
-    assert at("VAR num Own := 0.1;", "main") in answers[0]
+    assert at("CONNECT beat WITH at_beat;", "main") in answers[0]
     assert answers[1:6] == [
         f"Breakpoint 2 at cell.mod:{first}",
         "*** there is no routine `nothing`",
@@ -219,7 +226,7 @@ def test_breakpoints_are_set_by_routine_and_by_line(tmp_path: Path) -> None:
         "*** 'other.mod' not found in the program",
         "*** there is no statement on this line or below",
     ]
-    assert answers[6] == at("VAR num d;", "risky")
+    assert answers[6] == at("d := 1 / d;", "risky")
     assert answers[7] == at("d := sizes{2};", "the ERROR clause of risky")
     calls = ["risky;", "d := 1 / d;"]
     places = [(calls[0], "main"), (calls[1], "risky")]
@@ -257,6 +264,136 @@ def test_a_counter_hides_what_has_its_name(tmp_path: Path) -> None:
     assert [answers[n] for n in (1, 3, 5, 7, 8)] == ["2", "1", "3", "5", "9"]
     assert answers[9] == "*** data of type tooldata have no component `mass`"
     assert code == 0
+
+
+@pytest.mark.process
+def test_it_goes_back_to_statements_and_breakpoints(tmp_path: Path) -> None:
+    commands = ("back", "p own", "back", "", "c", "c", "p v", "rc", "p v", "cl", "c")
+    answers, end, code = debug(tmp_path, [str(LINE["w := v;"])], *commands)
+    copied, bump = at("w := v;", "bump"), 'bump Own, parts{2}.width \\label := "b";'
+    assert answers[1:] == [
+        at("v := v + 1;", "bump"),
+        "*** `own` is not the name of data here",
+        at(bump, "main"),
+        at("ITimer 0.5, beat;", "main"),
+        copied,
+        copied,
+        "4",
+        copied,
+        "1.1",
+        "",
+        end,
+    ]
+    # The result is that of a run without the prompt.
+    assert ("", end.strip(), 0) == (answers[-2], debug(tmp_path, [])[1].strip(), code)
+
+
+@pytest.mark.process
+def test_conditions_and_values_are_rapid(tmp_path: Path) -> None:
+    add = LINE["v := v + 1;"]
+    answers, end, code = debug(
+        tmp_path,
+        [f"{add}, v = 3 AND NOT Present(label)"],
+        *(
+            "b",
+            "count := 7",
+            "p count * 2",
+            "p sizes{3} + Abs(-1)",
+            "b 900, v > 1",
+            "b risky, nope",
+        ),
+        *("c", "cl 2", "until 0.55", "until 9", "c"),
+    )
+    assert answers[0].endswith(f"{at('v := v + 1;', 'bump')}\n")
+    assert answers[1:] == [
+        f"1: cell.mod:{add}, if v = 3 AND NOT Present(label)",
+        "7",
+        "14",
+        "4",
+        "*** there is no statement on this line or below",
+        f"Breakpoint 2 at cell.mod:{LINE['d := 1 / d;']}",
+        "the condition cannot be evaluated: `nope` is not the name of data here\n"
+        + at("d := 1 / d;", "risky"),
+        "",
+        f"runs to 0.55 s\n{at('d := sizes{2};', 'the ERROR clause of risky')}",
+        "*** no statement begins at 9 s or later",
+        end,
+    ]
+    assert code == 0
+
+
+@pytest.mark.process
+def test_ctrl_c_stops_a_program_that_never_ends(tmp_path: Path) -> None:
+    text = (
+        "MODULE m\nPROC main()\nVAR num n;\nWHILE TRUE DO\nIncr n;\nENDWHILE\nENDPROC\nENDMODULE\n"
+    )
+    answers, _, code = debug(
+        tmp_path, ["4"], "cl", "c", CTRL_C, "b 5", "rc", "p n < 1e6", text=text
+    )
+    assert "in main\n-> " in answers[2]
+    assert answers[4:6] == ["> cell.mod:5 in main\n-> Incr n;", "TRUE"]
+    assert code == 130
+
+
+@pytest.mark.process
+def test_a_run_on_the_network_does_not_go_back(tmp_path: Path) -> None:
+    place = [str(LINE["risky;"]), "--allow-network"]
+    answers, _, code = debug(tmp_path, place, "back", "until 9", "n")
+    refusal = "*** not on Windows, and not in a run with --allow-network"
+    assert answers[1:] == [refusal, refusal, at('%"risky"%;', "main")]
+    assert code == 130
+
+
+@pytest.mark.process
+def test_the_exit_code_is_that_of_the_run(tmp_path: Path) -> None:
+    text = CELL.replace("    d := sizes{2};\n    TRYNEXT;\n", "    RAISE;\n")
+    answers, end, code = debug(tmp_path, [str(LINE["risky;"])], "n", "back", "c", text=text)
+    assert answers[1].startswith("error: division by zero\n> cell.mod:")
+    assert answers[2] == at("risky;", "main")
+    assert "stopped with an error" in end
+    assert code == 1
+
+
+TASKS = """[[task]]
+modules = ["cell.mod"]
+
+[[task]]
+name = "T_BACK"
+type = "semistatic"
+modules = ["two.mod"]
+"""
+BACKGROUND = """MODULE two
+  PERS num count := 3;
+  PROC main()
+    WaitTime 0.2;
+    count := count + 1;
+    WaitTime 0.2;
+  ENDPROC
+ENDMODULE
+"""
+
+
+@pytest.mark.process
+def test_all_tasks_of_a_cell_stop_and_step(tmp_path: Path) -> None:
+    (tmp_path / "rapidsim.toml").write_text(TASKS)
+    (tmp_path / "two.mod").write_text(BACKGROUND)
+    commands = ("t", "p count", "t T_ROB1", "t nope", "n", "p count", "back", "p count", "s")
+    answers, _, code = debug(tmp_path, ["two.mod:5"], *commands)
+    counting = "> two.mod:5 in main of T_BACK\n-> count := count + 1;"
+    assert answers[0].endswith(f"{counting}\n")
+    waiting = f"> cell.mod:{LINE['WaitTime 0.6;']} in main of T_ROB1\n-> WaitTime 0.6;"
+    assert answers[1:] == [
+        "T_ROB1\n> T_BACK",
+        "4",
+        waiting,
+        "*** there is no task `nope`",
+        f"> cell.mod:{LINE['risky;']} in main of T_ROB1\n-> risky;",
+        "6",
+        counting,
+        "4",
+        counting.replace(":5", ":6").replace("count := count + 1", "WaitTime 0.2"),
+    ]
+    assert code == 130
 
 
 def test_without_a_terminal_it_is_refused(tmp_path: Path) -> None:

@@ -13,12 +13,9 @@ import pytest
 
 from rapidsim.cli import viewer
 from rapidsim.cli.boundary import run_commands
-from rapidsim.cli.tools import debugger
 from rapidsim.controller.cell import home_folder
-from rapidsim.jobs.checking.checked_program import load
 from rapidsim.language.errors import RapidError
 from rapidsim.language.files import FileMode
-from rapidsim.module_files import read_tasks
 
 SECRET = "SECRET-OF-ANOTHER-FOLDER"
 PROGRAM = 'MODULE job\n  PROC main()\n    TPWrite "done";\n  ENDPROC\nENDMODULE\n'
@@ -302,13 +299,6 @@ def test_pictures_do_not_obey_a_file_in_the_working_directory() -> None:
 
     with matplotlib.rc_context({"text.usetex": True}), themed(LIGHT):
         assert not matplotlib.rcParams["text.usetex"]
-
-
-def test_a_pdbrc_is_not_read(here: Path) -> None:
-    (here / ".pdbrc").write_text("import sys; sys.exit('obeyed')\n")
-    loaded = load(read_tasks(["job.mod"])[0].files)
-    assert loaded.program is not None
-    assert debugger._Debugger(loaded.program).rcLines == []
 
 
 def test_a_urdf_shows_nothing_of_a_file_that_is_none(here: Path, call: Call) -> None:

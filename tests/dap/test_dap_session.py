@@ -391,8 +391,8 @@ def test_pause_stops_a_program_that_never_ends(tmp_path: Path) -> None:
             client.request("stackTrace", threadId=1)
         assert client.go("pause")["reason"] == "pause"
         before = client.value("n")
-        # A turn stops at the end of the loop, at its head and at the assignment.
-        for _ in range(6):
+        # A turn stops at the head of the loop and at the assignment.
+        for _ in range(4):
             client.go("stepBack")
         assert float(client.value("n")) == float(before) - 2
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from functools import cache, partial
 from pathlib import Path
+from typing import TypeAlias
 
 import click
 
@@ -48,9 +49,13 @@ from rapidsim.report.run.assertion_figures import asked_figures
 from rapidsim.report.run.figures import Figures, figures
 from rapidsim.report.run.summary import OutputFile
 from rapidsim.report.run.verdicts import Verdicts
+from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
 from rapidsim.simulation.results.simulation import Simulation
 from rapidsim.simulation.results.verdict import Failure
+
+Execute: TypeAlias = Callable[[Callable[[RunInProgress], None]], FinishedRun]
+"""Runs a program, and first calls a function with the run."""
 
 _EXIT_CODES = {
     None: ExitCode.CLEAN,
@@ -90,7 +95,7 @@ _EXIT_CODES = {
     "breaks",
     metavar="FILE:LINE",
     multiple=True,
-    help="Stop there and read commands from the terminal.",
+    help="Stop there and read commands from the terminal; `FILE:LINE, CONDITION` is possible.",
 )
 @click.option(
     "--profile",
@@ -136,12 +141,12 @@ def run(
         made = prepared(ready)
         _echo_home_folder(request, made.options.home)
         meter = Meter(sum(task.moves for task in ready.tasks))
-        execute: Callable[[], FinishedRun] = partial(executed, made, meter.watch)
+        execute = _executing(made, meter)
         if replay is not None:
             execute = _replaying(ready, made, Path(replay))
         assertions = read_assertions(asserted, ready.programs, job.station.io, terminal)
         with report_if_interrupted(meter.so_far):
-            finished, measured = run_instrumented(execute, ready, watch, terminal, meter)
+            finished, measured = run_instrumented(execute, ready, made, watch, terminal, meter)
     except ProgramRejectedError as rejected:
         print_rejected(ready, rejected.diagnostics, output_format, terminal)
         return ExitCode.FINDINGS
@@ -176,7 +181,20 @@ def _ended(run: Simulation) -> str:
     return f" after the run ({run.time_s:.3f} s, {moves:,} moves): not all outputs were written"
 
 
-def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[], FinishedRun]:
+def _executing(inputs: PreparedRun, meter: Meter) -> Execute:
+    """The run, which the meter follows."""
+
+    def execute(watch: Callable[[RunInProgress], None]) -> FinishedRun:
+        def watch_all(run: RunInProgress) -> None:
+            meter.watch(run)
+            watch(run)
+
+        return executed(inputs, watch_all)
+
+    return execute
+
+
+def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Execute:
     """The run that replays a journal.
 
     Raises:
@@ -187,7 +205,7 @@ def _replaying(ready: LoadedJob, made: PreparedRun, journal: Path) -> Callable[[
 
     life = replay_journal(journal)
     tell = partial(echo, err=True)
-    return lambda: as_named(made, replayed(with_cell(ready, made), life, tell))
+    return lambda watch: as_named(made, replayed(with_cell(ready, made), life, tell, watch))
 
 
 def _echo_home_folder(request: RunRequest, home: Path | None) -> None:

@@ -10,7 +10,8 @@ from rapidsim.cli.options.new_files import new_profile
 from rapidsim.cli.terminal import Terminal
 from rapidsim.cli.tools.run_output import stage
 from rapidsim.files import InputError
-from rapidsim.jobs.running.run_files import LoadedJob
+from rapidsim.jobs.running.run_files import LoadedJob, PreparedRun
+from rapidsim.simulation.progress import RunInProgress
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
@@ -42,8 +43,9 @@ def choose_instrumentation(breaks: Sequence[str], profile: str | None) -> Instru
 
 
 def run_instrumented(
-    run: Callable[[], T],
+    run: Callable[[Callable[[RunInProgress], None]], T],
     loaded: LoadedJob,
+    prepared: PreparedRun,
     watch: Instrumentation,
     terminal: Terminal,
     meter: RenderableType | None = None,
@@ -51,25 +53,26 @@ def run_instrumented(
     """Run what was loaded, and measure it if that is wanted.
 
     Args:
-        run: Runs it.
-        loaded: What it is.
+        run: Runs it, and first calls a function with the run.
+        loaded: The program.
+        prepared: Its inputs.
         watch: How it is watched.
         terminal: Receives the progress.
         meter: How far it is.
 
     Raises:
-        InputError: If several tasks run where one is to be followed.
+        InputError: If several tasks run where one is to be measured.
     """
-    if (watch.breaks or watch.profile) and len(loaded.tasks) > 1:
-        raise InputError("--break and --profile follow one task", "name it with --task")
-    program = loaded.tasks[0].program
+    if watch.profile and len(loaded.tasks) > 1:
+        raise InputError("--profile follows one task", "name it with --task")
     if watch.breaks:
         from rapidsim.cli.tools.debugger import debugged
+        from rapidsim.dap.program import DebuggedProgram
 
-        return debugged(run, program, watch.breaks), None
+        return debugged(run, DebuggedProgram.of(loaded, prepared), watch.breaks), None
     with stage("simulating", terminal, meter):
         if watch.profile is None:
-            return run(), None
+            return run(lambda run: None), None
         from rapidsim.cli.tools.profiler import profiled
 
-        return profiled(run, program)
+        return profiled(lambda: run(lambda run: None), loaded.tasks[0].program)

@@ -25,7 +25,12 @@ import greenlet
 
 from rapidsim.interpreter.runtime.error_recovery import ERRORS, GENERATED
 from rapidsim.interpreter.tools.inspection import is_rapid
-from rapidsim.interpreter.tools.step_positions import FramePositions, StepGranularity, StepPosition
+from rapidsim.interpreter.tools.step_positions import (
+    FramePositions,
+    StatementStarts,
+    StepGranularity,
+    StepPosition,
+)
 from rapidsim.language.error_numbers import ERR_DIVZERO, name_of, rapid_error
 from rapidsim.language.errors import RapidError
 from rapidsim.language.moves import Place
@@ -124,6 +129,8 @@ class Debugger:
     """Functions that return the value of data or signals as text, by name."""
     stops_at_error: Callable[[RapidError], bool] | None = None
     """Whether the program stops at an error when it occurs; None if it never does."""
+    errors_end_steps: bool = False
+    """Whether a step ends where an error occurs, or passes a routine."""
     number: int = 0
     """Number of statements so far, the current one included."""
     _marks: array[int] = field(default_factory=lambda: array("H"))
@@ -190,7 +197,11 @@ class Debugger:
 
     def place(self, frame: FrameType) -> Place:
         """The statement that a frame executes."""
-        return self._positions.places(frame)[self._positions.line(frame)]
+        return self._positions.places(frame)[self.line(frame)]
+
+    def line(self, frame: FrameType) -> int:
+        """Line on which the statement that a frame executes begins."""
+        return self._positions.line(frame)
 
     def first_number(self, frame: FrameType) -> int:
         """Number of the first statement that a frame has executed."""
@@ -206,8 +217,8 @@ class Debugger:
         del event, argument
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
-        mark = self._mark(frame)
-        return _FrameTracer(self, self._positions.places(frame), self.number + 1, mark).trace
+        starts = StatementStarts(self._positions.places(frame))
+        return _FrameTracer(self, starts, self.number + 1, self._mark(frame)).trace
 
     def _mark(self, frame: FrameType) -> int:
         """Number of the running task and number of traps that it is in, as one number."""
@@ -254,16 +265,19 @@ class Debugger:
     def failed(self, frame: FrameType, error: BaseException) -> None:
         """Note that a statement failed, and stop there if errors like it are stopped at."""
         # An error passes through the frames of all callers without a clause.
-        if not isinstance(error, ERRORS) or error is self._error:
+        if not isinstance(error, ERRORS):
             return
-        self._error, self.last_error = error, self.number
+        is_new = error is not self._error
+        if is_new:
+            self._error, self.last_error = error, self.number
         place = self._positions.places(frame).get(self._positions.line(frame))
-        if self._target is not None or self.stops_at_error is None or place is None:
+        if self._target is not None or place is None:
             return
         # Its traceback, from which `as_rapid_error` would know, is not complete yet.
         division = rapid_error(ERR_DIVZERO, "division by zero")
         known = error if isinstance(error, RapidError) else division
-        if self.stops_at_error(known):
+        ends_step = self.errors_end_steps and self._reach is not None and self._ends_step(frame)
+        if ends_step or (is_new and self.stops_at_error is not None and self.stops_at_error(known)):
             self._stop(StopReason.ERROR, frame, place, error_text(known), known)
 
     def _stop(
@@ -311,30 +325,18 @@ class Debugger:
 
 
 class _FrameTracer:
-    """The trace function of one frame: it recognises where statements begin."""
+    """The trace function of one frame."""
 
-    __slots__ = ("_debugger", "_instruction", "_line", "_mark", "_places", "first")
+    __slots__ = ("_debugger", "_mark", "_starts", "first")
 
-    def __init__(
-        self, debugger: Debugger, places: Mapping[int, Place], first: int, mark: int
-    ) -> None:
-        self._debugger = debugger
-        self._mark = mark
+    def __init__(self, debugger: Debugger, starts: StatementStarts, first: int, mark: int) -> None:
+        self._debugger, self._starts, self._mark = debugger, starts, mark
         self.first = first
-        self._places = places
-        self._line = self._instruction = 0
 
     def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
         if event == "line":
-            line = frame.f_lineno
-            place = self._places.get(line)
-            if place is not None:
-                before, self._instruction = self._instruction, frame.f_lasti
-                # A statement that runs once continues with later instructions of its line, also in
-                # the search for an ERROR clause; a retried one begins with an earlier one.
-                if line != self._line or frame.f_lasti <= before:
-                    self._line = line
-                    self._debugger.at(frame, place, self._mark)
+            if (place := self._starts.start(frame)) is not None:
+                self._debugger.at(frame, place, self._mark)
         elif event == "exception":
             self._debugger.failed(frame, argument[1])
         return self.trace

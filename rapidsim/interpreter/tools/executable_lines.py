@@ -37,12 +37,6 @@ def routine_lines(file: tree.File) -> tuple[RoutineLines, ...]:
     )
 
 
-def module_lines(module: tree.Module) -> frozenset[int]:
-    """All executable lines of a module."""
-    routines = (_lines_of(routine, module.source) for routine in module.routines)
-    return frozenset(line for routine in routines for line in routine.executable)
-
-
 def places_to_stop(module: tree.Module) -> dict[int, Place]:
     """Return the first statement on each line, where a program can be halted, by line number.
 

@@ -75,6 +75,11 @@ def place_of(frame: FrameType) -> str:
     return f"the {clause} clause of {name}" if clause else name
 
 
+def is_data_path(text: str) -> bool:
+    """Whether a text has the form of data with indices and components."""
+    return _PATH.match(text) is not None
+
+
 def rapid_text(path: str, frame: FrameType) -> str:
     """Return the value of data in RAPID syntax.
 

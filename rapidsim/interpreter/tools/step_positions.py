@@ -5,10 +5,12 @@ Routines run as Python code with the lines of RAPID. Statements that share a lin
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import dis
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import Enum, auto
-from types import FrameType
+from functools import cache
+from types import CodeType, FrameType
 
 from rapidsim.analysis.program import RoutineSymbol
 from rapidsim.interpreter.runtime.call_stack import CLAUSES
@@ -21,6 +23,8 @@ from rapidsim.syntax import tree
 class StepGranularity(Enum):
     """Granularity of a step: the statement before which it ends."""
 
+    ANY_WITH_TRAPS = auto()
+    """The next statement, in any routine or trap."""
     ANY = auto()
     """The next statement, in any routine."""
     SAME_ROUTINE = auto()
@@ -33,11 +37,6 @@ class StepGranularity(Enum):
 class StepPosition:
     """Position of a program in its control flow."""
 
-    frame: FrameType
-    reached: dict[FrameType, tuple[int, int]]
-    """Line of the current statement and Python instruction, for the routine and its callers: a
-    statement that runs only once continues with later instructions.
-    """
     depth: int
     """Number of routines on the call stack; an ERROR clause belongs to its routine."""
     traps: int
@@ -45,15 +44,11 @@ class StepPosition:
     cycle: FrameType
     """The outermost routine."""
 
-    def has_moved(self, before: StepPosition) -> bool:
-        """Whether another statement runs than before, or the same one again."""
-        line, instruction = self.reached[self.frame]
-        line_before, instruction_before = before.reached.get(self.frame, (0, 0))
-        return line != line_before or instruction <= instruction_before
-
     def ends_step(self, start: StepPosition, reach: StepGranularity) -> bool:
-        """Whether a step from an earlier position of the same task ends here."""
-        if self.traps > start.traps or not self.has_moved(start):
+        """Whether a step from an earlier statement of the same task ends here."""
+        if reach is StepGranularity.ANY_WITH_TRAPS:
+            return True
+        if self.traps > start.traps:
             return False
         match reach:
             case StepGranularity.ANY:
@@ -62,6 +57,45 @@ class StepPosition:
                 return self.depth <= start.depth
             case StepGranularity.CALLER:
                 return self.depth < start.depth or self.cycle is not start.cycle
+
+
+class StatementStarts:
+    """Recognises the begin of statements from the line events of one frame."""
+
+    __slots__ = ("_before", "_line", "_places", "_seen", "_start")
+
+    def __init__(self, places: Mapping[int, Place], line: int = 0, instruction: int = 0) -> None:
+        """Create it for a frame.
+
+        Args:
+            places: The first statement on each line.
+            line: Line of the statement that the frame executes; 0 before the first one.
+            instruction: Python instruction of the frame.
+        """
+        self._places, self._line, self._seen = places, line, line
+        self._before = self._start = instruction
+
+    def start(self, frame: FrameType) -> Place | None:
+        """The statement that begins with a line event; None if another one continues."""
+        line, instruction = frame.f_lineno, frame.f_lasti
+        seen, self._seen = self._seen, line
+        place = self._places.get(line)
+        if place is None:
+            return None
+        before, self._before = self._before, instruction
+        if line != self._line:
+            self._line, self._start = line, instruction
+            return place
+        if instruction < self._start and place.span.text[:5].upper() == "WHILE":
+            # Python evaluates the condition behind the body, from the second turn on, and then
+            # jumps to the begin of the body, which has instructions of this line.
+            self._start = 0
+            return None
+        # A statement that runs once continues with later instructions of its line, also in the
+        # search for an ERROR clause. One that is repeated begins with an earlier one, or in the
+        # first turn of a loop on a single line with that to which the loop jumps.
+        is_turn = seen == line and instruction in _loop_starts(frame.f_code)
+        return place if instruction <= before or is_turn else None
 
 
 @dataclass(eq=False)
@@ -80,10 +114,8 @@ class FramePositions:
     def of(self, frame: FrameType) -> StepPosition:
         """Return the position of the routine of a frame."""
         called = list(rapid_frames(frame))
-        routines = [one for one in called if one.f_code.co_name not in CLAUSES]
-        traps = self.traps(frame)
-        reached = {one: (self.line(one), one.f_lasti) for one in called}
-        return StepPosition(frame, reached, len(routines), traps, called[-1])
+        depth = sum(one.f_code.co_name not in CLAUSES for one in called)
+        return StepPosition(depth, self.traps(frame), called[-1])
 
     def traps(self, frame: FrameType) -> int:
         """Number of traps among a frame's routine and its callers."""
@@ -104,6 +136,13 @@ def rapid_frames(frame: FrameType | None) -> Iterator[FrameType]:
         if is_rapid(frame):
             yield frame
         frame = frame.f_back
+
+
+@cache
+def _loop_starts(code: CodeType) -> frozenset[int]:
+    """Instructions to which others jump back."""
+    jumps = (one for one in dis.get_instructions(code) if one.opcode in dis.hasjrel)
+    return frozenset(one.argval for one in jumps if one.argval <= one.offset)
 
 
 def _is_trap(routine: RoutineSymbol | None) -> bool:

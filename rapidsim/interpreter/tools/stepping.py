@@ -15,6 +15,7 @@ from typing import Any
 from rapidsim.interpreter.tools.inspection import is_rapid
 from rapidsim.interpreter.tools.step_positions import (
     FramePositions,
+    StatementStarts,
     StepGranularity,
     StepPosition,
     rapid_frames,
@@ -45,7 +46,8 @@ class Stepper:
         frames = list(rapid_frames(sys._getframe()))
         self._from = self._positions.of(frames[0]) if frames else None
         for frame in frames:
-            frame.f_trace = self._passed
+            line = self._positions.line(frame)
+            frame.f_trace = self._tracer(frame, line, frame.f_lasti)
         sys.settrace(self._entered)
 
     def end(self) -> None:
@@ -55,21 +57,27 @@ class Stepper:
 
     def _entered(self, frame: FrameType, event: str, argument: object) -> Any:
         del event, argument
-        return self._passed if is_rapid(frame) else None
+        return self._tracer(frame) if is_rapid(frame) else None
 
-    def _passed(self, frame: FrameType, event: str, argument: object) -> Any:
-        del argument
-        place = self._positions.places(frame).get(frame.f_lineno) if event == "line" else None
-        if place is not None:
-            now = self._positions.of(frame)
-            if self._from is None:
-                self._from = now
-            elif self._ends_before(now, self._from):
-                self.end()
-                # Halting lets time pass, in which other tasks' programs run: without this, Python
-                # would treat them as part of the tracing.
-                sys.call_tracing(self.halt, (place,))
-        return self._passed
+    def _tracer(self, frame: FrameType, line: int = 0, instruction: int = 0) -> Any:
+        """The trace function of a frame, from its current statement on."""
+        starts = StatementStarts(self._positions.places(frame), line, instruction)
+
+        def passed(frame: FrameType, event: str, argument: object) -> Any:
+            del argument
+            place = starts.start(frame) if event == "line" else None
+            if place is not None:
+                now = self._positions.of(frame)
+                if self._from is None:
+                    self._from = now
+                elif self._ends_before(now, self._from):
+                    self.end()
+                    # Halting lets time pass, in which other tasks' programs run: without this,
+                    # Python would treat them as part of the tracing.
+                    sys.call_tracing(self.halt, (place,))
+            return passed
+
+        return passed
 
     def _ends_before(self, now: StepPosition, start: StepPosition) -> bool:
         """Whether the step ends before the current statement."""
