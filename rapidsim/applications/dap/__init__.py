@@ -1,0 +1,1 @@
+"""`rapidsim dap`: a debug adapter for editors."""
