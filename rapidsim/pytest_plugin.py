@@ -109,6 +109,8 @@ class ServedController:
         """Address of Robot Web Services 1.0: `http://127.0.0.1:PORT`."""
         self.rws2: str | None = ready["rws2"]
         """Address of Robot Web Services 2.0; needs `--rws2-port 0`."""
+        self.debug: str | None = ready.get("debug")
+        """Address at which a debugger attaches: `127.0.0.1:PORT`; needs `--debug 0`."""
         self.home = Path(ready["home"])
         """The folder of HOME:."""
         self.ramdisk = Path(ready["ramdisk"])

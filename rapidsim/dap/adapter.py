@@ -6,6 +6,7 @@ sends waits here until the debuggee asks for it.
 
 from __future__ import annotations
 
+import socket
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -80,6 +81,9 @@ class Adapter:
         launch = self._begin()
         if launch is None:
             return
+        if launch["command"] == "attach":
+            self._attach(launch)
+            return
         state: object = None
         while (state := self._follow(launch, state)) is not None:
             pass
@@ -121,6 +125,45 @@ class Adapter:
                 case other:
                     self._respond(request, None, f"`{other}` before `launch`")
         return None
+
+    def _attach(self, attach: Message) -> None:
+        """Forward between the editor and the debug port of a controller that is served."""
+        arguments = attach.get("arguments") or {}
+        try:
+            place = str(arguments.get("host") or "127.0.0.1"), int(arguments["port"])
+            controller = socket.create_connection(place, _PATIENCE_S)
+        except (KeyError, TypeError, ValueError, OverflowError):
+            self._respond(attach, None, "`port` is that of `rapidsim serve --debug PORT`")
+            return
+        except OSError as error:
+            self._respond(attach, None, f"no controller is debugged there: {error}")
+            return
+        controller.settimeout(None)
+        with controller, controller.makefile("rb") as messages, controller.makefile("wb") as stream:
+            pump = threading.Thread(target=self._pump, args=(messages,), name="controller")
+            pump.start()
+            request: Message | None = attach
+            while request is not None:
+                is_last = request.get("command") in ("disconnect", "terminate")
+                if pump.is_alive():
+                    with suppress(OSError):
+                        write_message(stream, request)
+                else:
+                    self._respond(request, {}, None if is_last else "the controller has ended")
+                if is_last:
+                    break
+                request = self._waiting.get()
+            if request is None:
+                with suppress(OSError):
+                    controller.shutdown(socket.SHUT_RDWR)
+            pump.join(_PATIENCE_S)
+
+    def _pump(self, messages: IO[bytes]) -> None:
+        """Send to the editor what a controller sends, until it ends the session."""
+        with suppress(OSError, WireError, ValueError):
+            while (message := read_message(messages)) is not None:
+                self._send({name: message[name] for name in message if name != "seq"})
+        self._send({"type": "event", "event": "terminated", "body": {}})
 
     def _follow(self, launch: Message, state: object) -> object:
         """Run the debuggee until it ends; return the state of a next one, if it wants one."""

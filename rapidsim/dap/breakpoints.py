@@ -9,7 +9,7 @@ from types import FrameType
 
 from rapidsim.analysis.program import Program
 from rapidsim.dap.checkpoints import ObservationError, observed_in_copy
-from rapidsim.dap.program import DebuggedProgram
+from rapidsim.dap.program_files import ProgramFiles
 from rapidsim.dap.wire import Message
 from rapidsim.interpreter.linking.linker import LinkedProgram
 from rapidsim.interpreter.linking.loader import Task
@@ -37,7 +37,7 @@ class InvalidBreakpointError(Exception):
 class Breakpoints:
     """The breakpoints of a session."""
 
-    program: DebuggedProgram
+    files: ProgramFiles
     debugger: Debugger
     print: Callable[[str], None]
     """Prints a line in the client's console."""
@@ -60,9 +60,9 @@ class Breakpoints:
     def set(self, path: str, wanted: Sequence[Message]) -> list[Message]:
         """Replace the breakpoints of a source; return what the client needs to know of each."""
         answers, own = [], dict[tuple[str, int], Breakpoint]()
-        file = self.program.file_of(path)
+        file = self.files.file_of(path)
         for one in wanted:
-            line = None if file is None else self.program.statement_line(file, int(one["line"]))
+            line = None if file is None else self.files.statement_line(file, int(one["line"]))
             if file is None or line is None:
                 reason = "there is no statement on this line or below"
                 if file is None:
@@ -153,9 +153,9 @@ class Breakpoints:
     def _called(self, expression: str, frame: FrameType) -> str:
         assert self.run is not None
         of = self.expressions.checked(expression, frame).type
-        symbols = self.run.current.controller.concerns.symbols
-        linked = getattr(symbols, "linked", None)
-        assert linked is not None
+        symbols = [one.controller.concerns.symbols for one in self.run.tasks()]
+        found = [getattr(one, "linked", None) for one in symbols]
+        linked = next(one for one in found if one and one.program is program_of(frame))
         text: str = observed_in_copy(lambda: called_value(expression, of, frame, linked))
         return text
 

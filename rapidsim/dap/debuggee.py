@@ -36,11 +36,6 @@ def _session(link: AdapterLink, first: Message, alive: int) -> None:
     launch, state = first["launch"], first["state"]
     arguments: dict[str, Any] = launch.get("arguments") or {}
     try:
-        if launch["command"] == "attach":
-            raise LaunchError(
-                "attaching to a served controller is not supported; launch the program, or replay "
-                "the journal of the controller with `replay`"
-            )
         program = DebuggedProgram.launched(arguments)
     except LaunchError as error:
         link.output(str(error), "stderr")
@@ -49,12 +44,12 @@ def _session(link: AdapterLink, first: Message, alive: int) -> None:
         return
     state_then = SessionState() if state is None else SessionState.read(state)
     checkpoints = Checkpoints(alive) if HAS_COPIES else None
-    session = DebugSession(link, program, state_then, checkpoints, HANDLERS)
+    session = DebugSession(link, program.files, state_then, checkpoints, HANDLERS)
     if state is None:
         link.respond(launch)
         if not session.configure(stops_on_entry=bool(arguments.get("stopOnEntry"))):
             return
-    session.execute()
+    session.execute(program.run)
 
 
 if __name__ == "__main__":

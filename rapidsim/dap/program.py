@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import field
 from pathlib import Path
 
+from rapidsim.dap.program_files import ProgramFiles
 from rapidsim.dap.wire import Message
 from rapidsim.diagnostics import Severity
 from rapidsim.files import InputError
-from rapidsim.interpreter.tools.executable_lines import places_to_stop
 from rapidsim.jobs.inputs.answers import answers_of_file
 from rapidsim.jobs.inputs.job import job
 from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
@@ -30,7 +29,6 @@ from rapidsim.server.loading import with_cell
 from rapidsim.server.replay import replay_journal, replayed
 from rapidsim.simulation.progress import RunInProgress
 from rapidsim.simulation.result_builder import FinishedRun
-from rapidsim.syntax import tree
 from rapidsim.values import value_class
 
 _RUN_S, _REPLAY_S = 3600.0, 1e9
@@ -49,12 +47,14 @@ class DebuggedProgram:
     prepared: PreparedRun
     replay: str | None
     """A journal of `serve` to repeat; None to run main."""
-    lines: dict[str, frozenset[int]] = field(default_factory=dict)
-    """Lines at which a program can stop, by file as the user named it."""
-    paths: dict[str, str] = field(default_factory=dict)
-    """Absolute path of each file."""
-    modules: list[tree.Module] = field(default_factory=list)
-    """Modules of the program, and those that it has loaded."""
+
+    @property
+    def files(self) -> ProgramFiles:
+        """Its files, without those of modules that a run loads."""
+        files = ProgramFiles(tuple(setup.name for setup in self.prepared.setups))
+        for program in self.loaded.programs.values():
+            files.take_all(program.modules)
+        return files
 
     @classmethod
     def launched(cls, arguments: Message) -> DebuggedProgram:
@@ -88,28 +88,7 @@ class DebuggedProgram:
         except ProgramRejectedError as error:
             errors = [one for one in error.diagnostics if one.severity is Severity.ERROR]
             raise LaunchError(concise(merged(errors), PLAIN).strip()) from None
-        return cls.of(ready, made, arguments.get("replay"))
-
-    @classmethod
-    def of(
-        cls, loaded: LoadedJob, prepared: PreparedRun, replay: str | None = None
-    ) -> DebuggedProgram:
-        """A program that has been loaded."""
-        found = cls(loaded, prepared, replay)
-        for program in loaded.programs.values():
-            for module in program.modules:
-                found.take(module)
-        return found
-
-    def take(self, module: tree.Module) -> bool:
-        """Take a module, which the program may have loaded; return whether it is new."""
-        if module in self.modules:
-            return False
-        self.modules.append(module)
-        file = module.source.file
-        self.lines[file] = self.lines.get(file, frozenset()) | places_to_stop(module).keys()
-        self.paths[file] = str(Path(file).absolute())
-        return True
+        return cls(ready, made, arguments.get("replay"))
 
     def run(self, watch: Callable[[RunInProgress], None]) -> FinishedRun:
         """Run to the end.
@@ -130,18 +109,6 @@ class DebuggedProgram:
             raise LaunchError(concise(merged(error.diagnostics), PLAIN).strip()) from None
         except InputError as error:
             raise LaunchError(error.message) from None
-
-    def file_of(self, path: str) -> str | None:
-        """The file of a path of the client; None if the program has none there."""
-        wanted = os.path.normcase(os.path.realpath(path))
-        for file, place in self.paths.items():
-            if os.path.normcase(os.path.realpath(place)) == wanted:
-                return file
-        return None
-
-    def statement_line(self, file: str, line: int) -> int | None:
-        """The first line with a statement, from a line on; None without one."""
-        return min((one for one in self.lines[file] if one >= line), default=None)
 
 
 def _shortened(path: str) -> str:

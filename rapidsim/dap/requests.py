@@ -65,9 +65,7 @@ def configuration_done(session: DebugSession, arguments: Message) -> Message:
 def threads(session: DebugSession, arguments: Message) -> Message:
     """The tasks."""
     tasks = () if session.run is None else session.run.tasks()
-    names = [one.setup.name for one in tasks] or [
-        setup.name for setup in session.program.prepared.setups
-    ]
+    names = [one.setup.name for one in tasks] or session.files.tasks
     return {"threads": [{"id": k, "name": name} for k, name in enumerate(names, 1)]}
 
 
@@ -165,6 +163,8 @@ def evaluate(session: DebugSession, arguments: Message) -> object:
 
 def _run_until(session: DebugSession, time_s: float) -> object:
     session.stopped()
+    if session.checkpoints is None:
+        raise DapRequestError("this run has no copies, which would find the time")
     search = TimeSearch.start(time_s)
     if isinstance(search, TimeSearch):
         # This is the copy that searches: it runs on, and tells the number it finds.
@@ -226,7 +226,7 @@ def loaded_sources(session: DebugSession, arguments: Message) -> Message:
     """The files of the program."""
     return {
         "sources": [
-            {"name": Path(path).name, "path": path} for path in session.program.paths.values()
+            {"name": Path(path).name, "path": path} for path in session.files.paths.values()
         ]
     }
 

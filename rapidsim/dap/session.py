@@ -16,7 +16,8 @@ from rapidsim.controller.journal.events import EventKind
 from rapidsim.dap.breakpoints import Breakpoints, InvalidBreakpointError
 from rapidsim.dap.checkpoints import Checkpoints, ObservationError
 from rapidsim.dap.link import ClientLink
-from rapidsim.dap.program import DebuggedProgram, LaunchError
+from rapidsim.dap.program import LaunchError
+from rapidsim.dap.program_files import ProgramFiles
 from rapidsim.dap.state import Change, SessionState
 from rapidsim.dap.stopped import StoppedRun
 from rapidsim.dap.time_search import TimeSearch
@@ -47,7 +48,7 @@ class DebugSession:
     """One session, in the process that has the program."""
 
     link: ClientLink
-    program: DebuggedProgram
+    files: ProgramFiles
     state: SessionState
     checkpoints: Checkpoints | None
     """None if there are no copies of the process: the system or the run has none."""
@@ -71,7 +72,7 @@ class DebugSession:
     def __post_init__(self) -> None:
         """Set up the debugger."""
         self.debugger = Debugger(self._stop, self._poll, self._before)
-        self.breakpoints = Breakpoints(self.program, self.debugger, self.link.output)
+        self.breakpoints = Breakpoints(self.files, self.debugger, self.link.output)
 
     def configure(self, *, stops_on_entry: bool) -> bool:
         """Handle requests until the client has configured the session.
@@ -86,29 +87,33 @@ class DebugSession:
                 if request["command"] == "disconnect":
                     self.link.respond(request)
                     return False
-                self._handle(request)
+                self.handle(request)
                 is_configured |= request["command"] == "configurationDone"
         if stops_on_entry:
             self.debugger.run_to(1, StopReason.ENTRY)
         return True
 
-    def execute(self) -> None:
-        """Run the program to its end, and say how it ended."""
+    def execute(self, run: Callable[[Callable[[RunInProgress], None]], FinishedRun]) -> None:
+        """Run the program to its end, and report how it ended.
+
+        Args:
+            run: Runs it, and first calls a function with the run.
+        """
         try:
-            finished = self.follow(self.program.run)
+            finished = self.follow(run)
         except LaunchError as error:
             self.link.output(str(error), "stderr")
             self._finish(_EXIT_OF_ERROR)
             return
         self._print_events()
         self._stop_at_last_error(finished)
-        run = finished.simulation
-        for one in run.diagnostics:
+        result = finished.simulation
+        for one in result.diagnostics:
             place = "" if one.span is None else f"{one.span.file}:{one.span.line}: "
             code = f"{one.severity.value}[{one.code}]"
             self.link.output(f"{place}{code} {one.violation.message}")
-        verdict = run_verdict(run)
-        self.link.output(f"{run.title} {verdict.headline}")
+        verdict = run_verdict(result)
+        self.link.output(f"{result.title} {verdict.headline}")
         self._finish(0 if verdict.failure is None else _EXIT_OF_ERROR)
 
     def follow(self, run: Callable[[Callable[[RunInProgress], None]], T]) -> T:
@@ -119,7 +124,7 @@ class DebugSession:
         """
         self._restore()
         try:
-            return self.debugger.run(lambda: run(self._watch))
+            return self.debugger.run(lambda: run(self.take_run))
         finally:
             if self.search is not None:
                 self.search.end()
@@ -142,7 +147,8 @@ class DebugSession:
             self.state.unhandled_error = number
             self.go_to(number, StopReason.ERROR, found[-1].violation.message)
 
-    def _watch(self, run: RunInProgress) -> None:
+    def take_run(self, run: RunInProgress) -> None:
+        """Take the run, before it begins."""
         self.run = run
         self.breakpoints.run = run
         self.debugger.current_task = lambda: run.current.controller.clock
@@ -197,7 +203,7 @@ class DebugSession:
             return
         while requests := self.link.requests(wait=False):
             for request in requests:
-                self._handle(request)
+                self.handle(request)
 
     def _stop(self, stop: Stop) -> None:
         """Handle requests until the program may go on."""
@@ -205,7 +211,7 @@ class DebugSession:
             self._note(stop)
             return
         assert self.run is not None
-        taken = [self.program.take(module_of(frame)) for frame in rapid_frames(stop.frame)]
+        taken = [self.files.take(module_of(frame)) for frame in rapid_frames(stop.frame)]
         if any(taken):
             self.breakpoints.restore(self.state.breakpoints)
         self._print_events()
@@ -215,17 +221,23 @@ class DebugSession:
         text = stop.text or self.state.text
         self.state.target, self.state.text = 0, ""
         stopped = self._stopped = StoppedRun(
-            stop, self.run, self.program, self.debugger, self.breakpoints
+            stop, self.run, self.files, self.debugger, self.breakpoints
         )
         reason = "step" if stop.reason is StopReason.GOTO else stop.reason.value
         more = {"text": text, "description": text} if text else {}
         self._announce(reason, stopped.thread, more)
         stopped.text = text
         self._resumed = False
-        while not self._resumed:
-            for request in self.link.requests(wait=True):
-                self._handle(request)
-        self._stopped = None
+        try:
+            while not self._resumed:
+                self._wait()
+        finally:
+            self._stopped = None
+
+    def _wait(self) -> None:
+        """Handle the next request while the program is stopped."""
+        for request in self.link.requests(wait=True):
+            self.handle(request)
 
     def _announce(self, reason: str, thread: int, more: Message) -> None:
         self.link.event("stopped", reason=reason, threadId=thread, allThreadsStopped=True, **more)
@@ -274,12 +286,13 @@ class DebugSession:
     def _apply(self, change: Change, frame: FrameType) -> None:
         assert self.run is not None
         stop = Stop(StopReason.GOTO, frame, self.debugger.place(frame), change.number)
-        stopped = StoppedRun(stop, self.run, self.program, self.debugger, self.breakpoints)
+        stopped = StoppedRun(stop, self.run, self.files, self.debugger, self.breakpoints)
         stopped.assign(change)
 
     # Requests.
 
-    def _handle(self, request: Message) -> None:
+    def handle(self, request: Message) -> None:
+        """Execute a request and answer it."""
         name = str(request.get("command"))
         try:
             handler = self.handlers.get(name)

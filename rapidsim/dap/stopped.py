@@ -10,7 +10,7 @@ from types import FrameType
 from rapidsim.analysis.program import Storage
 from rapidsim.dap.breakpoints import Breakpoints
 from rapidsim.dap.checkpoints import ObservationError, observed_in_copy
-from rapidsim.dap.program import DebuggedProgram
+from rapidsim.dap.program_files import ProgramFiles
 from rapidsim.dap.state import Change
 from rapidsim.dap.variables import Handles, Variable, variable
 from rapidsim.dap.wire import Message
@@ -53,19 +53,25 @@ class StoppedRun:
 
     stop: Stop
     run: RunInProgress
-    program: DebuggedProgram
+    files: ProgramFiles
     debugger: Debugger
     breakpoints: Breakpoints
     text: str = ""
     """Description of the stop."""
+    current: TaskRun = field(init=False)
+    """The task that stopped."""
     handles: Handles = field(default_factory=Handles)
     _frames: list[FrameType] = field(default_factory=list)
     _states: dict[str, Message] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        """Note which task runs."""
+        self.current = self.run.current
+
     @property
     def thread(self) -> int:
         """Number of the task that stopped, from 1."""
-        return self.run.tasks().index(self.run.current) + 1
+        return self.run.tasks().index(self.current) + 1
 
     def task(self, thread: int) -> TaskRun:
         """The task of a number.
@@ -94,7 +100,7 @@ class StoppedRun:
 
     def frames_of(self, task: TaskRun) -> Sequence[FrameType]:
         """Frames of the routines of a task, the innermost first."""
-        outermost = self.stop.frame if task is self.run.current else self.run.frame_of(task)
+        outermost = self.stop.frame if task is self.current else self.run.frame_of(task)
         return list(rapid_frames(outermost))
 
     def number(self, frame: FrameType) -> int:
@@ -117,7 +123,7 @@ class StoppedRun:
     def _line_of(self, frame: FrameType) -> Message:
         span = self.debugger.place(frame).span if frame.f_lineno else None
         assert span is not None
-        path = self.program.paths.get(span.file) or str(Path(span.file).absolute())
+        path = self.files.paths.get(span.file) or str(Path(span.file).absolute())
         return {
             "id": self.number(frame),
             "name": place_of(frame),
@@ -174,7 +180,7 @@ class StoppedRun:
 
     def _task_of(self, frame: FrameType) -> TaskRun:
         tasks = self.run.tasks()
-        return next((one for one in tasks if frame in self.frames_of(one)), self.run.current)
+        return next((one for one in tasks if frame in self.frames_of(one)), self.current)
 
     def _signals(self) -> Iterable[Variable]:
         for signal in self.run.cell.declared:

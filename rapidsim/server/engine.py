@@ -253,6 +253,11 @@ class Engine:
             self._report_lag()
         return stepped
 
+    def skip(self, time_s: float) -> None:
+        """Do not catch up with a wall-clock time [s] in which a debugger has held the programs."""
+        if isinstance(self.pace, WallPace):
+            self.pace.began_s += time_s
+
     def wait_s(self) -> float | None:
         """Return the wall-clock time [s] until the next event; None for indefinitely."""
         return self.pace.wait_s(self.live.next_due_s)

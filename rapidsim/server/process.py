@@ -5,8 +5,9 @@ from __future__ import annotations
 import asyncio
 import os
 import signal
+import socket
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import field
 from multiprocessing import get_context
@@ -16,7 +17,7 @@ from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
 from time import monotonic
-from typing import Final, TypeAlias
+from typing import Final, Protocol, TypeAlias
 
 from rapidsim.controller.cell.sensors import GuidanceSensors
 from rapidsim.egm.devices import sensor_devices
@@ -45,6 +46,30 @@ _PATIENCE_S: Final = 5.0
 """Time [s] in which an engine must end."""
 
 
+class DebuggerPort(Protocol):
+    """A port for a debugger, in the engine's process."""
+
+    @property
+    def address(self) -> str:
+        """Host and port."""
+        ...
+
+    def sockets(self) -> Sequence[socket.socket]:
+        """The sockets that may have something to read."""
+        ...
+
+    def came(self, readable: Sequence[object]) -> None:
+        """Handle what has arrived at these sockets."""
+        ...
+
+    def close(self) -> None:
+        """Close the port."""
+        ...
+
+
+OpenDebugPort: TypeAlias = Callable[[Engine], DebuggerPort]
+
+
 @value_class(frozen=True, slots=True)
 class SwitchedOn:
     """The controller is switched on."""
@@ -55,6 +80,8 @@ class SwitchedOn:
     """Addresses of sensors that guide robots, by the names of their devices."""
     is_guided: bool
     """Whether a further process is needed that exchanges messages with sensors."""
+    debug: str | None
+    """Address of the port for a debugger."""
 
 
 Start: TypeAlias = SwitchedOn | ProgramRejectedError | InputError
@@ -133,8 +160,16 @@ class EngineProcess:
         self._waiting.clear()
 
 
-def started(request: RunRequest, settings: EngineSettings) -> EngineProcess:
+def started(
+    request: RunRequest, settings: EngineSettings, open_debug_port: OpenDebugPort | None = None
+) -> EngineProcess:
     """Load a program and switch a controller on in its own process.
+
+    Args:
+        request: The program.
+        settings: The initial state of the controller.
+        open_debug_port: Opens a port for a debugger, which must be possible to pickle; None for no
+            port.
 
     Raises:
         ProgramRejectedError: If checking finds an error.
@@ -143,7 +178,8 @@ def started(request: RunRequest, settings: EngineSettings) -> EngineProcess:
     context = get_context("spawn")
     ours, theirs = context.Pipe()
     to_guide, of_guide = context.Pipe()
-    process = context.Process(target=_run, args=(theirs, to_guide, request, settings), daemon=True)
+    arguments = (theirs, to_guide, request, settings, open_debug_port)
+    process = context.Process(target=_run, args=arguments, daemon=True)
     process.start()
     theirs.close()
     to_guide.close()
@@ -171,7 +207,11 @@ def _await_end(process: SpawnProcess) -> None:
 
 
 def _run(
-    connection: Connection, to_guide: Connection, request: RunRequest, settings: EngineSettings
+    connection: Connection,
+    to_guide: Connection,
+    request: RunRequest,
+    settings: EngineSettings,
+    open_debug_port: OpenDebugPort | None,
 ) -> None:
     """Run the engine's process until its parent commands the end, or is gone."""
     # Ctrl-C reaches all processes of a terminal; the parent decides when to end.
@@ -206,6 +246,7 @@ def _run(
             if isinstance(paced, GuidedSensors) and isinstance(engine.pace, WallPace):
                 paced.began_s = engine.pace.began_s
             wire.unread = engine.live.external_streams.unread
+            debug_port = None if open_debug_port is None else open_debug_port(engine)
             _record(engine, settings, lambda text: connection.send((None, ConsoleLine(text))))
         except (ProgramRejectedError, InputError) as error:
             connection.send(error)
@@ -213,11 +254,14 @@ def _run(
         except RobotError as error:
             connection.send(InputError(str(error)))
             return
-        connection.send(SwitchedOn(made.home, made.ramdisk, devices.addresses, is_guided))
+        address = None if debug_port is None else debug_port.address
+        connection.send(SwitchedOn(made.home, made.ramdisk, devices.addresses, is_guided, address))
         for note in made.notes:
             connection.send((None, ConsoleLine(f"note: {note}")))
         with recursion_limit(RUNNING_DEPTH), gc_for_server():
-            _serve(connection, engine, wire, steps)
+            _serve(connection, engine, wire, steps, debug_port)
+        if debug_port is not None:
+            debug_port.close()
         engine.switch_off()
         wire.shut()
         if kept is not None:
@@ -240,14 +284,25 @@ def _record(engine: Engine, settings: EngineSettings, failed: Callable[[str], No
     engine.record(recorder)
 
 
-def _serve(connection: Connection, engine: Engine, wire: SocketWire, sensors: StepSensors) -> None:
+def _serve(
+    connection: Connection,
+    engine: Engine,
+    wire: SocketWire,
+    sensors: StepSensors,
+    debug_port: DebuggerPort | None,
+) -> None:
     while True:
         # A check for messages costs as much as a few milliseconds of a task's execution.
         until_s = monotonic() + _LOOKS_S
         while (stepped := engine.step()) and monotonic() < until_s:
             pass
         wait_s = 0.0 if stepped else engine.wait_s()
-        heard = wait([connection, *wire.sockets(), *sensors.sockets()], wire.patience_s(wait_s))
+        sockets = [*wire.sockets(), *sensors.sockets()]
+        if debug_port is not None:
+            sockets += debug_port.sockets()
+        heard = wait([connection, *sockets], wire.patience_s(wait_s))
+        if debug_port is not None:
+            debug_port.came(heard)
         if passed_s := sensors.came(heard):
             engine.sensor_answered(passed_s)
         for one in wire.came(heard):

@@ -429,12 +429,6 @@ def test_a_program_that_cannot_run_says_why(
         client.request("launch", **arguments)
 
 
-def test_attaching_is_refused_with_what_to_do(client: Client) -> None:
-    client.request("initialize")
-    with pytest.raises(RefusedError, match="replay the journal"):
-        client.request("attach", port=8080)
-
-
 def test_files_that_the_program_writes_go_back_too(tmp_path: Path) -> None:
     text = """MODULE files
   PROC main()

@@ -17,7 +17,7 @@ def dap() -> int:
 
     It speaks the Debug Adapter Protocol. Arguments of `launch`: `program` (a module, a folder, a
     .pgf file, or a list), `cwd`, `home`, `station`, `robot`, `answers`, `replay` (a journal of
-    `rapidsim serve`), `stopOnEntry`. `attach` is not supported.
+    `rapidsim serve`), `stopOnEntry`. `attach` has the `port` of `rapidsim serve --debug`.
     """
     from rapidsim.dap.adapter import Adapter
 

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 from contextlib import redirect_stdout
+from functools import partial
 from math import inf
 from pathlib import Path
 from ssl import SSLContext
@@ -27,6 +28,7 @@ from rapidsim.jobs.inputs.run_request import DEFAULT_ENTRY, RunRequest
 from rapidsim.values import value_class
 
 if TYPE_CHECKING:
+    from rapidsim.server.process import OpenDebugPort
     from rapidsim.server.settings import EngineSettings, ServerSettings
 
 _MODES = {"auto": "AUTO", "manr": "MANR", "manf": "MANF"}
@@ -153,6 +155,12 @@ class ServeOptions:
         help="Record while the server runs; the file appears at the end.",
     )
     view: bool = option("--view", is_flag=True, help="Show the recording live.")
+    debug_port: int | None = option(
+        "--debug",
+        metavar="PORT",
+        type=click.IntRange(0, 65535),
+        help="A port of this computer at which `rapidsim dap` attaches; 0 picks a free one.",
+    )
 
 
 @click.command()
@@ -190,7 +198,7 @@ def serve(options: ServeOptions) -> int:
     engine_settings = _engine_settings(options)
     server_settings = _server_settings(options, ports)
     try:
-        engine = started(request, engine_settings)
+        engine = started(request, engine_settings, _debug_port(options.debug_port))
     except ProgramRejectedError as rejected:
         _print_rejected(request, rejected.diagnostics)
         return ExitCode.FINDINGS
@@ -206,6 +214,8 @@ def serve(options: ServeOptions) -> int:
             "pid": os.getpid(),
             "version": __version__,
         }
+        if engine.ready.debug is not None:
+            line["debug"] = engine.ready.debug
         echo(json.dumps(line))
 
     ended = serve_engine(engine, server_settings, ready, lambda text: echo(text, err=True))
@@ -276,6 +286,14 @@ def _port(option: str, text: str) -> int | None:
     if not (text.isascii() and text.isdecimal() and len(text) < 6 and int(text) < 65536):
         raise InputError(f"{option}: `{text}` is neither a number from 0 to 65535 nor off")
     return int(text)
+
+
+def _debug_port(port: int | None) -> OpenDebugPort | None:
+    if port is None:
+        return None
+    from rapidsim.dap.debug_port import open_debug_port
+
+    return partial(open_debug_port, port=port)
 
 
 def _tls() -> SSLContext:

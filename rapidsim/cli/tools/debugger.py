@@ -21,7 +21,7 @@ from rapidsim.cli.successors import continue_in_successor
 from rapidsim.cli.terminal import echo
 from rapidsim.dap.checkpoints import HAS_COPIES, Checkpoints, ObservationError
 from rapidsim.dap.link import AdapterEnded
-from rapidsim.dap.program import DebuggedProgram
+from rapidsim.dap.program_files import ProgramFiles
 from rapidsim.dap.requests import HANDLERS
 from rapidsim.dap.session import DebugSession
 from rapidsim.dap.state import SessionState
@@ -52,16 +52,19 @@ _AROUND = 5
 
 def debugged(
     run: Callable[[Callable[[RunInProgress], None]], T],
-    program: DebuggedProgram,
+    files: ProgramFiles,
     breaks: Sequence[str],
+    *,
+    uses_network: bool,
 ) -> T:
     """Run with a prompt at each breakpoint.
 
     Args:
         run: Executes the program, and first calls a function with the run.
-        program: The program.
+        files: The files of the program.
         breaks: Places as `FILE:LINE`, or a line alone in a program of one file; with a condition
             in RAPID after a comma.
+        uses_network: Whether the run may use real sockets.
 
     Raises:
         InputError: If there is no terminal, or a breakpoint is not a place.
@@ -71,13 +74,13 @@ def debugged(
         raise InputError(
             "--break needs a terminal: the program stops there until a command is typed"
         )
-    prompt = _Prompt(program)
+    prompt = _Prompt(files)
     for text in breaks:
         prompt.set_first(text)
     # What goes over the network cannot be taken back, nor done twice.
-    can_go_back = HAS_COPIES and program.prepared.options.network is None
+    can_go_back = HAS_COPIES and not uses_network
     checkpoints = Checkpoints(continue_in_successor()) if can_go_back else None
-    session = prompt.session = DebugSession(prompt, program, prompt.state, checkpoints, HANDLERS)
+    session = prompt.session = DebugSession(prompt, files, prompt.state, checkpoints, HANDLERS)
     on_interrupt = signal.getsignal(signal.SIGINT)
     if on_interrupt is signal.default_int_handler:
         signal.signal(signal.SIGINT, prompt.interrupted)
@@ -97,9 +100,9 @@ class _Prompt(cmd.Cmd):
     prompt = "(rapid) "
     session: DebugSession
 
-    def __init__(self, program: DebuggedProgram) -> None:
+    def __init__(self, files: ProgramFiles) -> None:
         super().__init__()
-        self._program = program
+        self._files = files
         self.state = SessionState(filters={"steps": ""})
         self._request: Message = {}
         self._thread = 1
@@ -172,7 +175,7 @@ class _Prompt(cmd.Cmd):
         Raises:
             InputError: If it is not a place.
         """
-        match, known = _PLACE.match(text), list(self._program.lines)
+        match, known = _PLACE.match(text), list(self._files.lines)
         if match is None:
             raise InputError(f"--break {text}: expected FILE:LINE")
         name, line, condition = match.groups()
@@ -184,7 +187,7 @@ class _Prompt(cmd.Cmd):
                 else f"--break {text}: which file?",
                 did_you_mean(name or "", known) or f"its files are {', '.join(known[:5])}",
             )
-        first = self._program.statement_line(file, int(line))
+        first = self._files.statement_line(file, int(line))
         if first is None:
             raise InputError(f"--break: {file} has no statement on line {line} or below")
         if first != int(line):
@@ -193,7 +196,7 @@ class _Prompt(cmd.Cmd):
 
     def _file(self, name: str) -> str | None:
         """The file that a user means: as it was named, or by its last part."""
-        files = self._program.lines
+        files = self._files.lines
         named = [file for file in files if Path(file) == Path(name)]
         wanted = Path(name).name.lower()
         alike = [file for file in files if Path(file).name.lower() == wanted]
@@ -224,7 +227,7 @@ class _Prompt(cmd.Cmd):
         file = self._file(name) if name else self._frame.f_code.co_filename
         if file is None:
             raise NotShownError(f"{name!r} not found in the program")
-        first = self._program.statement_line(file, int(line))
+        first = self._files.statement_line(file, int(line))
         if first is None:
             raise NotShownError("there is no statement on this line or below")
         number = self._add(self.session.state, file, first, condition)
@@ -233,7 +236,7 @@ class _Prompt(cmd.Cmd):
 
     def _start_of(self, name: str) -> str:
         """FILE:LINE of a routine."""
-        for module in self._program.modules:
+        for module in self._files.modules:
             for routine in module.routines:
                 if routine.name.key == name.lower():
                     line = module.source.position(routine.start)[0]

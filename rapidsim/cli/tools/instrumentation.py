@@ -67,9 +67,13 @@ def run_instrumented(
         raise InputError("--profile follows one task", "name it with --task")
     if watch.breaks:
         from rapidsim.cli.tools.debugger import debugged
-        from rapidsim.dap.program import DebuggedProgram
+        from rapidsim.dap.program_files import ProgramFiles
 
-        return debugged(run, DebuggedProgram.of(loaded, prepared), watch.breaks), None
+        files = ProgramFiles(tuple(loaded.programs))
+        for program in loaded.programs.values():
+            files.take_all(program.modules)
+        uses_network = prepared.options.network is not None
+        return debugged(run, files, watch.breaks, uses_network=uses_network), None
     with stage("simulating", terminal, meter):
         if watch.profile is None:
             return run(lambda run: None), None

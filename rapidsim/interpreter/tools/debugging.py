@@ -15,7 +15,7 @@ import re
 import sys
 import time
 from array import array
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 from types import FrameType
@@ -129,6 +129,10 @@ class Debugger:
     """Functions that return the value of data or signals as text, by name."""
     stops_at_error: Callable[[RapidError], bool] | None = None
     """Whether the program stops at an error when it occurs; None if it never does."""
+    keeps_history: bool = True
+    """Whether `number_before` can be asked for."""
+    has_ended: bool = False
+    """Whether frames that are still traced are traced no longer."""
     errors_end_steps: bool = False
     """Whether a step ends where an error occurs, or passes a routine."""
     number: int = 0
@@ -159,12 +163,19 @@ class Debugger:
             run: Runs the program, with all of its tasks, to the end.
         """
         before = greenlet.settrace(self._switched)
-        sys.settrace(self._entered)
+        sys.settrace(self.entered)
         try:
             return run()
         finally:
             sys.settrace(None)
             greenlet.settrace(before)
+
+    def follow(self, frames: Iterable[FrameType]) -> None:
+        """Follow routines that run already, in tasks that are suspended."""
+        for frame in frames:
+            places, line = self._positions.places(frame), self._positions.line(frame)
+            starts = StatementStarts(places, line, frame.f_lasti)
+            frame.f_trace = _FrameTracer(self, starts, self.number + 1, self._mark(frame)).trace
 
     def pause(self) -> None:
         """Stop before the next statement of any task."""
@@ -211,10 +222,14 @@ class Debugger:
     def _switched(self, event: str, arguments: Any) -> None:
         # A greenlet has a trace function of its own.
         del event, arguments
-        sys.settrace(self._entered)
+        sys.settrace(self.entered)
 
-    def _entered(self, frame: FrameType, event: str, argument: object) -> Any:
+    def entered(self, frame: FrameType, event: str, argument: object) -> Any:
+        """The trace function of a task: it returns that of a frame."""
         del event, argument
+        if self.has_ended:
+            sys.settrace(None)
+            return None
         if GENERATED not in frame.f_globals or not is_rapid(frame):
             return None
         starts = StatementStarts(self._positions.places(frame))
@@ -241,7 +256,8 @@ class Debugger:
     def at(self, frame: FrameType, place: Place, mark: int) -> None:
         """Count a statement that is about to run, and stop there if there is a reason."""
         self.number += 1
-        self._marks.append(mark)
+        if self.keeps_history:
+            self._marks.append(mark)
         self.before(self.number, frame)
         if self._target is not None:
             if self.number < self._target:
@@ -334,7 +350,10 @@ class _FrameTracer:
         self.first = first
 
     def trace(self, frame: FrameType, event: str, argument: Any) -> Any:
-        if event == "line":
+        if self._debugger.has_ended:
+            frame.f_trace = None
+            sys.settrace(None)
+        elif event == "line":
             if (place := self._starts.start(frame)) is not None:
                 self._debugger.at(frame, place, self._mark)
         elif event == "exception":

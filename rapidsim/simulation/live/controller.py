@@ -86,7 +86,7 @@ class LiveController:
     log: EventLog = field(init=False)
     tasks: dict[str, LiveTask] = field(init=False, default_factory=dict)
     """Tasks by folded name, in the order of the station."""
-    _turns: LiveScheduler = field(init=False)
+    scheduler: LiveScheduler = field(init=False)
     _journal: Journal = field(init=False)
     _ends_with_cycle: bool = False
     _shows_executing: bool = False
@@ -109,8 +109,8 @@ class LiveController:
         self.cell.pendant = self.pendant
         self.cell.logbook = lambda task, entry, time_s: self.log.written(entry, time_s)
         self.log = EventLog(lambda entry: self.on_log_entry(entry))
-        self._turns = LiveScheduler(self.cell)
-        self.cell.attach_scheduler(self._turns)
+        self.scheduler = LiveScheduler(self.cell)
+        self.cell.attach_scheduler(self.scheduler)
         self.external_streams = ExternalStreams(self.wire)
         self.cell.sockets.external = self.external_streams
         self.mailboxes = OutsideMailboxes(self.wire)
@@ -128,7 +128,7 @@ class LiveController:
                 number,
                 setup,
                 self.cell,
-                self._turns,
+                self.scheduler,
                 journal,
                 self.options,
                 unit_of(setup, arms[0], self.cell, journal, self.options),
@@ -151,7 +151,7 @@ class LiveController:
     @property
     def now_s(self) -> float:
         """The virtual time [s]."""
-        return self._turns.now_s
+        return self.scheduler.now_s
 
     @property
     def date(self) -> datetime:
@@ -169,11 +169,11 @@ class LiveController:
     @property
     def next_due_s(self) -> float:
         """Time [s] of the next event; infinite if there is none."""
-        return self._turns.due_s()
+        return self.scheduler.due_s()
 
     def step(self, until_s: float) -> bool:
         """Dispatch one event that is due by a time [s]; return whether there was one."""
-        stepped = self._turns.step(until_s)
+        stepped = self.scheduler.step(until_s)
         if not self.keeps_all and self.now_s >= self._forgets_s:
             self._forgets_s = self.now_s + _REMEMBERED_S
             for task in self.tasks.values():
@@ -229,6 +229,8 @@ class LiveController:
             RequestRefused: In a state that forbids it.
         """
         tasks = list(self.normal_tasks)
+        if how is not ExecutionMode.CONTINUE and self.scheduler.trace is not None:
+            raise RequestRefused(RefusalReason.STATE, "steps are those of the attached debugger")
         if self.motors is not Motors.ON:
             raise RequestRefused(RefusalReason.STATE, "the motors are off")
         if self.executes:
@@ -279,7 +281,7 @@ class LiveController:
         """Stop the robots, end the programs, close files and connections."""
         self.stop(StopMode.QUICK)
         for task in self.tasks.values():
-            self._turns.remove(task.run.controller.clock)
+            self.scheduler.remove(task.run.controller.clock)
             task.run.controller.sockets.close_all(self.now_s)
             task.run.controller.guidance.forget_all()
         self.cell.close()
@@ -471,7 +473,9 @@ class LiveController:
     def _shared(self) -> SharedPersistents:
         programs = [setup.program for setup in self.setups]
         # Clients may write all of them.
-        return shared_persistents(programs, ScheduledAccess(self._turns), [None for _ in programs])
+        return shared_persistents(
+            programs, ScheduledAccess(self.scheduler), [None for _ in programs]
+        )
 
     def _link_tasks(self) -> None:
         others = {key: one.run.controller.coordination for key, one in self.tasks.items()}

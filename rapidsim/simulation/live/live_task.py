@@ -117,6 +117,11 @@ class LiveTask:
         return self._has_started and not self.run.controller.execution.is_halted
 
     @property
+    def is_stepping(self) -> bool:
+        """Whether the program executes one step."""
+        return self.executes and self._execution is not ExecutionMode.CONTINUE
+
+    @property
     def outcome(self) -> TaskOutcome:
         """Outcome of the task if the controller were switched off now."""
         end = End.STOPPED if self.has_pointer else End.ERROR

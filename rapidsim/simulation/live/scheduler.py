@@ -12,6 +12,7 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from types import FrameType
+from typing import Any
 
 from greenlet import greenlet
 
@@ -47,8 +48,12 @@ class LiveScheduler:
     """Current virtual time [s]."""
     current: object = None
     """The running task; None between steps."""
+    trace: Callable[[FrameType, str, Any], Any] | None = None
+    """Python's trace function for the tasks' programs, of a debugger; None without one."""
     _entries: dict[object, _Entry] = field(default_factory=dict)
     _hub: greenlet | None = None
+    _suspended: _Entry | None = None
+    """The task that is suspended before a statement, and all time with it."""
 
     def add(self, number: int, task: ScheduledTask, body: Callable[[], None]) -> None:
         """Add a task that runs from now on.
@@ -58,7 +63,14 @@ class LiveScheduler:
             task: Its clock, which calls `request_advance`.
             body: Runs the task; must not raise.
         """
-        self._entries[task] = _Entry(number, task, greenlet(body), self.now_s)
+
+        def traced() -> None:
+            # A greenlet has a trace function of its own.
+            if self.trace is not None:
+                sys.settrace(self.trace)
+            body()
+
+        self._entries[task] = _Entry(number, task, greenlet(traced), self.now_s)
 
     def remove(self, task: object) -> None:
         """Remove a task; called between steps."""
@@ -75,6 +87,8 @@ class LiveScheduler:
     def due_s(self) -> float:
         """Time [s] at which the next task or the cell is due; infinite if none is."""
         cell_s = self.cell.next_s()
+        if self._suspended is not None:
+            return math.inf
         wakes = (one.wake_s for one in self._entries.values())
         return min(math.inf if cell_s is None else cell_s, min(wakes, default=math.inf))
 
@@ -84,6 +98,8 @@ class LiveScheduler:
         Returns:
             Whether a task or an event was due.
         """
+        if self._suspended is not None:
+            return False
         cell_s, entry = self.cell.next_s(), self._first()
         if cell_s is not None and cell_s <= until_s and (entry is None or cell_s <= entry.wake_s):
             self.now_s = max(self.now_s, cell_s)
@@ -94,6 +110,10 @@ class LiveScheduler:
                 self.now_s = max(self.now_s, until_s)
             return False
         self.now_s = max(self.now_s, entry.wake_s)
+        self._run(entry)
+        return True
+
+    def _run(self, entry: _Entry) -> None:
         self._hub = greenlet.getcurrent()
         self.current = entry.task
         try:
@@ -102,7 +122,19 @@ class LiveScheduler:
             self.current = None
         if entry.greenlet.dead and self._entries.get(entry.task) is entry:
             del self._entries[entry.task]
-        return True
+
+    def hold(self) -> None:
+        """Suspend the running task where it is, all others, and time, until `release`."""
+        assert self._hub is not None
+        self._suspended = self._entries[self.current]
+        self._hub.switch()
+        sys.settrace(self.trace)
+
+    def release(self) -> None:
+        """Continue the task that is held, in the same slice of time."""
+        suspended, self._suspended = self._suspended, None
+        if suspended is not None and not suspended.greenlet.dead:
+            self._run(suspended)
 
     def request_advance(self, task: object, time_s: float) -> float:
         """See `cell.TimeScheduler`; never returns infinity, as a client may always act."""
@@ -111,6 +143,8 @@ class LiveScheduler:
         if time_s > self.now_s or self._first() is not entry:
             assert self._hub is not None
             _switch(self._hub)
+            if self.trace is not None:
+                sys.settrace(self.trace)
         return entry.wake_s
 
     def next_s(self, task: object) -> float:
