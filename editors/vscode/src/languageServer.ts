@@ -1,0 +1,84 @@
+/** The language server and its commands. */
+
+import { spawn, type ChildProcess } from "node:child_process";
+import * as vscode from "vscode";
+import { CloseAction, ErrorAction, LanguageClient, type ErrorHandler } from "vscode-languageclient/node";
+import { explain, requireRapidsim } from "./program";
+import type { Recordings } from "./recordings";
+
+/** Exit code of rapidsim for wrong usage, such as a package that is not installed. */
+const USAGE = 2;
+const MOST_RESTARTS = 3;
+
+export class LanguageServer {
+  private client: LanguageClient | undefined;
+
+  constructor(private readonly recordings: Recordings) {}
+
+  /** Start the server, again if it runs, in a folder that the user trusts. */
+  async restart(): Promise<void> {
+    await this.stop();
+    if (!vscode.workspace.isTrusted) return;
+    const program = requireRapidsim();
+    if (!program) return;
+    let errors = "";
+    let restarts = 0;
+    const started: ChildProcess[] = [];
+    const start = async (): Promise<ChildProcess> => {
+      const process = spawn(program, ["lsp"]);
+      process.stderr.on("data", (data) => (errors = (errors + data).slice(-2000)));
+      started.push(process);
+      return process;
+    };
+    const errorHandler: ErrorHandler = {
+      error: () => ({ action: ErrorAction.Continue }),
+      closed: () => {
+        const again = started.at(-1)?.exitCode !== USAGE && restarts++ < MOST_RESTARTS;
+        return { action: again ? CloseAction.Restart : CloseAction.DoNotRestart, handled: true };
+      },
+    };
+    const client = new LanguageClient("rapidsim", "RAPID", start, {
+      documentSelector: [{ language: "rapid" }],
+      initializationOptions: { checkMoves: vscode.workspace.getConfiguration("rapidsim").get("checkMoves") },
+      errorHandler,
+      initializationFailedHandler: () => false,
+      middleware: { executeCommand: (name, args, next) => this.execute(name, args, next) },
+    });
+    this.client = client;
+    try {
+      await client.start();
+    } catch {
+      const reason = errors.trim().split(/\r?\n/).slice(-2).join(" ");
+      await explain(`\`rapidsim lsp\` does not start${reason ? `: ${reason}` : ""}`);
+    }
+  }
+
+  async stop(): Promise<void> {
+    const client = this.client;
+    this.client = undefined;
+    if (client?.isRunning()) await client.dispose();
+  }
+
+  /** Path of the program that a file belongs to; by default the file of the active editor. */
+  async program(uri = vscode.window.activeTextEditor?.document.uri): Promise<string | undefined> {
+    if (!uri) return undefined;
+    if (uri.scheme !== "file") {
+      void vscode.window.showErrorMessage("Save the text as a module first: a program is run from its files.");
+      return undefined;
+    }
+    const found = await this.client?.sendRequest<string | null>("workspace/executeCommand", {
+      command: "rapidsim.program",
+      arguments: [this.client.code2ProtocolConverter.asUri(uri)],
+    });
+    return found ?? uri.fsPath;
+  }
+
+  /** Let the server run what a code lens names, and show what it recorded. */
+  private async execute<T>(name: string, args: any[], next: (name: string, args: any[]) => T): Promise<unknown> {
+    if (name !== "rapidsim.record") return next(name, args);
+    await this.recordings.prepare();
+    const result: any = await next(name, [...args, this.recordings.report]);
+    if (result?.recording) await this.recordings.show(result.recording);
+    return result;
+  }
+}
