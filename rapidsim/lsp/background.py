@@ -142,7 +142,7 @@ def run_of(job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
                 start_s=move.start_s,
                 end_s=move.end_s,
                 corner=move.corner.value,
-                corner_reason=move.corner_reason,
+                corner_reason="" if move.move.zone.finep else move.corner_reason,
                 joints_deg=tuple(float(one) * 57.29577951308232 for one in move.joints),
                 conf=tuple(map(int, move.conf)),
             )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from laws import some
@@ -11,10 +12,11 @@ from lsp_documents import HERE, MARK, applied, ask, at, opened
 from lsprotocol import types as lsp
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.lsp.background import RunAnswer
+from rapidsim.lsp.background import RunAnswer, run_of
 from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import OpenDocument, text_changes
+from rapidsim.lsp.programs import job_of_file
 from rapidsim.lsp.run_results import RunMove, RunResults, RunSummary
 from rapidsim.lsp.semantic_tokens import SemanticTokenEncoder, difference
 from rapidsim.lsp.token_pieces import MODIFIERS, TYPES
@@ -176,6 +178,19 @@ def test_hints() -> None:
     assert hints(opened(MOVES)[0]) == ["Value:", "count:", "label:"]
     times = ["1.50 s, the corner is a stop", "0.25 s"]
     assert hints(with_run(MOVES))[3:] == times
+
+
+def test_a_programmed_stop_needs_no_reason(tmp_path: Path) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text(
+        "MODULE m\n  CONST jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveAbsJ j,v500,fine,tool0;\n    MoveAbsJ j,v500,z10,tool0;\n"
+        "    WaitTime 1;\n    MoveAbsJ j,v500,fine,tool0;\n  ENDPROC\nENDMODULE\n"
+    )
+    found = job_of_file(str(program))
+    assert found is not None
+    moves = run_of(found, "main", "").moves[str(program)]
+    assert [bool(one.corner_reason) for one in moves] == [False, True, False]
 
 
 def test_times_follow_an_edit() -> None:
