@@ -130,7 +130,8 @@ def run_of(job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
         except ProgramRejectedError as error:
             return RunAnswer(RunSummary(entry, "error", 0.0, 0, f"cannot run: {error}"), {})
         except InputError as error:
-            return RunAnswer(RunSummary(entry, "error", 0.0, 0, error.message), {})
+            problem = f"{error.message}: {error.help}" if error.help else error.message
+            return RunAnswer(RunSummary(entry, "error", 0.0, 0, problem), {})
     moves: dict[str, list[RunMove]] = {}
     for move in simulation.moves:
         span = move.place.span

@@ -193,6 +193,18 @@ def test_a_programmed_stop_needs_no_reason(tmp_path: Path) -> None:
     assert [bool(one.corner_reason) for one in moves] == [False, True, False]
 
 
+def test_a_run_that_cannot_be_recorded_says_what_helps(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text("MODULE m\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    found = job_of_file(str(program))
+    assert found is not None
+    monkeypatch.setattr("rapidsim.extras.is_installed", lambda package: False)
+    problem = run_of(found, "main", str(tmp_path / "m.rrd")).summary.problem
+    assert problem.endswith('is not installed: pip install "rapidsim[view]"')
+
+
 def test_times_follow_an_edit() -> None:
     document = with_run(MOVES)
     at_start = lsp.Range(lsp.Position(1, 0), lsp.Position(1, 0))
