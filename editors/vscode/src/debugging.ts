@@ -8,19 +8,12 @@ const TYPE = "rapidsim";
 /** Data with components and indices: `parts{i}.trans.x`. */
 const DATA = /[A-Za-z]\w*(?:\{[^{}]*\}|\.[A-Za-z]\w*)*/g;
 
-/** Debug the program of a file from its first statement. */
-export async function startDebugging(uri?: vscode.Uri): Promise<void> {
-  const folder = uri && vscode.workspace.getWorkspaceFolder(uri);
-  const configuration = { type: TYPE, request: "launch", name: "Debug", stopOnEntry: true };
-  await vscode.debug.startDebugging(folder, configuration);
-}
-
 export function registerDebugger(server: LanguageServer): vscode.Disposable {
   const configurations: vscode.DebugConfigurationProvider = {
     async resolveDebugConfiguration(folder, configuration) {
       if (!configuration.type) Object.assign(configuration, { type: TYPE, request: "launch", name: "Debug" });
       if (configuration.request === "launch" && !configuration.program) {
-        configuration.program = await server.program();
+        configuration.program = (await server.program())?.program;
       }
       configuration.cwd ??= folder?.uri.fsPath;
       return configuration;

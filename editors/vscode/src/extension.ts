@@ -1,7 +1,7 @@
 /** RAPID in VS Code: starts the language server and the debugger, runs and records programs. */
 
 import * as vscode from "vscode";
-import { startDebugging, registerDebugger } from "./debugging";
+import { registerDebugger } from "./debugging";
 import { LanguageServer } from "./languageServer";
 import { Recordings } from "./recordings";
 import { runTask } from "./runs";
@@ -16,14 +16,18 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("restart", () => language.restart());
   command("view", (uri) => recordings.view(uri));
   command("runProgram", async (uri) => {
-    const program = await language.program(uri);
-    if (program) await runTask("Run", ["run", program, "--no-record"]);
+    const found = await language.program(uri);
+    if (found) await runTask("Run", ["run", found.program, "--no-record"]);
   });
   command("recordProgram", async (uri) => {
-    const program = await language.program(uri);
-    if (program) await recordings.record(program, uri);
+    const found = await language.program(uri);
+    if (found) await recordings.record(found.program, found.source);
   });
-  command("debugProgram", (uri) => startDebugging(uri));
+  command("debugProgram", async (uri) => {
+    const folder = uri && vscode.workspace.getWorkspaceFolder(uri);
+    const configuration = { type: "rapidsim", request: "launch", name: "Debug", stopOnEntry: true };
+    await vscode.debug.startDebugging(folder, configuration);
+  });
   context.subscriptions.push(
     registerDebugger(language),
     vscode.workspace.onDidGrantWorkspaceTrust(() => language.restart()),

@@ -10,6 +10,11 @@ import type { Recordings } from "./recordings";
 const USAGE = 2;
 const MOST_RESTARTS = 3;
 
+interface Program {
+  source: string;
+  program: string;
+}
+
 export class LanguageServer {
   private client: LanguageClient | undefined;
 
@@ -59,25 +64,23 @@ export class LanguageServer {
     if (client?.isRunning()) await client.dispose();
   }
 
-  /** Path of the program that a file belongs to; by default the file of the active editor. */
-  async program(uri = vscode.window.activeTextEditor?.document.uri): Promise<string | undefined> {
-    if (!uri) return undefined;
-    if (uri.scheme !== "file") {
-      void vscode.window.showErrorMessage("Save the text as a module first: a program is run from its files.");
+  /** A file, by default that of the active editor, and the path of the program that it belongs to. */
+  async program(uri = vscode.window.activeTextEditor?.document.uri): Promise<Program | undefined> {
+    if (uri?.scheme !== "file") {
+      void vscode.window.showErrorMessage("Open a module that is saved: programs are run from their files.");
       return undefined;
     }
-    const found = await this.client?.sendRequest<string | null>("workspace/executeCommand", {
-      command: "rapidsim.program",
-      arguments: [this.client.code2ProtocolConverter.asUri(uri)],
-    });
-    return found ?? uri.fsPath;
+    const parameters = { command: "rapidsim.program", arguments: [uri.toString()] };
+    // Without a server, as when its package is not installed, the file can still be run.
+    const asked = this.client?.sendRequest<string | null>("workspace/executeCommand", parameters);
+    const program = await asked?.catch(() => null);
+    return { source: uri.fsPath, program: program ?? uri.fsPath };
   }
 
   /** Let the server run what a code lens names, and show what it recorded. */
   private async execute<T>(name: string, args: any[], next: (name: string, args: any[]) => T): Promise<unknown> {
     if (name !== "rapidsim.record") return next(name, args);
-    await this.recordings.prepare();
-    const result: any = await next(name, [...args, this.recordings.report]);
+    const result: any = await next(name, [...args, await this.recordings.prepare()]);
     if (result?.recording) await this.recordings.show(result.recording);
     return result;
   }

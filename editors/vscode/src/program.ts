@@ -5,20 +5,22 @@ import * as path from "node:path";
 import * as vscode from "vscode";
 
 const INSTALL = 'pip install "rapidsim[edit,view]"';
-const NAMES = process.platform === "win32" ? ["rapidsim.exe", "rapidsim.cmd"] : ["rapidsim"];
+const [BIN, SUFFIX] = process.platform === "win32" ? ["Scripts", ".exe"] : ["bin", ""];
 
-/** Absolute path of rapidsim: that of the settings, else of the folder's environment, else on the PATH. */
-export function findRapidsim(): string | undefined {
+/** Absolute path of rapidsim: that of the settings, else of the folder's environment, else on the PATH.
+ *
+ * If there is none, the user is told. */
+export function requireRapidsim(): string | undefined {
   const folders = (vscode.workspace.workspaceFolders ?? []).map((folder) => folder.uri.fsPath);
-  const setting = vscode.workspace.getConfiguration("rapidsim").get<string>("path")?.trim();
-  if (setting) {
-    const wanted = setting.replace("${workspaceFolder}", folders[0] ?? "");
-    if (path.isAbsolute(wanted)) return existsSync(wanted) ? wanted : undefined;
-    return onPath([wanted]);
-  }
-  const bin = process.platform === "win32" ? "Scripts" : "bin";
-  const environments = folders.flatMap((folder) => [".venv", "venv"].map((name) => path.join(folder, name, bin)));
-  return inFolders(environments, NAMES) ?? onPath(NAMES);
+  const setting = vscode.workspace.getConfiguration("rapidsim").get<string>("path", "").trim();
+  const wanted = setting.replace("${workspaceFolder}", folders[0] ?? "");
+  const environments = folders.flatMap((folder) => [".venv", "venv"].map((name) => path.join(folder, name, BIN)));
+  const onPath = (process.env.PATH ?? "").split(path.delimiter).filter((folder) => path.isAbsolute(folder));
+  const named = [...(setting ? [] : environments), ...onPath].map((folder) => path.join(folder, wanted || "rapidsim"));
+  const candidates = path.isAbsolute(wanted) ? [wanted] : named;
+  const found = candidates.flatMap((file) => [file + SUFFIX, file]).find((file) => existsSync(file));
+  if (!found) void explain(setting ? `There is no ${setting}` : "rapidsim was not found");
+  return found;
 }
 
 /** Say what is wrong with rapidsim, and offer what helps. */
@@ -29,20 +31,4 @@ export async function explain(problem: string): Promise<void> {
   if (choice === copy) await vscode.env.clipboard.writeText(INSTALL);
   if (choice === settings) await vscode.commands.executeCommand("workbench.action.openSettings", "rapidsim.path");
   if (choice === retry) await vscode.commands.executeCommand("rapidsim.restart");
-}
-
-/** Absolute path of rapidsim; if there is none, the user is told. */
-export function requireRapidsim(): string | undefined {
-  const found = findRapidsim();
-  if (!found) void explain("rapidsim was not found");
-  return found;
-}
-
-function onPath(names: string[]): string | undefined {
-  const folders = (process.env.PATH ?? "").split(path.delimiter);
-  return inFolders(folders.filter((folder) => path.isAbsolute(folder)), names);
-}
-
-function inFolders(folders: string[], names: string[]): string | undefined {
-  return folders.flatMap((folder) => names.map((name) => path.join(folder, name))).find(existsSync);
 }

@@ -4,10 +4,10 @@ import * as path from "node:path";
 import * as vscode from "vscode";
 import { requireRapidsim } from "./program";
 
-/** Start rapidsim in a terminal of its own; return its exit code when it ends, undefined if it does not start. */
-export async function runTask(name: string, args: string[], reveal = true): Promise<number | undefined> {
+/** Start rapidsim in a terminal, with all files saved; resolve when it ends, or if it is not found. */
+export async function runTask(name: string, args: string[], reveal = true): Promise<void> {
   const program = requireRapidsim();
-  if (!program) return undefined;
+  if (!program) return;
   await vscode.workspace.saveAll(false);
   const folder = vscode.workspace.workspaceFolders?.[0];
   const cwd = folder?.uri.fsPath ?? path.dirname(args[1]);
@@ -16,12 +16,13 @@ export async function runTask(name: string, args: string[], reveal = true): Prom
   const task = new vscode.Task(definition, folder ?? vscode.TaskScope.Workspace, name, "RAPID", execution);
   const { Always, Silent } = vscode.TaskRevealKind;
   task.presentationOptions = { reveal: reveal ? Always : Silent, clear: true, showReuseMessage: false };
-  const running = await vscode.tasks.executeTask(task);
-  return new Promise((resolve) => {
-    const listener = vscode.tasks.onDidEndTaskProcess((ended) => {
-      if (ended.execution !== running) return;
+  const ended = new Promise<void>((resolve) => {
+    const listener = vscode.tasks.onDidEndTaskProcess(({ execution: { task: of } }) => {
+      if (of.definition.type !== definition.type || of.name !== name) return;
       listener.dispose();
-      resolve(ended.exitCode);
+      resolve();
     });
   });
+  await vscode.tasks.executeTask(task);
+  await ended;
 }
