@@ -2,7 +2,7 @@
 
 import { spawn, type ChildProcess } from "node:child_process";
 import * as vscode from "vscode";
-import { CloseAction, ErrorAction, LanguageClient, type ErrorHandler } from "vscode-languageclient/node";
+import { CloseAction, ErrorAction, LanguageClient } from "vscode-languageclient/node";
 import { explain, requireRapidsim } from "./program";
 import type { Recordings } from "./recordings";
 
@@ -13,6 +13,13 @@ const MOST_RESTARTS = 3;
 interface Program {
   source: string;
   program: string;
+}
+
+/** Logs errors of the connection; what has gone wrong is said once, with what helps. */
+class QuietClient extends LanguageClient {
+  override error(message: string, data?: unknown): void {
+    super.error(message, data, false);
+  }
 }
 
 export class LanguageServer {
@@ -26,36 +33,30 @@ export class LanguageServer {
     if (!vscode.workspace.isTrusted) return;
     const program = requireRapidsim();
     if (!program) return;
-    let errors = "";
-    let restarts = 0;
-    const started: ChildProcess[] = [];
+    let [errors, starts, ended] = ["", 0, Promise.resolve<number | null>(null)];
     const start = async (): Promise<ChildProcess> => {
+      starts++;
       const process = spawn(program, ["lsp"]);
+      ended = new Promise((resolve) => process.once("close", resolve));
+      process.once("error", (error) => (errors += error.message));
       process.stderr.on("data", (data) => (errors = (errors + data).slice(-2000)));
-      started.push(process);
       return process;
     };
-    const errorHandler: ErrorHandler = {
-      error: () => ({ action: ErrorAction.Continue }),
-      closed: () => {
-        const again = started.at(-1)?.exitCode !== USAGE && restarts++ < MOST_RESTARTS;
-        return { action: again ? CloseAction.Restart : CloseAction.DoNotRestart, handled: true };
-      },
+    const closed = async () => {
+      const again = (await ended) !== USAGE && starts <= MOST_RESTARTS;
+      const reason = errors.trim().split(/\s*[\r\n]+\s*/).slice(-2).join("; ");
+      if (!again) void explain(`\`rapidsim lsp\` has ended${reason && `: ${reason}`}`);
+      return { action: again ? CloseAction.Restart : CloseAction.DoNotRestart, handled: true };
     };
-    const client = new LanguageClient("rapidsim", "RAPID", start, {
+    const client = new QuietClient("rapidsim", "RAPID", start, {
       documentSelector: [{ language: "rapid" }],
       initializationOptions: { checkMoves: vscode.workspace.getConfiguration("rapidsim").get("checkMoves") },
-      errorHandler,
+      errorHandler: { error: () => ({ action: ErrorAction.Continue, handled: true }), closed },
       initializationFailedHandler: () => false,
       middleware: { executeCommand: (name, args, next) => this.execute(name, args, next) },
     });
     this.client = client;
-    try {
-      await client.start();
-    } catch {
-      const reason = errors.trim().split(/\r?\n/).slice(-2).join(" ");
-      await explain(`\`rapidsim lsp\` does not start${reason ? `: ${reason}` : ""}`);
-    }
+    await client.start().catch(() => undefined);
   }
 
   async stop(): Promise<void> {
