@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from code_server_script import SCRIPT, or_skip
 
 pytestmark = pytest.mark.screen
 
@@ -27,6 +28,8 @@ PROGRAM = """MODULE cell
 ENDMODULE
 """
 FINDING = "`cuont` is not declared\ndid you mean `count`?"
+DOWNLOADS = "RAPIDSIM_CODE_SERVER"
+"""Names the folder for code-server, 800 MB that take a minute to come; without it no VS Code."""
 
 
 def need(program: str) -> str:
@@ -93,3 +96,29 @@ def test_emacs(tmp_path: Path) -> None:
     assert "Position 600, 0, 800 mm" in seen["hover"]
     assert seen["definition"] == 2
     assert seen["text"] == PROGRAM.replace("pHome", "pRest")
+
+
+@pytest.mark.skipif(
+    DOWNLOADS not in os.environ, reason=f"{DOWNLOADS} names no folder for downloads"
+)
+def test_vscode(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    programs = or_skip(SCRIPT.install, Path(os.environ[DOWNLOADS]))
+    extension = or_skip(SCRIPT.package_extension, tmp_path)
+    folder = tmp_path / "cell"
+    folder.mkdir()
+    runs = PROGRAM.replace("cuont", "count").replace("fine", "z50")
+    (folder / "cell.mod").write_text(
+        runs.replace("    ENDPROC", "        WaitTime 1;\n    ENDPROC")
+    )
+    monkeypatch.setenv("FAILURE", str(tmp_path / "failure.png"))
+    with SCRIPT.serve(programs, extension, tmp_path / "server") as url:
+        printed = programs.drive(HERE / "vscode_session.mjs", url, folder, "cell.mod", 7)
+    seen = json.loads(printed)
+    message = "MoveJ with zone `z50`, then WaitTime: the corner becomes a stop"
+    assert message in "".join(seen["problems"])
+    assert seen["squiggles"] == 1
+    assert seen["lenses"] == ["Run | Record"]
+    assert {"Run", "Record", "Debug"} <= {label.partition(" (")[0] for label in seen["buttons"]}
+    assert seen["language"] == "RAPID"
+    assert seen["stack"][0].startswith("main")
+    assert [name.strip() for name in seen["scopes"]][:2] == ["Routine", "Module"]

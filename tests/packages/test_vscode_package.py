@@ -8,10 +8,11 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from vscode_package import EXTENSION, built
+from code_server_script import SCRIPT, or_skip
 
 from rapidsim.module_files import MODULE_SUFFIXES
 
+EXTENSION = Path(__file__).parents[2] / "editors" / "vscode"
 GRAMMAR = EXTENSION / "syntaxes" / "rapid.tmLanguage.json"
 MOST_LINES = 300
 MOST_KB = 200
@@ -19,7 +20,7 @@ MOST_KB = 200
 
 @pytest.mark.packages
 def test_the_package_has_what_it_names(tmp_path: Path) -> None:
-    package = built(tmp_path)
+    package = or_skip(SCRIPT.package_extension, tmp_path)
     assert package.stat().st_size < MOST_KB * 1024
     with zipfile.ZipFile(package) as archive:
         names = {name.removeprefix("extension/") for name in archive.namelist()}
