@@ -12,7 +12,7 @@ from lsp_documents import HERE, MARK, applied, ask, at, opened
 from lsprotocol import types as lsp
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.lsp.background import RunAnswer, run_of
+from rapidsim.lsp.background import RunAnswer, findings_of_moves, run_of
 from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import OpenDocument, text_changes
@@ -232,6 +232,21 @@ def test_hover_of_a_target_that_a_run_reached() -> None:
     found = ask(lsp.TEXT_DOCUMENT_HOVER, document, position=place)
     assert isinstance(found.contents, lsp.MarkupContent)
     assert "In the last run: joints 2.0, 2.0" in found.contents.value
+
+
+def test_hover_says_once_what_two_moves_have_found(tmp_path: Path) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text(
+        "MODULE m\n  CONST robtarget far:=\n"
+        "    [[9000,0,800],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveJ far,v500,fine,tool0;\n    MoveL far,v500,fine,tool0;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    job = job_of_file(str(program))
+    assert job is not None
+    found = findings_of_moves(job)
+    assert [one.code for one in found] == ["K601", "K601"]
+    assert len(list(RunResults({str(program): found}).about_target("far"))) == 1
 
 
 def test_no_results_say_nothing() -> None:
