@@ -26,7 +26,8 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   command("debugProgram", async (uri) => {
     const folder = uri && vscode.workspace.getWorkspaceFolder(uri);
     const configuration = { type: "rapidsim", request: "launch", name: "Debug", stopOnEntry: true };
-    await vscode.debug.startDebugging(folder, configuration);
+    const started = await vscode.debug.startDebugging(folder, configuration);
+    if (started) await vscode.commands.executeCommand("workbench.view.debug");
   });
   context.subscriptions.push(
     registerDebugger(language),
