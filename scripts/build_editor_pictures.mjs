@@ -37,6 +37,8 @@ const SCENES = {
       await page.click(`.debug-variables .scope:has-text("${scope}")`);
       await page.waitForTimeout(700);
     }
+    // On a busy computer the adapter may give up the search for the time.
+    await page.waitForSelector(".debug-call-stack :text('t = ')");
     await page.mouse.move(900, 560);
   },
 };
