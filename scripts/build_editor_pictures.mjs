@@ -1,5 +1,7 @@
 // One picture of docs/editor.md; `build_editor_pictures.py` starts it with a name, a folder and a file.
 
+import { tmpdir } from "node:os";
+
 const { openFolder, openFile, goTo, pointAt, pressKeys, closeMessages } = await import(process.env.PAGE);
 const [name, folder, picture] = process.argv.slice(2);
 
@@ -61,7 +63,7 @@ try {
   await page.waitForTimeout(1500);
   await page.screenshot({ path: picture });
 } catch (problem) {
-  await page.screenshot({ path: process.env.FAILURE ?? "failure.png" });
+  await page.screenshot({ path: process.env.FAILURE ?? `${tmpdir()}/rapidsim-editor-failure.png` });
   throw problem;
 } finally {
   await page.context().browser().close();

@@ -1,5 +1,7 @@
 // What a user of VS Code sees: problems, squiggles, lenses, the debugger at a breakpoint. Prints it as JSON.
 
+import { tmpdir } from "node:os";
+
 const { openFolder, openFile, goTo, pressKeys } = await import(process.env.PAGE);
 const [folder, file, line] = process.argv.slice(2);
 
@@ -24,7 +26,7 @@ try {
   seen.scopes = await texts(".debug-variables .scope");
   console.log(JSON.stringify(seen));
 } catch (problem) {
-  await page.screenshot({ path: process.env.FAILURE ?? "failure.png" });
+  await page.screenshot({ path: process.env.FAILURE ?? `${tmpdir()}/rapidsim-editor-failure.png` });
   throw problem;
 } finally {
   await page.context().browser().close();
