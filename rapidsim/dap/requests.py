@@ -138,8 +138,15 @@ def stack_trace(session: DebugSession, arguments: Message) -> Message:
 
 
 def scopes(session: DebugSession, arguments: Message) -> Message:
-    """The scopes of a routine."""
-    return session.stopped().scopes(arguments)
+    """The scopes of a routine; none if it is of an earlier stop.
+
+    After `until` in the console a client asks for those of the stop before, and would show a
+    refusal to the user.
+    """
+    try:
+        return session.stopped().scopes(arguments)
+    except LookupError:
+        return {"scopes": []}
 
 
 def variables(session: DebugSession, arguments: Message) -> Message:

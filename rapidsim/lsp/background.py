@@ -57,10 +57,10 @@ class Background:
             found = await self._call(findings_of_moves, job)
         return found or () if number == self._number else None
 
-    async def run(self, job: Job, entry: str, recording: str) -> RunAnswer:
-        """Run a procedure; with a path, write a recording."""
+    async def run(self, job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
+        """Run a procedure; with a path, write a recording or a report."""
         async with self._turn:
-            answer = await self._call(run_of, job, entry, recording)
+            answer = await self._call(run_of, job, entry, recording, report)
         return answer or RunAnswer(
             RunSummary(entry, "error", 0.0, 0, "the process of the run has ended unexpectedly"), {}
         )
@@ -102,7 +102,7 @@ def findings_of_moves(job: Job) -> tuple[Diagnostic, ...]:
     return tuple(one for one in found if not is_of_text(one.code))
 
 
-def run_of(job: Job, entry: str, recording: str) -> RunAnswer:
+def run_of(job: Job, entry: str, recording: str, report: str = "") -> RunAnswer:
     """Run a procedure of a job; files that it writes go to a folder that is deleted."""
     # NumPy and the motion of the arm are imported by this process alone.
     from rapidsim.jobs.running.run_files import ProgramRejectedError, run_job  # noqa: PLC0415
@@ -119,14 +119,19 @@ def run_of(job: Job, entry: str, recording: str) -> RunAnswer:
             finished = run_job(replace(job, request=request))
             simulation = finished.simulation
             written = ""
-            if recording:
+            if recording or report:
                 from rapidsim.api.run import run_of as as_api  # noqa: PLC0415
 
-                written = str(as_api(finished).record(recording))
+                run = as_api(finished)
+                if report:
+                    run.report(report)
+                if recording:
+                    written = str(run.record(recording))
         except ProgramRejectedError as error:
             return RunAnswer(RunSummary(entry, "error", 0.0, 0, f"cannot run: {error}"), {})
         except InputError as error:
-            return RunAnswer(RunSummary(entry, "error", 0.0, 0, error.message), {})
+            problem = f"{error.message}: {error.help}" if error.help else error.message
+            return RunAnswer(RunSummary(entry, "error", 0.0, 0, problem), {})
     moves: dict[str, list[RunMove]] = {}
     for move in simulation.moves:
         span = move.place.span
@@ -138,7 +143,7 @@ def run_of(job: Job, entry: str, recording: str) -> RunAnswer:
                 start_s=move.start_s,
                 end_s=move.end_s,
                 corner=move.corner.value,
-                corner_reason=move.corner_reason,
+                corner_reason="" if move.move.zone.finep else move.corner_reason,
                 joints_deg=tuple(float(one) * 57.29577951308232 for one in move.joints),
                 conf=tuple(map(int, move.conf)),
             )

@@ -10,7 +10,10 @@ from rapidsim.lsp.view import Document
 from rapidsim.syntax import tree
 
 RUN, RECORD = "rapidsim.run", "rapidsim.record"
-"""Commands; each takes the URI of a document and the name of a procedure."""
+"""Commands; each takes the URI of a document and the name of a procedure.
+
+A third argument of the second is the path of an HTML report to write as well.
+"""
 
 
 def code_lenses(document: Document, results: RunResults = NO_RESULTS) -> list[lsp.CodeLens]:

@@ -106,9 +106,13 @@ class RunResults:
             joints = ", ".join(f"{angle:.1f}" for angle in last.joints_deg)
             turns = ", ".join(map(str, last.conf))
             yield f"In the last run: joints {joints}; configuration {turns}."
-        for found in (one for findings in self.findings.values() for one in findings):
-            if f"`{key}`" in found.message.lower():
-                yield f"{found.code}: {found.message}."
+        # Several moves to a target have the same finding.
+        yield from dict.fromkeys(
+            f"{found.code}: {found.message}."
+            for findings in self.findings.values()
+            for found in findings
+            if f"`{key}`" in found.message.lower()
+        )
 
 
 NO_RESULTS = RunResults()

@@ -21,9 +21,11 @@ def signature_help(document: Document, position: lsp.Position) -> lsp.SignatureH
     if call is None or found is None:
         return None
     symbol, callee = found
-    at = formal_at(call, callee)
     label = declaration(symbol)
     spans = _parameter_spans(label, [formal.spelled for formal in callee.parameters], symbol)
+    at = formal_at(call, callee)
+    # An index past the last highlights none.
+    active = len(spans) if at is None else at[0]
     return lsp.SignatureHelp(
         signatures=[
             lsp.SignatureInformation(
@@ -33,11 +35,12 @@ def signature_help(document: Document, position: lsp.Position) -> lsp.SignatureH
                     lsp.ParameterInformation(label=span, documentation=text)
                     for span, text in zip(spans, _parameter_texts(symbol), strict=True)
                 ],
+                # It is sent in any case, and `null` would take precedence over that of the help.
+                active_parameter=active,
             )
         ],
         active_signature=0,
-        # An index past the last highlights none.
-        active_parameter=len(spans) if at is None else at[0],
+        active_parameter=active,
     )
 
 

@@ -46,6 +46,8 @@ _CHECK_DELAY_S = 0.8
 """Moves are checked when no change has come for so long."""
 _PATIENCE_S = 1.0
 """Wait for a client to accept that progress is shown; without an answer none is."""
+PROGRAM = "rapidsim.program"
+"""Command: the path of the program that the document of a URI belongs to; none without one."""
 _WATCHED = "**/*.{mod,modx,sys,sysx,prg,MOD,SYS,PRG,toml,cfg}"
 
 
@@ -169,8 +171,16 @@ class RapidServer(LanguageServer):
         self._publish()
         self._refresh_results()
 
-    async def run_program(self, uri: str, entry: str, *, records: bool) -> RunSummary:
+    async def run_program(
+        self, uri: str, entry: str, *, records: bool, report: str = ""
+    ) -> RunSummary:
         """Run a procedure of the program of a document; show times in the text.
+
+        Args:
+            uri: The document.
+            entry: The procedure.
+            records: Whether to write a recording next to the document.
+            report: Path of a report to write; empty for none.
 
         Raises:
             InputError: If the document belongs to no program on the disk.
@@ -184,7 +194,7 @@ class RapidServer(LanguageServer):
             recording = str(Path(found.path).with_suffix(".rrd"))
         edits = found.program.edit_count
         async with self._progress(f"Running {entry}"):
-            answer = await self.background.run(job, entry, recording)
+            answer = await self.background.run(job, entry, recording, report)
         if edits == found.program.edit_count:
             found.program.take_run(answer)
             self._refresh_results()
@@ -432,13 +442,21 @@ def _add_commands(server: RapidServer) -> None:
         return await _run(server, uri, entry, records=False)
 
     @server.command(code_lenses.RECORD)
-    async def record(uri: str, entry: str = "main") -> object:
-        return await _run(server, uri, entry, records=True)
+    async def record(uri: str, entry: str = "main", report: str = "") -> object:
+        return await _run(server, uri, entry, records=True, report=report)
+
+    @server.command(PROGRAM)
+    def program(uri: str) -> str | None:
+        found = server.session.find(uri)
+        job = None if found is None else found.program.job
+        return None if job is None else job.request.paths[0]
 
 
-async def _run(server: RapidServer, uri: str, entry: str, *, records: bool) -> object:
+async def _run(
+    server: RapidServer, uri: str, entry: str, *, records: bool, report: str = ""
+) -> object:
     try:
-        summary = await server.run_program(uri, entry, records=records)
+        summary = await server.run_program(uri, entry, records=records, report=report)
     except InputError as error:
         server.warn(error.message)
         return None

@@ -397,6 +397,12 @@ def test_pause_stops_a_program_that_never_ends(tmp_path: Path) -> None:
         assert float(client.value("n")) == float(before) - 2
 
 
+def test_a_routine_of_an_earlier_stop_has_no_scopes(client: Client) -> None:
+    client.launch("cell.mod", ADD)
+    client.stopped()
+    assert client.request("scopes", frameId=99) == {"scopes": []}
+
+
 def test_what_is_asked_wrongly_is_refused(client: Client) -> None:
     client.launch("cell.mod", ADD)
     client.stopped()

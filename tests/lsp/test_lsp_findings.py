@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 from laws import some
@@ -11,10 +12,11 @@ from lsp_documents import HERE, MARK, applied, ask, at, opened
 from lsprotocol import types as lsp
 
 from rapidsim.diagnostics import all_rules
-from rapidsim.lsp.background import RunAnswer
+from rapidsim.lsp.background import RunAnswer, findings_of_moves, run_of
 from rapidsim.lsp.code_actions import FIX_ALL, resolve_fix_all
 from rapidsim.lsp.diagnostics import diagnostics_of
 from rapidsim.lsp.editor_session import OpenDocument, text_changes
+from rapidsim.lsp.programs import job_of_file
 from rapidsim.lsp.run_results import RunMove, RunResults, RunSummary
 from rapidsim.lsp.semantic_tokens import SemanticTokenEncoder, difference
 from rapidsim.lsp.token_pieces import MODIFIERS, TYPES
@@ -178,6 +180,31 @@ def test_hints() -> None:
     assert hints(with_run(MOVES))[3:] == times
 
 
+def test_a_programmed_stop_needs_no_reason(tmp_path: Path) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text(
+        "MODULE m\n  CONST jointtarget j:=[[0,0,0,0,30,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveAbsJ j,v500,fine,tool0;\n    MoveAbsJ j,v500,z10,tool0;\n"
+        "    WaitTime 1;\n    MoveAbsJ j,v500,fine,tool0;\n  ENDPROC\nENDMODULE\n"
+    )
+    found = job_of_file(str(program))
+    assert found is not None
+    moves = run_of(found, "main", "").moves[str(program)]
+    assert [bool(one.corner_reason) for one in moves] == [False, True, False]
+
+
+def test_a_run_that_cannot_be_recorded_says_what_helps(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text("MODULE m\n  PROC main()\n  ENDPROC\nENDMODULE\n")
+    found = job_of_file(str(program))
+    assert found is not None
+    monkeypatch.setattr("rapidsim.extras.is_installed", lambda package: False)
+    problem = run_of(found, "main", str(tmp_path / "m.rrd")).summary.problem
+    assert problem.endswith('is not installed: pip install "rapidsim[view]"')
+
+
 def test_times_follow_an_edit() -> None:
     document = with_run(MOVES)
     at_start = lsp.Range(lsp.Position(1, 0), lsp.Position(1, 0))
@@ -205,6 +232,21 @@ def test_hover_of_a_target_that_a_run_reached() -> None:
     found = ask(lsp.TEXT_DOCUMENT_HOVER, document, position=place)
     assert isinstance(found.contents, lsp.MarkupContent)
     assert "In the last run: joints 2.0, 2.0" in found.contents.value
+
+
+def test_hover_says_once_what_two_moves_have_found(tmp_path: Path) -> None:
+    program = tmp_path / "m.mod"
+    program.write_text(
+        "MODULE m\n  CONST robtarget far:=\n"
+        "    [[9000,0,800],[0,0,1,0],[0,0,0,0],[9E9,9E9,9E9,9E9,9E9,9E9]];\n"
+        "  PROC main()\n    MoveJ far,v500,fine,tool0;\n    MoveL far,v500,fine,tool0;\n"
+        "  ENDPROC\nENDMODULE\n"
+    )
+    job = job_of_file(str(program))
+    assert job is not None
+    found = findings_of_moves(job)
+    assert [one.code for one in found] == ["K601", "K601"]
+    assert len(list(RunResults({str(program): found}).about_target("far"))) == 1
 
 
 def test_no_results_say_nothing() -> None:

@@ -11,7 +11,7 @@ import pytest
 from rapidsim.module_files import MODULE_SUFFIXES
 
 ROOT = Path(__file__).parents[2]
-RECIPES = sorted((ROOT / "editors").iterdir())
+RECIPES = sorted(path for path in (ROOT / "editors").iterdir() if path.is_file())
 
 
 @pytest.mark.parametrize("recipe", RECIPES, ids=lambda path: path.name)

@@ -144,6 +144,7 @@ def test_signature_help(text: str, active: str | None) -> None:
     (signature,) = found.signatures
     assert signature.parameters is not None
     assert found.active_parameter is not None
+    assert signature.active_parameter == found.active_parameter
     label = signature.parameters[found.active_parameter].label
     assert isinstance(label, tuple)
     assert signature.label[label[0] : label[1]] == active

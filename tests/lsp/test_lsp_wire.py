@@ -54,7 +54,9 @@ def test_what_the_server_can_do(client: Client) -> None:
     assert able["positionEncoding"] == "utf-16"
     assert able["textDocumentSync"]["change"] == 2
     assert able["semanticTokensProvider"]["full"] == {"delta": True}
-    assert able["executeCommandProvider"]["commands"] == ["rapidsim.run", "rapidsim.record"]
+    assert able["executeCommandProvider"]["commands"] == [
+        *("rapidsim.run", "rapidsim.record", "rapidsim.program")
+    ]
     assert able["codeActionProvider"]["resolveProvider"] is True
     for name in (
         *("hover", "definition", "typeDefinition", "references", "documentHighlight"),
@@ -138,6 +140,22 @@ def test_unsaved_text_cannot_run(client: Client) -> None:
     parameters = {"command": "rapidsim.run", "arguments": ["untitled:run", "main"]}
     assert client.request("workspace/executeCommand", parameters) is None
     assert "must be saved" in client.notification("window/showMessage")["message"]
+    parameters = {"command": "rapidsim.program", "arguments": ["untitled:run"]}
+    assert client.request("workspace/executeCommand", parameters) is None
+
+
+def test_a_recording_comes_with_the_report_that_the_client_wants(tmp_path: Path) -> None:
+    file, report = tmp_path / "m.mod", tmp_path / "report.html"
+    file.write_text(TEXT)
+    uri = uri_of(str(file))
+    client = Client(PULLED)
+    client.open(uri, TEXT)
+    parameters = {"command": "rapidsim.record", "arguments": [uri, "main", str(report)]}
+    result = client.request("workspace/executeCommand", parameters)
+    assert result["recording"] == str(tmp_path / "m.rrd")
+    assert (tmp_path / "m.rrd").is_file()
+    assert "<html" in report.read_text(encoding="utf-8")
+    assert client.close() == (0, "")
 
 
 def test_a_client_that_pulls_runs_and_watches(tmp_path: Path) -> None:
@@ -171,6 +189,8 @@ def test_a_client_that_pulls_runs_and_watches(tmp_path: Path) -> None:
     assert client.request("textDocument/hover", where(uri, 5, 5)) is not None
     result = client.answer(run)["result"]
     assert (result["end"], result["moves"]) == ("ended", 2)
+    parameters = {"command": "rapidsim.program", "arguments": [uri]}
+    assert client.request("workspace/executeCommand", parameters) == str(tmp_path)
     lenses = client.request("textDocument/codeLens", {"textDocument": {"uri": uri}})
     titles = [one["command"]["title"] for one in lenses]
     assert titles == ["Run", "Record", f"{result['time_s']:.3f} s in the last run"]
