@@ -8,8 +8,10 @@ import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
 from itertools import zip_longest
+from typing import ClassVar
 
 from rapidsim.cli.terminal import echo
+from rapidsim.values import value_class
 
 SCHEMA = 1
 _OPTIONS = ("--format", "--output-format")
@@ -28,9 +30,25 @@ def is_json_requested(arguments: Sequence[str]) -> bool:
     return wants
 
 
-def error_record(message: str, help: str | None, similar: Sequence[str]) -> dict[str, object]:
-    """An error of use, or what broke a command off, as JSON values."""
-    return {"message": message, "help": help or "", "similar": list(similar)}
+@value_class(frozen=True, slots=True)
+class CommandError:
+    """An error of use, or the reason why a command was broken off."""
+
+    message: str
+    help: str
+    """A remedy; empty if none is known."""
+    similar: tuple[str, ...]
+    """Known names near an unknown one."""
+
+
+@value_class(frozen=True, slots=True)
+class ErrorReport:
+    """The object of a command that cannot do its work."""
+
+    schema: ClassVar[int] = SCHEMA
+    """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
+    error: CommandError
+    """Reason of the failure; next to other keys, a failure after these were known."""
 
 
 def print_object(value: dict[str, object]) -> None:

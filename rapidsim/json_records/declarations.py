@@ -1,0 +1,124 @@
+"""Declarations of JSON records: frozen classes whose fields are the keys, in their order.
+
+A docstring below a field is its description in the schema. A class variable is a key with a
+constant value. A field with the default None is optional: it is omitted where it is None.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from enum import Enum
+from functools import cache
+from types import NoneType, UnionType
+from typing import Annotated, Any, ClassVar, TypeAlias, Union, get_args, get_origin, get_type_hints
+
+from rapidsim.values import value_class
+
+_UNIONS = (Union, UnionType)
+_ARRAYS = (tuple, Sequence)
+
+
+class ValueForm(Enum):
+    """Forms of values other than the usual one."""
+
+    INLINE = "inline"
+    """The keys of the record or the mapping, without a key for itself."""
+    ROUNDED = "rounded"
+    """A number with 8 decimals; null if it is not finite."""
+
+
+Rounded: TypeAlias = Annotated[float, ValueForm.ROUNDED]
+"""A number of a run, which is rounded, so that the files of two machines are equal."""
+
+
+@value_class(frozen=True, slots=True)
+class Key:
+    """Key of a field that has another name in Python."""
+
+    name: str
+
+
+@value_class(frozen=True, slots=True)
+class Since:
+    """Number `schema` from which outputs have the key of a field."""
+
+    schema: int
+
+
+@value_class(frozen=True, slots=True)
+class RecordField:
+    """One field of a record."""
+
+    name: str
+    key: str
+    type: Any
+    """The type with its marks."""
+    is_constant: bool
+    is_inline: bool
+    is_optional: bool
+    """Whether it is omitted where it is None."""
+    has_default: bool
+    since: int
+
+
+@cache
+def record_fields(record: Any) -> tuple[RecordField, ...]:
+    """Return the fields of a record, constants included, in the order of the declaration."""
+    types = get_type_hints(record, include_extras=True)
+    declared = {field.name: field for field in dataclasses.fields(record) if field.init}
+    found = []
+    for name, type_ in types.items():
+        is_constant = get_origin(type_) is ClassVar
+        if not is_constant and name not in declared:
+            continue
+        marks = getattr(type_, "__metadata__", ())
+        default = dataclasses.MISSING if is_constant else declared[name].default
+        found.append(
+            RecordField(
+                name=name,
+                key=next((one.name for one in marks if isinstance(one, Key)), name),
+                type=get_args(type_)[0] if is_constant else type_,
+                is_constant=is_constant,
+                is_inline=ValueForm.INLINE in marks,
+                is_optional=default is None,
+                has_default=is_constant or _has_default(declared[name]),
+                since=next((one.schema for one in marks if isinstance(one, Since)), 1),
+            )
+        )
+    return tuple(found)
+
+
+def is_record(type_: object) -> bool:
+    """Whether a type is a record."""
+    return isinstance(type_, type) and dataclasses.is_dataclass(type_)
+
+
+def marks_of(type_: Any) -> tuple[Any, tuple[Any, ...]]:
+    """Return a type without its marks, and these."""
+    if get_origin(type_) is Annotated:
+        return type_.__origin__, type_.__metadata__
+    return type_, ()
+
+
+def alternatives(type_: Any) -> tuple[tuple[Any, ...], bool]:
+    """Return the types that a value may have but None, and whether it may be None."""
+    if get_origin(type_) not in _UNIONS:
+        return (type_,), False
+    types = get_args(type_)
+    return tuple(one for one in types if one is not NoneType), NoneType in types
+
+
+def item_type(type_: Any) -> Any:
+    """Return the type of the items of an array; None if the type is no array."""
+    return get_args(type_)[0] if get_origin(type_) in _ARRAYS else None
+
+
+def value_type(type_: Any) -> Any:
+    """Return the type of the values of an object without declared keys; None for other types."""
+    return get_args(type_)[1] if get_origin(type_) is Mapping else None
+
+
+def _has_default(field: dataclasses.Field[Any]) -> bool:
+    missing = dataclasses.MISSING
+    return field.default is not missing or field.default_factory is not missing

@@ -1,0 +1,73 @@
+"""Write `rapidsim/schemas/` from the records: `python scripts/build_schemas.py`.
+
+A file is the JSON Schema of what a command prints with `--format json`.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from rapidsim.cli.machine_output import ErrorReport
+from rapidsim.json_records.schema import Schema, SchemaWriter
+
+FOLDER = Path(__file__).parents[1] / "rapidsim" / "schemas"
+DRAFT = "https://json-schema.org/draft/2020-12/schema"
+ERROR = "error"
+OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {}
+"""Title and record of the output of each command, by the name of its schema."""
+
+
+def schemas() -> Iterator[tuple[str, str]]:
+    """Yield name and text of each schema."""
+    yield ERROR, _text(_error_schema())
+    for name, (title, record) in OUTPUTS.items():
+        yield name, _text(_output_schema(title, record))
+
+
+def _error_schema() -> Schema:
+    writer = SchemaWriter()
+    title = "rapidsim --format json, where a command cannot do its work"
+    return {"$schema": DRAFT, "title": title, **writer.object_of(ErrorReport), **_defs(writer)}
+
+
+def _output_schema(title: str, record: type[Any]) -> Schema:
+    """Return the schema of an output, which may also be an error or the text of `--help`."""
+    writer = SchemaWriter()
+    errors, whole = writer.object_of(ErrorReport), writer.object_of(record)
+    text = {"type": "string", "description": "with --help or --version: their text"}
+    return {
+        "$schema": DRAFT,
+        "title": f"rapidsim {title}",
+        "type": "object",
+        "properties": {**whole["properties"], **_missing(errors, whole), "text": text},
+        "if": {"anyOf": [{"required": ["error"]}, {"required": ["text"]}]},
+        "then": {"required": [key for key in whole["required"] if key == "schema"]},
+        "else": {"required": whole["required"]},
+        **_defs(writer),
+    }
+
+
+def _missing(errors: Schema, whole: Schema) -> Schema:
+    listed = whole["properties"]
+    return {key: value for key, value in errors["properties"].items() if key not in listed}
+
+
+def _defs(writer: SchemaWriter) -> Schema:
+    return {"$defs": dict(sorted(writer.definitions.items()))}
+
+
+def _text(schema: Schema) -> str:
+    return f"{json.dumps(schema, indent=2)}\n"
+
+
+def main() -> None:
+    """Write the files."""
+    for name, text in schemas():
+        (FOLDER / f"{name}.json").write_text(text, encoding="utf-8", newline="\n")
+
+
+if __name__ == "__main__":
+    main()
