@@ -11,20 +11,25 @@ from pathlib import Path
 from typing import Any
 
 from rapidsim.cli.machine_output import ErrorReport
+from rapidsim.cli.tools.check_output import CheckReport
 from rapidsim.json_records.schema import Schema, SchemaWriter
 
 FOLDER = Path(__file__).parents[1] / "rapidsim" / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 ERROR = "error"
-OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {}
+WIDTH = 100
+"""Characters of a line that a value may fill."""
+OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {
+    "check": ("check --format json", CheckReport),
+}
 """Title and record of the output of each command, by the name of its schema."""
 
 
 def schemas() -> Iterator[tuple[str, str]]:
     """Yield name and text of each schema."""
-    yield ERROR, _text(_error_schema())
+    yield ERROR, _text(_error_schema()) + "\n"
     for name, (title, record) in OUTPUTS.items():
-        yield name, _text(_output_schema(title, record))
+        yield name, _text(_output_schema(title, record)) + "\n"
 
 
 def _error_schema() -> Schema:
@@ -59,8 +64,20 @@ def _defs(writer: SchemaWriter) -> Schema:
     return {"$defs": dict(sorted(writer.definitions.items()))}
 
 
-def _text(schema: Schema) -> str:
-    return f"{json.dumps(schema, indent=2)}\n"
+def _text(value: object, indent: str = "") -> str:
+    """Return JSON in which a value that fits is one line."""
+    line = json.dumps(value)
+    if not isinstance(value, dict | list) or len(line) <= WIDTH - len(indent):
+        return line
+    inner = f"{indent}  "
+    if isinstance(value, dict):
+        begin, end = "{", "}"
+        parts = [f"{json.dumps(key)}: {_text(one, inner)}" for key, one in value.items()]
+    else:
+        begin, end = "[", "]"
+        parts = [_text(one, inner) for one in value]
+    rows = f",\n{inner}".join(parts)
+    return f"{begin}\n{inner}{rows}\n{indent}{end}"
 
 
 def main() -> None:

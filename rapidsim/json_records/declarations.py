@@ -1,7 +1,7 @@
 """Declarations of JSON records: frozen classes whose fields are the keys, in their order.
 
 A docstring below a field is its description in the schema. A class variable is a key with a
-constant value. A field with the default None is optional: it is omitted where it is None.
+constant value. A field with the default None is omitted where it is None, like an `OrAbsent`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,17 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from functools import cache
 from types import NoneType, UnionType
-from typing import Annotated, Any, ClassVar, TypeAlias, Union, get_args, get_origin, get_type_hints
+from typing import (
+    Annotated,
+    Any,
+    ClassVar,
+    TypeAlias,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
 from rapidsim.values import value_class
 
@@ -24,12 +34,17 @@ class ValueForm(Enum):
 
     INLINE = "inline"
     """The keys of the record or the mapping, without a key for itself."""
+    OPTIONAL = "optional"
+    """A value that is omitted where it is None."""
     ROUNDED = "rounded"
     """A number with 8 decimals; null if it is not finite."""
 
 
 Rounded: TypeAlias = Annotated[float, ValueForm.ROUNDED]
 """A number of a run, which is rounded, so that the files of two machines are equal."""
+T = TypeVar("T")
+OrAbsent: TypeAlias = Annotated[T | None, ValueForm.OPTIONAL]
+"""A value whose key is omitted where it is None."""
 
 
 @value_class(frozen=True, slots=True)
@@ -81,7 +96,7 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
                 type=get_args(type_)[0] if is_constant else type_,
                 is_constant=is_constant,
                 is_inline=ValueForm.INLINE in marks,
-                is_optional=default is None,
+                is_optional=default is None or ValueForm.OPTIONAL in marks,
                 has_default=is_constant or _has_default(declared[name]),
                 since=next((one.schema for one in marks if isinstance(one, Since)), 1),
             )

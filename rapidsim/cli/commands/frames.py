@@ -18,10 +18,12 @@ from rapidsim.cli.tools.findings_text import findings_text
 from rapidsim.jobs.checking.best_arm import with_best_arm
 from rapidsim.jobs.checking.checked_program import load
 from rapidsim.jobs.inputs.run_request import RunRequest
+from rapidsim.json_records.encoding import json_of
 from rapidsim.language.data import IDENTITY_POSE
 from rapidsim.motion.configurations.targets import pose
+from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import diagnostic_json, summary_line
+from rapidsim.report.findings.text import summary_line
 from rapidsim.report.tables.frame_text import frame_json, frame_text
 from rapidsim.report.tables.frame_tree import frame_tree
 from rapidsim.simulation.start_values import start_values
@@ -56,7 +58,7 @@ def frames(
     if loaded.program is None:
         findings = merged(loaded.diagnostics)
         if output_format == "json":
-            found = [diagnostic_json(finding) for finding in findings]
+            found = [json_of(diagnostic_record(finding)) for finding in findings]
             print_json({"schema": 1, "root": None, "diagnostics": found})
         echo(findings_text(findings, terminal), palette=terminal.palette, nl=False, err=True)
         echo(summary_line(findings, files=len(files), seconds=None), err=True)

@@ -7,12 +7,13 @@ from collections.abc import Callable, Mapping, Sequence
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
+from rapidsim.json_records.encoding import json_of as record_json
 from rapidsim.motion.model import MotionModel
 from rapidsim.motion.robot.dynamics import PRIOR_FACTOR
 from rapidsim.motion.robot.robot import Robot
 from rapidsim.motion.timing.axis_limits import model_of, torques_of
+from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.findings.text import diagnostic_json
 from rapidsim.report.run.collision_records import clearance_records, contact_records
 from rapidsim.report.run.error_records import error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
@@ -133,7 +134,7 @@ def rejected_json(
         "min_joint_margin": None,
         "min_singularity": None,
         "max_off_path": None,
-        "diagnostics": [diagnostic_json(finding) for finding in merged(findings)],
+        "diagnostics": [record_json(diagnostic_record(finding)) for finding in merged(findings)],
         "waits": [],
         "slowest_waits": [],
         "stretches": [],
