@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 from rapidsim.cli.machine_output import ErrorReport
-from rapidsim.cli.tools.check_output import CheckReport
 from rapidsim.json_records.schema import Schema, SchemaWriter
+from rapidsim.report.findings.check_report import CheckReport
 
 FOLDER = Path(__file__).parents[1] / "rapidsim" / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"

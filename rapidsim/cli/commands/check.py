@@ -21,7 +21,7 @@ from rapidsim.cli.options.job_options import (
 from rapidsim.cli.options.numbers import POSITIVE, PROCESSES
 from rapidsim.cli.options.poses import scale_option
 from rapidsim.cli.terminal import Terminal, current_terminal, echo, print_json, terminal_options
-from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, check_report, checked_text
+from rapidsim.cli.tools.check_output import FORMATS, SPOKEN_FORMATS, checked_text
 from rapidsim.cli.tools.checked_jobs import checked_jobs
 from rapidsim.cli.tools.differences import difference
 from rapidsim.cli.tools.known_findings import (
@@ -38,7 +38,6 @@ from rapidsim.jobs.checking.check_result import CheckResult
 from rapidsim.jobs.inputs.job import Job, read_again
 from rapidsim.jobs.inputs.run_request import RunRequest
 from rapidsim.jobs.inputs.task_files import missing_neighbours
-from rapidsim.json_records.encoding import json_of
 from rapidsim.module_files import single_programs
 from rapidsim.report.findings.checked_moves import coverage_lines
 from rapidsim.report.findings.merging import Finding, errors_first, merged
@@ -288,6 +287,9 @@ def _print_findings(
 ) -> None:
     result = outcome.result
     if options.output_format == "json":
+        from rapidsim.json_records.encoding import json_of
+        from rapidsim.report.findings.check_report import check_report
+
         report = check_report(
             findings,
             result,
