@@ -13,13 +13,15 @@ from typing import Any
 from rapidsim.cli.machine_output import ErrorReport
 from rapidsim.json_records.schema import Schema, SchemaWriter
 from rapidsim.report.findings.check_report import CheckReport
+from rapidsim.report.run.json_report import RunReport
 
 FOLDER = Path(__file__).parents[1] / "rapidsim" / "schemas"
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 ERROR = "error"
-WIDTH = 100
+WIDTH = 120
 """Characters of a line that a value may fill."""
 OUTPUTS: Mapping[str, tuple[str, type[Any]]] = {
+    "run": ("run --format json", RunReport),
     "check": ("check --format json", CheckReport),
 }
 """Title and record of the output of each command, by the name of its schema."""

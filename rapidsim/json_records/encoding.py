@@ -65,7 +65,13 @@ class Encoder:
 
     def _derive(self, kind: type) -> tuple[_Field, ...]:
         fields = self._fields[kind] = tuple(
-            _Field(one.name, one.key, self._conversion(one.type), one.is_inline, one.is_optional)
+            _Field(
+                one.name,
+                one.key,
+                self._conversion(one.type),
+                one.is_inline,
+                one.is_optional or one.is_inline,
+            )
             for one in record_fields(kind)
         )
         return fields

@@ -110,21 +110,31 @@ class _Partial:
         self._path = path
 
     def __getattr__(self, name: str) -> Any:
-        field = _by_name(self._record)[name]
-        types, may_be_none = alternatives(marks_of(field.type)[0])
+        field, convert, empty = _partial_fields(self._record)[name]
         if field.is_inline:
-            return _PARTIALLY.conversion(field.type)(self._values, self._path)
-        value, path = self._values.get(field.key), (self._path, field.key)
+            return convert(self._values, self._path)
+        value = self._values.get(field.key)
         if value is not None:
-            return _PARTIALLY.conversion(field.type)(value, path)
-        if may_be_none or field.since > 1:
-            return () if item_type(types[0]) else None
-        raise WrongValueError(path, "is missing")
+            return convert(value, (self._path, field.key))
+        if empty is _NEEDED:
+            raise WrongValueError((self._path, field.key), "is missing")
+        return empty
+
+
+_NEEDED = object()
 
 
 @cache
-def _by_name(record: Any) -> Mapping[str, RecordField]:
-    return {field.name: field for field in record_fields(record)}
+def _partial_fields(record: Any) -> Mapping[str, tuple[RecordField, Conversion, object]]:
+    """Return each field with its conversion and its value where the key is missing."""
+    found: dict[str, tuple[RecordField, Conversion, object]] = {}
+    for field in record_fields(record):
+        types, may_be_none = alternatives(marks_of(field.type)[0])
+        empty: object = () if item_type(types[0]) else None
+        is_needed = not (may_be_none or field.is_optional or field.since > 1)
+        convert = _PARTIALLY.conversion(field.type)
+        found[field.name] = field, convert, _NEEDED if is_needed else empty
+    return found
 
 
 class _PartialReader(Reader):
@@ -135,7 +145,7 @@ class _PartialReader(Reader):
 _PARTIALLY = _PartialReader()
 
 
-def read_partially(record: type[T], value: object) -> T:
+def read_partially(record: type[T], value: object, path: Path = None) -> T:
     """Return a record of which only the values that are used are read.
 
     So it may come from another version. Arrays of keys that an older version lacks are empty.
@@ -143,7 +153,7 @@ def read_partially(record: type[T], value: object) -> T:
     Raises:
         WrongValueError: If it is not an object; on use, if a value is missing or wrong.
     """
-    return _PARTIALLY(record, value)
+    return _PARTIALLY(record, value, path)
 
 
 def _mapping(value: object, path: Path) -> Mapping[str, object]:

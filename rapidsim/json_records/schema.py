@@ -43,25 +43,24 @@ class SchemaWriter:
         descriptions = field_descriptions(record)
         is_open = False
         for field in record_fields(record):
-            type_, _ = marks_of(field.type)
+            (type_, *_), may_be_none = alternatives(marks_of(field.type)[0])
             if not field.is_inline:
                 properties[field.key] = self._property(field, descriptions.get(field.name))
                 required += [] if field.is_optional else [field.key]
             elif is_record(type_):
-                is_open |= self._add(type_, properties, required)
+                is_open |= self._add(type_, properties, [] if may_be_none else required)
             else:
                 is_open = True
         return is_open
 
     def _property(self, field: RecordField, description: str | None) -> Schema:
-        type_, _ = marks_of(field.type)
-        schema = self._of(type_, may_be_none=not field.is_optional)
+        schema = self._of(field.type, may_be_none=not field.is_optional)
         return schema | ({"description": description} if description else {})
 
     def _of(self, declared: Any, *, may_be_none: bool = True) -> Schema:
-        type_, _ = marks_of(declared)
+        type_, marks = marks_of(declared)
         types, has_none = alternatives(type_)
-        schemas = [self._single(one) for one in types]
+        schemas = [self._single(declared if marks and not has_none else one) for one in types]
         if len(schemas) > 1:
             schema: Schema = {"type": [one["type"] for one in schemas]}
         else:
@@ -75,7 +74,10 @@ class SchemaWriter:
         return {**schema, "type": [*names, "null"], **values}
 
     def _single(self, declared: Any) -> Schema:
-        type_, _ = marks_of(declared)
+        type_, marks = marks_of(declared)
+        for mark in marks:
+            if isinstance(mark, type) and issubclass(mark, Enum):
+                return _text(one.value for one in mark)
         if type_ in _NAMES:
             return {"type": _NAMES[type_]}
         if get_origin(type_) is Literal:

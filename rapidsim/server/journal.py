@@ -17,6 +17,7 @@ from typing import Any, Final
 
 from rapidsim.controller.journal.events import Event
 from rapidsim.files import InputError
+from rapidsim.json_records.encoding import json_of, written
 from rapidsim.language.errors import RapidError
 from rapidsim.motion.guidance.sensor import SensorAnswer
 from rapidsim.server.messages import (
@@ -31,7 +32,7 @@ from rapidsim.server.messages import (
 )
 from rapidsim.simulation.live.event_log import LogEntry
 from rapidsim.simulation.live.states import Motors, OperatingMode
-from rapidsim.simulation.results.event_values import event_record, written
+from rapidsim.simulation.results.event_values import event_record
 from rapidsim.values import value_class
 
 NETWORK: Final = "network"
@@ -88,7 +89,7 @@ def switched_off_line(time_s: float) -> str:
 
 def event_line(event: Event) -> str:
     """Return the line of an event of the run."""
-    record = event_record(event)
+    record = json_of(event_record(event))
     del record["time_s"]
     return _line(written(event.time_s), "event", record)
 

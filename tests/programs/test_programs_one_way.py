@@ -23,7 +23,7 @@ from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.diagnostic_records import diagnostic_record
 from rapidsim.report.findings.merging import merged
 from rapidsim.report.run.figures import figures
-from rapidsim.report.run.json_report import run_json
+from rapidsim.report.run.json_report import RunFiles, run_json
 from rapidsim.simulation.options import RunOptions
 
 ROOT = Path(__file__).parents[2]
@@ -93,7 +93,7 @@ def assert_run_as_printed(path: str, printed: dict[str, object]) -> None:
         found = [json_of(diagnostic_record(one)) for one in merged(rejected.diagnostics)]
         assert json.loads(json.dumps(found)) == printed["diagnostics"]
     else:
-        report = run_json(run, figures(run), run.diagnostics, {})
+        report = run_json(run, figures(run), run.diagnostics, RunFiles())
         assert json.loads(json.dumps(report)) == printed
 
 
