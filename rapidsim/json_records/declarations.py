@@ -34,6 +34,8 @@ class ValueForm(Enum):
 
     INLINE = "inline"
     """The keys of the record or the mapping, without a key for itself."""
+    LENIENT = "lenient"
+    """A value that saved outputs may lack; it is empty then."""
     OPTIONAL = "optional"
     """A value that is omitted where it is None."""
     ROUNDED = "rounded"
@@ -45,6 +47,8 @@ Rounded: TypeAlias = Annotated[float, ValueForm.ROUNDED]
 T = TypeVar("T")
 OrAbsent: TypeAlias = Annotated[T | None, ValueForm.OPTIONAL]
 """A value whose key is omitted where it is None."""
+Lenient: TypeAlias = Annotated[T, ValueForm.LENIENT]
+"""A value that saved outputs may lack, because an older version wrote them."""
 
 
 @value_class(frozen=True, slots=True)
@@ -52,13 +56,6 @@ class Key:
     """Key of a field that has another name in Python."""
 
     name: str
-
-
-@value_class(frozen=True, slots=True)
-class Since:
-    """Number `schema` from which outputs have the key of a field."""
-
-    schema: int
 
 
 @value_class(frozen=True, slots=True)
@@ -73,8 +70,8 @@ class RecordField:
     is_inline: bool
     is_optional: bool
     """Whether it is omitted where it is None."""
+    is_lenient: bool
     has_default: bool
-    since: int
 
 
 @cache
@@ -97,8 +94,8 @@ def record_fields(record: Any) -> tuple[RecordField, ...]:
                 is_constant=is_constant,
                 is_inline=ValueForm.INLINE in marks,
                 is_optional=default is None or ValueForm.OPTIONAL in marks,
+                is_lenient=ValueForm.LENIENT in marks,
                 has_default=is_constant or _has_default(declared[name]),
-                since=next((one.schema for one in marks if isinstance(one, Since)), 1),
             )
         )
     return tuple(found)

@@ -36,7 +36,7 @@ def number(value: float) -> float | None:
     return written(plain) if math.isfinite(plain) else None
 
 
-class Encoder:
+class RecordEncoder:
     """Conversion of records, and of values of other classes, to JSON values."""
 
     def __init__(self, custom: Mapping[type, Conversion] = MappingProxyType({})) -> None:
@@ -126,5 +126,5 @@ class _Field:
     is_optional: bool
 
 
-json_of = Encoder()
+json_of = RecordEncoder()
 """Conversion of a record to JSON values."""

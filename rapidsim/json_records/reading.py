@@ -33,7 +33,7 @@ class WrongValueError(ValueError):
         super().__init__(f"{_text(path)} {problem}")
 
 
-class Reader:
+class RecordReader:
     """Conversion of JSON values to records; unknown keys are ignored."""
 
     def __init__(self, custom: Mapping[type, Callable[[Any], Any]] = MappingProxyType({})) -> None:
@@ -97,7 +97,7 @@ class Reader:
         return _unchecked
 
 
-read = Reader()
+read = RecordReader()
 """Conversion of JSON values to a record."""
 
 
@@ -130,25 +130,31 @@ def _partial_fields(record: Any) -> Mapping[str, tuple[RecordField, Conversion, 
     found: dict[str, tuple[RecordField, Conversion, object]] = {}
     for field in record_fields(record):
         types, may_be_none = alternatives(marks_of(field.type)[0])
-        empty: object = () if item_type(types[0]) else None
-        is_needed = not (may_be_none or field.is_optional or field.since > 1)
-        convert = _PARTIALLY.conversion(field.type)
-        found[field.name] = field, convert, _NEEDED if is_needed else empty
+        empty: object = None if may_be_none or field.is_optional else _NEEDED
+        if field.is_lenient:
+            empty = _empty(types[0])
+        found[field.name] = field, _PARTIALLY.conversion(field.type), empty
     return found
 
 
-class _PartialReader(Reader):
+def _empty(type_: Any) -> object:
+    if is_record(type_):
+        return _PARTIALLY(type_, {})
+    return () if item_type(type_) else type_()
+
+
+class _PartialRecordReader(RecordReader):
     def __call__(self, record: type[T], value: object, path: Path = None) -> T:
         return cast(T, _Partial(record, _mapping(value, path), path))
 
 
-_PARTIALLY = _PartialReader()
+_PARTIALLY = _PartialRecordReader()
 
 
 def read_partially(record: type[T], value: object, path: Path = None) -> T:
     """Return a record of which only the values that are used are read.
 
-    So it may come from another version. Arrays of keys that an older version lacks are empty.
+    So another version may have written it. `Lenient` values that it lacks are empty.
 
     Raises:
         WrongValueError: If it is not an object; on use, if a value is missing or wrong.

@@ -12,8 +12,8 @@ from typing import Any
 
 from rapidsim.diagnostics import Diagnostic, Source, Span, Violation
 from rapidsim.jobs.inputs.robot_choice import RobotChoice
-from rapidsim.json_records.encoding import Encoder
-from rapidsim.json_records.reading import Reader
+from rapidsim.json_records.encoding import RecordEncoder
+from rapidsim.json_records.reading import RecordReader
 from rapidsim.reach.checked_moves import Coverage
 from rapidsim.values import value_class
 
@@ -48,7 +48,7 @@ def record_of(stored: StoredFindings, sources: Iterable[Source]) -> Record:
         sources: Texts that the record may omit; others are included.
     """
     places = _Places({one.file: one.text for one in sources})
-    convert = Encoder({Span: places.of, Violation: _violation_record})
+    convert = RecordEncoder({Span: places.of, Violation: _violation_record})
     findings = convert(stored)
     return [places.texts, findings]
 
@@ -63,7 +63,7 @@ def read_findings(record: Any, sources: Iterable[Source]) -> StoredFindings:
     try:
         texts, findings = record
         files = [known[name] if text is None else Source(name, text) for name, text in texts]
-        convert = Reader({Span: lambda place: _span(files, place), Violation: _violation})
+        convert = RecordReader({Span: lambda place: _span(files, place), Violation: _violation})
         return convert(StoredFindings, findings)
     except (AttributeError, ImportError, IndexError, KeyError, TypeError, ValueError) as error:
         raise NoRecordError(str(error)) from error

@@ -56,7 +56,7 @@ class ClearanceRecord:
 
 
 @value_class(frozen=True, slots=True)
-class CollisionReport:
+class RunCollisions:
     """Contacts and clearances of a run; absent if the station has no bodies."""
 
     collisions: tuple[ContactRecord, ...]
@@ -69,13 +69,13 @@ class CollisionReport:
     """Parts of the cell without a search for contacts."""
 
 
-def collision_report(simulation: Simulation) -> CollisionReport | None:
+def run_collisions(simulation: Simulation) -> RunCollisions | None:
     """Contacts and least clearances; None if the station has no bodies."""
     collisions = simulation.collisions
     if collisions is None:
         return None
     nearest = collisions.nearest
-    return CollisionReport(
+    return RunCollisions(
         contact_records(simulation),
         None if nearest is None else nearest.distance_m * _MM,
         clearance_records(simulation),

@@ -8,11 +8,11 @@ from typing import Annotated, Any, ClassVar
 
 from rapidsim.controller.moves.executed_move import ExecutedMove
 from rapidsim.diagnostics import Diagnostic
-from rapidsim.json_records.declarations import Key, OrAbsent, Rounded, Since, ValueForm
+from rapidsim.json_records.declarations import Key, Lenient, OrAbsent, Rounded, ValueForm
 from rapidsim.json_records.encoding import json_of
 from rapidsim.report.findings.diagnostic_records import DiagnosticRecord, diagnostic_record
 from rapidsim.report.findings.merging import merged
-from rapidsim.report.run.collision_records import CollisionReport, collision_report
+from rapidsim.report.run.collision_records import RunCollisions, run_collisions
 from rapidsim.report.run.error_records import ErrorRecord, error_records
 from rapidsim.report.run.figures import Figures, JointMargin, OffPath, SingularityMargin
 from rapidsim.report.run.long_programs import (
@@ -178,7 +178,7 @@ class RunReport:
     """Grows when a key changes its meaning or is removed; new keys may be added at any time."""
     program: tuple[str, ...]
     """Files, as the user named them."""
-    robot: str
+    robot: Lenient[str]
     """The arm; of several robots, the first."""
     robots: OrAbsent[tuple[StationedRobot, ...]]
     """Robots with their tasks and bases; absent if there is only one."""
@@ -202,8 +202,8 @@ class RunReport:
     min_singularity: LeastSingularValue | None
     max_off_path: GreatestOffPath | None
     """Null if the arm stays on its path."""
-    diagnostics: Annotated[tuple[DiagnosticRecord, ...], Since(2)]
-    waits: Annotated[tuple[WaitRecord, ...], Since(2)]
+    diagnostics: Lenient[tuple[DiagnosticRecord, ...]]
+    waits: Lenient[tuple[WaitRecord, ...]]
     slowest_waits: tuple[SlowWait, ...]
     """Lines that waited longest."""
     stretches: tuple[SlowSectionRecord, ...]
@@ -222,9 +222,9 @@ class RunReport:
     """Persistents whose final values differ from their declarations."""
     assertions: tuple[AssertionVerdict, ...]
     cycle_budget: BudgetVerdict | None
-    models: RunModels
+    models: Lenient[RunModels]
     files: RunFiles
-    cell: Annotated[CollisionReport | None, ValueForm.INLINE]
+    cell: Annotated[RunCollisions | None, ValueForm.INLINE]
 
 
 def run_json(
@@ -280,7 +280,7 @@ def run_report(
         cycle_budget=judgement.budget,
         models=models(simulation, times),
         files=replace(files, home=simulation.home_files),
-        cell=collision_report(simulation),
+        cell=run_collisions(simulation),
     )
 
 

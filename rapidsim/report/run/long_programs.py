@@ -117,10 +117,16 @@ def slow_section_record(section: SlowSection) -> SlowSectionRecord:
     )
 
 
-def region_record(one: Region) -> RegionRecord:
+def region_record(region: Region) -> RegionRecord:
     """The record of a region."""
     return RegionRecord(
-        one.task, one.file, one.line, one.routine, one.comment, one.steps, one.seconds
+        region.task,
+        region.file,
+        region.line,
+        region.routine,
+        region.comment,
+        region.steps,
+        region.seconds,
     )
 
 

@@ -8,7 +8,7 @@ from dataclasses import fields
 from typing import Annotated
 
 from rapidsim.controller.journal.events import Event, EventKind
-from rapidsim.json_records.declarations import Rounded, ValueForm
+from rapidsim.json_records.declarations import Lenient, Rounded, ValueForm
 from rapidsim.values import value_class
 
 
@@ -17,7 +17,7 @@ class EventRecord:
     """An event; its other keys depend on its kind, such as the signal and its value."""
 
     time_s: Rounded
-    task: str
+    task: Lenient[str]
     """Task whose program caused it; `cell` if none did."""
     kind: EventKind
     file: str | None
